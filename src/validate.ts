@@ -1,0 +1,165 @@
+/**
+ * The checks at the public edge and their messages. Every message names the function, the argument, the rule and the
+ * value received: `createCircleShape: radius must be a finite number > 0, got -3`. A check never changes anything.
+ *
+ * Wrong kind of thing: `TypeError`. Right kind, value out of range: `RangeError`.
+ */
+
+/** A value as it appears in a message: short, and never throwing, whatever it is. */
+function show(value: unknown): string {
+  if (typeof value === 'string') {
+    return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
+  }
+  if (typeof value === 'function') {
+    return 'a function';
+  }
+  if (Array.isArray(value)) {
+    return `an array of length ${value.length}`;
+  }
+  if (typeof value === 'object' && value !== null) {
+    return 'an object';
+  }
+  return String(value);
+}
+
+export function typeError(where: string, name: string, rule: string, value: unknown): TypeError {
+  return new TypeError(`${where}: ${name} must be ${rule}, got ${show(value)}`);
+}
+
+export function rangeError(where: string, name: string, rule: string, value: unknown): RangeError {
+  return new RangeError(`${where}: ${name} must be ${rule}, got ${show(value)}`);
+}
+
+function number(where: string, name: string, rule: string, value: unknown): number {
+  if (typeof value !== 'number') {
+    throw typeError(where, name, rule, value);
+  }
+  return value;
+}
+
+/** Any finite number. */
+export function finite(where: string, name: string, value: unknown): number {
+  const rule = 'a finite number';
+  const n = number(where, name, rule, value);
+  if (!Number.isFinite(n)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
+/** A number that may be infinite, but not NaN. */
+export function notNaN(where: string, name: string, value: unknown): number {
+  const rule = 'a number, not NaN';
+  const n = number(where, name, rule, value);
+  if (Number.isNaN(n)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
+/** A finite number > 0. */
+export function positive(where: string, name: string, value: unknown): number {
+  const rule = 'a finite number > 0';
+  const n = number(where, name, rule, value);
+  if (!(n > 0 && n < Infinity)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
+/** A number > 0, `Infinity` included. */
+export function positiveOrInfinite(where: string, name: string, value: unknown): number {
+  const rule = 'a number > 0';
+  const n = number(where, name, rule, value);
+  if (!(n > 0)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
+/** A finite number >= 0. */
+export function nonNegative(where: string, name: string, value: unknown): number {
+  const rule = 'a finite number >= 0';
+  const n = number(where, name, rule, value);
+  if (!(n >= 0 && n < Infinity)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
+/** An integer >= `least`. */
+export function integer(where: string, name: string, value: unknown, least: number): number {
+  const rule = `an integer >= ${least}`;
+  const n = number(where, name, rule, value);
+  if (!(Number.isInteger(n) && n >= least)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
+/** A set of 32 bits given as a number: any integer from -2^31 to 2^32 - 1; returned as an unsigned integer. */
+export function bits(where: string, name: string, value: unknown): number {
+  const rule = 'an integer of 32 bits';
+  const n = number(where, name, rule, value);
+  if (!(Number.isInteger(n) && n >= -0x80000000 && n <= 0xffffffff)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n >>> 0;
+}
+
+export function boolean(where: string, name: string, value: unknown): boolean {
+  if (typeof value !== 'boolean') {
+    throw typeError(where, name, 'a boolean', value);
+  }
+  return value;
+}
+
+/** `count` finite numbers at the indices 0 … count − 1. */
+export function vector(where: string, name: string, value: unknown, count: number): ArrayLike<number> {
+  const rule = `${count} finite numbers [${'x, y, …'.slice(0, count === 2 ? 4 : 7)}]`;
+  const list = value as ArrayLike<number> | null | undefined;
+  if (typeof list !== 'object' || list === null || !(list.length >= count)) {
+    throw typeError(where, name, rule, value);
+  }
+  for (let i = 0; i < count; i += 1) {
+    finite(where, `${name}[${i}]`, list[i]);
+  }
+  return list;
+}
+
+/** A destination for numbers: anything with writable indices. */
+export function sink(where: string, name: string, value: unknown): void {
+  if (typeof value !== 'object' || value === null) {
+    throw typeError(where, name, 'an array to write into', value);
+  }
+}
+
+/** The options object of a factory; `undefined` counts as "no options" unless the factory needs one. */
+export function options<T extends object>(where: string, value: T | undefined, required: boolean): Partial<T> {
+  if (value === undefined && !required) {
+    return {};
+  }
+  if (typeof value !== 'object' || value === null) {
+    throw typeError(where, 'params', 'an object of options', value);
+  }
+  return value;
+}
+
+export function instance<T>(
+  where: string,
+  name: string,
+  value: unknown,
+  kind: abstract new (...args: never[]) => T,
+  rule: string,
+): T {
+  if (!(value instanceof kind)) {
+    throw typeError(where, name, rule, value);
+  }
+  return value;
+}
+
+export function callable(where: string, name: string, value: unknown): void {
+  if (typeof value !== 'function') {
+    throw typeError(where, name, 'a function', value);
+  }
+}
