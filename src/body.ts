@@ -1,0 +1,750 @@
+import { type Listeners, NO_LISTENERS, withListener, withoutListener } from './events/listeners.js';
+import { cos, sin } from './math/trig.js';
+import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { Shape } from './shape/shape.js';
+import type { Island } from './solver/sleep.js';
+import {
+  boolean,
+  callable,
+  finite,
+  instance,
+  nonNegative,
+  options,
+  positive,
+  positiveOrInfinite,
+  typeError,
+  vector,
+} from './validate.js';
+import type { World } from './world.js';
+
+export type BodyType = 'dynamic' | 'kinematic' | 'static';
+export type BodyEventType = 'wake' | 'sleep';
+
+/** Called without arguments, `this` = the body. */
+export type BodyHandler = (this: RigidBody) => void;
+
+/** Options of `createRigidBody`. */
+export interface RigidBodyParams {
+  /** 'dynamic' is moved by forces and contacts, 'kinematic' by its velocity alone, 'static' not at all. Default 'dynamic'. */
+  type?: BodyType | undefined;
+  /** Attached in order; one that has a body already is skipped. Default none. */
+  shapes?: ArrayLike<Shape> | undefined;
+  /** kg, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
+  mass?: number | undefined;
+  /** kg·m² about the body origin, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
+  inertia?: number | undefined;
+  /** Stays asleep when added to a world. Default `false`. */
+  sleeping?: boolean | undefined;
+  /** Is swept against other dynamic bodies too. Default `false`. */
+  bullet?: boolean | undefined;
+  /** World position of the body origin, m. Default `[0, 0]`. */
+  position?: Vec2Like | undefined;
+  /** Clockwise on screen, rad. Default 0. */
+  rotation?: number | undefined;
+  /** m/s; ignored for 'static'. Default `[0, 0]`. */
+  velocity?: Vec2Like | undefined;
+  /** rad/s; ignored for 'static'. Default 0. */
+  angularVelocity?: number | undefined;
+  /** N; acts in every step until changed. Default `[0, 0]`. */
+  force?: Vec2Like | undefined;
+  /** N·m; acts in every step until changed. Default 0. */
+  torque?: number | undefined;
+  /** Share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Default 0.05. */
+  linearDrag?: number | undefined;
+  /** Share of the angular velocity lost per second, >= 0. Default 0.05. */
+  angularDrag?: number | undefined;
+  /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
+  surfaceVelocity?: Vec2Like | undefined;
+  /** Anything of yours; `undefined` becomes `null`. */
+  userData?: unknown;
+}
+
+/** @internal */
+export const DYNAMIC = 0;
+/** @internal */
+export const KINEMATIC = 1;
+/** @internal */
+export const STATIC = 2;
+
+const TYPES: readonly string[] = ['dynamic', 'kinematic', 'static'];
+const ZERO: Vec2Like = [0, 0];
+
+/**
+ * A rigid body: shapes that move together. The body origin is its centre of rotation and of gravity whatever the shapes;
+ * see `alignWithOrigin`. In a world, changes wake the body unless stated otherwise; teleports and geometry changes are
+ * ignored during a step.
+ */
+export class RigidBody {
+  static readonly version = 1;
+
+  /** Attached shapes. Do not modify. */
+  readonly shapes: Shape[] = [];
+  /** Is swept against other dynamic bodies too; takes effect in the next step. */
+  bullet: boolean;
+  /** Anything of yours. */
+  userData: unknown;
+
+  /** @internal DYNAMIC, KINEMATIC or STATIC */
+  kind: number;
+  /** @internal */
+  x: number;
+  /** @internal */
+  y: number;
+  /** @internal */
+  angle: number;
+  /** @internal */
+  cos: number;
+  /** @internal */
+  sin: number;
+  /** @internal */
+  vx = 0;
+  /** @internal */
+  vy = 0;
+  /** @internal */
+  w = 0;
+  /** @internal */
+  fx: number;
+  /** @internal */
+  fy: number;
+  /** @internal */
+  appliedTorque: number;
+  /** @internal */
+  linearDrag: number;
+  /** @internal */
+  angularDrag: number;
+  /** @internal */
+  surfaceX: number;
+  /** @internal */
+  surfaceY: number;
+  /** @internal given mass, or −1: from the shapes */
+  fixedMass: number;
+  /** @internal given inertia, or −1: from the shapes */
+  fixedInertia: number;
+  /** @internal right after `refreshMass` */
+  mass = 0;
+  /** @internal right after `refreshMass` */
+  inertia = 0;
+  /** @internal largest distance of a shape point from the origin; right after `refreshMass` */
+  radius = 0;
+  /** @internal motion of the last step */
+  lastDx = 0;
+  /** @internal */
+  lastDy = 0;
+  /** @internal */
+  lastTurn = 0;
+  /** @internal the last step in which the body was not at rest or was woken */
+  wakeTime = 0;
+  /** @internal shapes, mass or radius differ from what is cached */
+  massStale = true;
+  /** @internal turned geometry, bounds and broadphase are behind the placement */
+  placeStale = true;
+  /** @internal */
+  asleep: boolean;
+  /** @internal */
+  owner: World | null = null;
+  /** @internal index in the world's list of bodies */
+  index = -1;
+  /** @internal index in the live list of its type, −1 while in none */
+  liveIndex = -1;
+  /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
+  slot = 0;
+  /** @internal those it fell asleep with */
+  island: Island | null = null;
+  /** @internal */
+  listeners: Listeners<BodyHandler> = NO_LISTENERS;
+
+  /** @internal use `createRigidBody` */
+  constructor(params?: RigidBodyParams) {
+    const where = 'createRigidBody';
+    const given = options(where, params, false);
+    const type = given.type ?? 'dynamic';
+    if (!TYPES.includes(type)) {
+      throw typeError(where, 'type', "'dynamic', 'kinematic' or 'static'", type);
+    }
+    const list = checkedShapes(where, given.shapes);
+    const position = vector(where, 'position', given.position ?? ZERO, 2);
+    const velocity = vector(where, 'velocity', given.velocity ?? ZERO, 2);
+    const force = vector(where, 'force', given.force ?? ZERO, 2);
+    const surface = vector(where, 'surfaceVelocity', given.surfaceVelocity ?? ZERO, 2);
+    const angularVelocity = finite(where, 'angularVelocity', given.angularVelocity ?? 0);
+    this.kind = TYPES.indexOf(type);
+    this.x = position[0]!;
+    this.y = position[1]!;
+    this.angle = finite(where, 'rotation', given.rotation ?? 0);
+    this.cos = cos(this.angle);
+    this.sin = sin(this.angle);
+    this.fx = force[0]!;
+    this.fy = force[1]!;
+    this.appliedTorque = finite(where, 'torque', given.torque ?? 0);
+    this.linearDrag = nonNegative(where, 'linearDrag', given.linearDrag ?? 0.05);
+    this.angularDrag = nonNegative(where, 'angularDrag', given.angularDrag ?? 0.05);
+    this.surfaceX = surface[0]!;
+    this.surfaceY = surface[1]!;
+    this.fixedMass = given.mass === undefined ? -1 : positiveOrInfinite(where, 'mass', given.mass);
+    this.fixedInertia = given.inertia === undefined ? -1 : positiveOrInfinite(where, 'inertia', given.inertia);
+    this.asleep = boolean(where, 'sleeping', given.sleeping ?? false);
+    this.bullet = boolean(where, 'bullet', given.bullet ?? false);
+    this.userData = given.userData === undefined ? null : given.userData;
+    if (this.kind !== STATIC) {
+      this.vx = velocity[0]!;
+      this.vy = velocity[1]!;
+      this.w = angularVelocity;
+    }
+    for (const shape of list) {
+      if (shape.owner === null) {
+        this.attach(shape);
+      }
+    }
+  }
+
+  /** The world the body is in, or `null`. */
+  get world(): World | null {
+    return this.owner;
+  }
+
+  /** Asleep. A static body in a world always is. */
+  get sleeping(): boolean {
+    return this.asleep;
+  }
+
+  isDynamic(): boolean {
+    return this.kind === DYNAMIC;
+  }
+
+  isKinematic(): boolean {
+    return this.kind === KINEMATIC;
+  }
+
+  isStatic(): boolean {
+    return this.kind === STATIC;
+  }
+
+  /** Makes the body dynamic; velocity stays. Ignored during a step. */
+  setAsDynamic(): void {
+    this.setKind(DYNAMIC);
+  }
+
+  /** Makes the body kinematic; velocity stays. Ignored during a step. */
+  setAsKinematic(): void {
+    this.setKind(KINEMATIC);
+  }
+
+  /** Makes the body static and zeroes its velocities. Ignored during a step. */
+  setAsStatic(): void {
+    this.setKind(STATIC);
+  }
+
+  /** World position of the body origin, m. */
+  getPosition(): Vec2;
+  getPosition<T extends NumberSink>(dst: T): T;
+  getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.x, this.y, dst);
+  }
+
+  /** Teleports the body. Ignored during a step and for a static body in a world. Wakes it if changed. */
+  setPosition(position: Vec2Like): void {
+    vector('RigidBody.setPosition', 'position', position, 2);
+    if (!this.isLocked() && (position[0] !== this.x || position[1] !== this.y)) {
+      this.putAt(position[0]!, position[1]!, this.angle);
+      this.rouse();
+    }
+  }
+
+  /** Clockwise on screen, rad; never wrapped to a range. */
+  getRotation(): number {
+    return this.angle;
+  }
+
+  /** Turns the body at once. Ignored as `setPosition` is. Wakes it if changed. */
+  setRotation(rotation: number): void {
+    finite('RigidBody.setRotation', 'rotation', rotation);
+    if (!this.isLocked() && rotation !== this.angle) {
+      this.putAt(this.x, this.y, rotation);
+      this.rouse();
+    }
+  }
+
+  /** m/s. */
+  getVelocity(): Vec2;
+  getVelocity<T extends NumberSink>(dst: T): T;
+  getVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.vx, this.vy, dst);
+  }
+
+  /** Sets the velocity, m/s. A static body has none. Wakes the body if changed. */
+  setVelocity(velocity: Vec2Like): void {
+    vector('RigidBody.setVelocity', 'velocity', velocity, 2);
+    if (this.kind !== STATIC && (velocity[0] !== this.vx || velocity[1] !== this.vy)) {
+      this.vx = velocity[0]!;
+      this.vy = velocity[1]!;
+      this.rouse();
+    }
+  }
+
+  /** rad/s. */
+  getAngularVelocity(): number {
+    return this.w;
+  }
+
+  /** Sets the angular velocity, rad/s. A static body has none. Wakes the body if changed. */
+  setAngularVelocity(angularVelocity: number): void {
+    finite('RigidBody.setAngularVelocity', 'angularVelocity', angularVelocity);
+    if (this.kind !== STATIC && angularVelocity !== this.w) {
+      this.w = angularVelocity;
+      this.rouse();
+    }
+  }
+
+  /** Sets the velocities that lead to the given placement in `deltaTime` seconds (> 0). Wakes the body. */
+  setVelocityFromPosition(targetPosition: Vec2Like, targetRotation: number, deltaTime: number): void {
+    const where = 'RigidBody.setVelocityFromPosition';
+    vector(where, 'targetPosition', targetPosition, 2);
+    finite(where, 'targetRotation', targetRotation);
+    positive(where, 'deltaTime', deltaTime);
+    if (this.kind === STATIC) {
+      return;
+    }
+    this.vx = (targetPosition[0]! - this.x) / deltaTime;
+    this.vy = (targetPosition[1]! - this.y) / deltaTime;
+    this.w = (targetRotation - this.angle) / deltaTime;
+    this.rouse();
+  }
+
+  /**
+   * Applies an impulse, N·s, at a world point; without a point at the body origin, which turns nothing. Dynamic bodies
+   * only; wakes the body.
+   */
+  applyImpulse(impulse: Vec2Like, position?: Vec2Like): void {
+    const where = 'RigidBody.applyImpulse';
+    vector(where, 'impulse', impulse, 2);
+    if (position !== undefined) {
+      vector(where, 'position', position, 2);
+    }
+    if (this.kind !== DYNAMIC) {
+      return;
+    }
+    const inverseMass = this.inverseMass();
+    this.vx += impulse[0]! * inverseMass;
+    this.vy += impulse[1]! * inverseMass;
+    if (position !== undefined) {
+      const rx = position[0]! - this.x;
+      const ry = position[1]! - this.y;
+      this.w += (rx * impulse[1]! - ry * impulse[0]!) * this.inverseInertia();
+    }
+    this.rouse();
+  }
+
+  /** Moves the body along its velocities for `deltaTime` seconds, also backwards. Ignored as `setPosition` is. Wakes the body. */
+  integrate(deltaTime: number): void {
+    finite('RigidBody.integrate', 'deltaTime', deltaTime);
+    if (!this.isLocked()) {
+      this.putAt(this.x + this.vx * deltaTime, this.y + this.vy * deltaTime, this.angle + this.w * deltaTime);
+      this.rouse();
+    }
+  }
+
+  /** N. */
+  getForce(): Vec2;
+  getForce<T extends NumberSink>(dst: T): T;
+  getForce<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.fx, this.fy, dst);
+  }
+
+  /** Sets the force, N, that acts in every step until changed. Wakes the body if changed. */
+  setForce(force: Vec2Like): void {
+    vector('RigidBody.setForce', 'force', force, 2);
+    if (force[0] !== this.fx || force[1] !== this.fy) {
+      this.fx = force[0]!;
+      this.fy = force[1]!;
+      this.rouse();
+    }
+  }
+
+  /** N·m. */
+  getTorque(): number {
+    return this.appliedTorque;
+  }
+
+  /** Sets the torque, N·m, that acts in every step until changed. Wakes the body if changed. */
+  setTorque(torque: number): void {
+    finite('RigidBody.setTorque', 'torque', torque);
+    if (torque !== this.appliedTorque) {
+      this.appliedTorque = torque;
+      this.rouse();
+    }
+  }
+
+  getLinearDrag(): number {
+    return this.linearDrag;
+  }
+
+  /** Sets the share of the velocity lost per second, >= 0. Wakes the body. */
+  setLinearDrag(linearDrag: number): void {
+    this.linearDrag = nonNegative('RigidBody.setLinearDrag', 'linearDrag', linearDrag);
+    this.rouse();
+  }
+
+  getAngularDrag(): number {
+    return this.angularDrag;
+  }
+
+  /** Sets the share of the angular velocity lost per second, >= 0. Wakes the body. */
+  setAngularDrag(angularDrag: number): void {
+    this.angularDrag = nonNegative('RigidBody.setAngularDrag', 'angularDrag', angularDrag);
+    this.rouse();
+  }
+
+  /** m/s: x along the surface, clockwise around the body; y along its outward normal. */
+  getSurfaceVelocity(): Vec2;
+  getSurfaceVelocity<T extends NumberSink>(dst: T): T;
+  getSurfaceVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.surfaceX, this.surfaceY, dst);
+  }
+
+  /** Sets the surface velocity, m/s. Wakes the body, and what rests on it. */
+  setSurfaceVelocity(velocity: Vec2Like): void {
+    vector('RigidBody.setSurfaceVelocity', 'velocity', velocity, 2);
+    this.surfaceX = velocity[0]!;
+    this.surfaceY = velocity[1]!;
+    this.rouse();
+  }
+
+  /** kg, whatever the type; 0 for a body without shapes and without a given mass. */
+  getMass(): number {
+    this.refreshMass();
+    return this.mass;
+  }
+
+  /** Fixes the mass, kg, > 0, `Infinity` allowed. Wakes the body if the value changes or was "from shapes". */
+  setMass(mass: number): void {
+    positiveOrInfinite('RigidBody.setMass', 'mass', mass);
+    if (mass !== this.fixedMass) {
+      this.fixedMass = mass;
+      this.massStale = true;
+      this.rouse();
+    }
+  }
+
+  /** Lets the mass follow the shapes again. Wakes the body if it was fixed. */
+  setMassFromShapes(): void {
+    if (this.fixedMass >= 0) {
+      this.fixedMass = -1;
+      this.massStale = true;
+      this.rouse();
+    }
+  }
+
+  /** kg·m² about the body origin, whatever the type. */
+  getInertia(): number {
+    this.refreshMass();
+    return this.inertia;
+  }
+
+  /** Fixes the inertia, kg·m², > 0, `Infinity` allowed. Wakes the body if the value changes or was "from shapes". */
+  setInertia(inertia: number): void {
+    positiveOrInfinite('RigidBody.setInertia', 'inertia', inertia);
+    if (inertia !== this.fixedInertia) {
+      this.fixedInertia = inertia;
+      this.massStale = true;
+      this.rouse();
+    }
+  }
+
+  /** Lets the inertia follow the shapes again. Wakes the body if it was fixed. */
+  setInertiaFromShapes(): void {
+    if (this.fixedInertia >= 0) {
+      this.fixedInertia = -1;
+      this.massStale = true;
+      this.rouse();
+    }
+  }
+
+  /** Σ density · area, kg. Overlaps count twice, sensors count. */
+  computeMassFromShapes(): number {
+    let mass = 0;
+    for (const shape of this.shapes) {
+      mass += shape.material.density * shape.computeArea();
+    }
+    return mass;
+  }
+
+  /** Σ density · area · massless inertia, kg·m² about the body origin. */
+  computeInertiaFromShapes(): number {
+    let inertia = 0;
+    for (const shape of this.shapes) {
+      inertia += shape.material.density * shape.computeArea() * shape.computeMasslessInertia();
+    }
+    return inertia;
+  }
+
+  /** Centre of mass of the shapes in body coordinates, m; `[0, 0]` without shapes or mass. */
+  computeLocalCenterOfMass(): Vec2;
+  computeLocalCenterOfMass<T extends NumberSink>(dst: T): T;
+  computeLocalCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
+    let x = 0;
+    let y = 0;
+    let total = 0;
+    const centre: Vec2 = [0, 0];
+    for (const shape of this.shapes) {
+      const mass = shape.material.density * shape.computeArea();
+      shape.computeCenterOfMass(centre);
+      x += mass * centre[0];
+      y += mass * centre[1];
+      total += mass;
+    }
+    return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
+  }
+
+  /**
+   * Translates all shapes so that their centre of mass is the body origin. The body's position stays, so the shapes move
+   * in the world. No effect without shapes or mass. Ignored as `setPosition` is. Wakes the body.
+   */
+  alignWithOrigin(): void {
+    if (this.isLocked() || !(this.computeMassFromShapes() > 0)) {
+      return;
+    }
+    const [x, y] = this.computeLocalCenterOfMass();
+    for (const shape of this.shapes) {
+      shape.translate([-x, -y]);
+    }
+  }
+
+  /** Attaches a shape. @returns `false`, without effect, if it has a body, during a step, or for a static body in a world. */
+  addShape(shape: Shape): boolean {
+    instance('RigidBody.addShape', 'shape', shape, Shape, 'a Shape');
+    if (shape.owner !== null || this.isLocked()) {
+      return false;
+    }
+    this.attach(shape);
+    this.owner?.shapeAdded(shape);
+    this.rouse();
+    return true;
+  }
+
+  /** Detaches a shape; its interactions end. @returns `false`, without effect, if it is not this body's, or as `addShape`. */
+  removeShape(shape: Shape): boolean {
+    instance('RigidBody.removeShape', 'shape', shape, Shape, 'a Shape');
+    if (shape.owner !== this || this.isLocked()) {
+      return false;
+    }
+    this.rouse();
+    this.owner?.shapeRemoved(shape);
+    const last = this.shapes.pop()!;
+    if (last !== shape) {
+      this.shapes[this.shapes.indexOf(shape)] = last;
+    }
+    shape.owner = null;
+    this.shapesChanged();
+    return true;
+  }
+
+  /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
+  computeWorldBounds(): Rect;
+  computeWorldBounds<T extends NumberSink>(dst: T): T;
+  computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
+    const result = dst ?? ([0, 0, 0, 0] as Rect);
+    result[0] = Infinity;
+    result[1] = Infinity;
+    result[2] = -Infinity;
+    result[3] = -Infinity;
+    this.place();
+    for (const { bounds } of this.shapes) {
+      result[0] = Math.min(result[0]!, bounds[0]!);
+      result[1] = Math.min(result[1]!, bounds[1]!);
+      result[2] = Math.max(result[2]!, bounds[2]!);
+      result[3] = Math.max(result[3]!, bounds[3]!);
+    }
+    return result;
+  }
+
+  transformWorldPointToLocal(worldPoint: Vec2Like): Vec2;
+  transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst: T): T;
+  transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst?: T): T | Vec2 {
+    vector('RigidBody.transformWorldPointToLocal', 'worldPoint', worldPoint, 2);
+    return this.toLocal(worldPoint[0]! - this.x, worldPoint[1]! - this.y, dst);
+  }
+
+  transformWorldVectorToLocal(worldVector: Vec2Like): Vec2;
+  transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst: T): T;
+  transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst?: T): T | Vec2 {
+    vector('RigidBody.transformWorldVectorToLocal', 'worldVector', worldVector, 2);
+    return this.toLocal(worldVector[0]!, worldVector[1]!, dst);
+  }
+
+  transformLocalPointToWorld(localPoint: Vec2Like): Vec2;
+  transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst: T): T;
+  transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst?: T): T | Vec2 {
+    vector('RigidBody.transformLocalPointToWorld', 'localPoint', localPoint, 2);
+    return this.toWorld(localPoint, this.x, this.y, dst);
+  }
+
+  transformLocalVectorToWorld(localVector: Vec2Like): Vec2;
+  transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst: T): T;
+  transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst?: T): T | Vec2 {
+    vector('RigidBody.transformLocalVectorToWorld', 'localVector', localVector, 2);
+    return this.toWorld(localVector, 0, 0, dst);
+  }
+
+  /** Wakes the body, without a `wake` event for itself, and what sleeps with it. Outside a world only clears the flag. */
+  wake(): void {
+    if (this.owner !== null) {
+      this.owner.wakeBody(this, true);
+    } else {
+      this.asleep = false;
+    }
+  }
+
+  /** Puts this dynamic body to sleep at once, without an event; it keeps its velocity. Outside a world only sets the flag. */
+  sleep(): void {
+    if (this.owner !== null) {
+      this.owner.sleepBody(this);
+    } else {
+      this.asleep = true;
+    }
+  }
+
+  /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes the body silently otherwise. */
+  addEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
+    callable('RigidBody.addEventListener', 'handler', handler);
+    if (eventType !== 'wake' && eventType !== 'sleep') {
+      return false;
+    }
+    const added = { type: eventType, handler, mask: undefined, deterministic: false };
+    return this.replaceListeners(withListener(this.listeners, added));
+  }
+
+  /** Removes a handler. @returns whether it was there. */
+  removeEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
+    return this.replaceListeners(withoutListener(this.listeners, eventType, handler, undefined));
+  }
+
+  private replaceListeners(list: Listeners<BodyHandler> | null): boolean {
+    if (list === null) {
+      return false;
+    }
+    this.listeners = list;
+    this.wake();
+    return true;
+  }
+
+  /** @internal 0 for everything that cannot be pushed */
+  inverseMass(): number {
+    this.refreshMass();
+    return this.kind === DYNAMIC && this.mass > 0 ? 1 / this.mass : 0;
+  }
+
+  /** @internal 0 for everything that cannot be turned */
+  inverseInertia(): number {
+    this.refreshMass();
+    return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
+  }
+
+  /** @internal the automatic wake: with a `wake` event if the body was asleep */
+  rouse(): void {
+    if (this.owner !== null) {
+      this.owner.wakeBody(this, false);
+    } else {
+      this.asleep = false;
+    }
+  }
+
+  /** @internal the body may not be moved or reshaped now */
+  isLocked(): boolean {
+    return this.owner !== null && (this.owner.stepping || this.kind === STATIC);
+  }
+
+  /** @internal */
+  shapesChanged(): void {
+    this.massStale = true;
+  }
+
+  /** @internal the turned geometry has to be refreshed before its next use */
+  moved(): void {
+    if (!this.placeStale) {
+      this.placeStale = true;
+      this.owner?.stale.push(this);
+    }
+  }
+
+  /** @internal */
+  putAt(x: number, y: number, angle: number): void {
+    if (angle !== this.angle) {
+      this.angle = angle;
+      this.cos = cos(angle);
+      this.sin = sin(angle);
+    }
+    this.x = x;
+    this.y = y;
+    this.moved();
+  }
+
+  /** @internal brings turned geometry and bounds up to date */
+  place(): void {
+    if (!this.placeStale) {
+      return;
+    }
+    for (const shape of this.shapes) {
+      shape.place(this.x, this.y, this.cos, this.sin);
+    }
+    if (this.owner === null) {
+      this.placeStale = false;
+    }
+  }
+
+  /** @internal */
+  refreshMass(): void {
+    if (!this.massStale) {
+      return;
+    }
+    this.massStale = false;
+    this.mass = this.fixedMass >= 0 ? this.fixedMass : this.computeMassFromShapes();
+    this.inertia = this.fixedInertia >= 0 ? this.fixedInertia : this.computeInertiaFromShapes();
+    this.radius = 0;
+    for (const shape of this.shapes) {
+      this.radius = Math.max(this.radius, shape.reach());
+    }
+  }
+
+  private attach(shape: Shape): void {
+    shape.owner = this;
+    this.shapes.push(shape);
+    this.shapesChanged();
+    this.moved();
+  }
+
+  private setKind(kind: number): void {
+    if (kind === this.kind || this.owner?.stepping) {
+      return;
+    }
+    if (this.owner !== null) {
+      this.owner.changeKind(this, kind);
+    } else {
+      this.kind = kind;
+    }
+    if (kind === STATIC) {
+      this.vx = 0;
+      this.vy = 0;
+      this.w = 0;
+    }
+  }
+
+  private toLocal<T extends NumberSink>(x: number, y: number, dst: T | undefined): T | Vec2 {
+    return vec2(this.cos * x + this.sin * y, this.cos * y - this.sin * x, dst);
+  }
+
+  private toWorld<T extends NumberSink>(local: Vec2Like, x: number, y: number, dst: T | undefined): T | Vec2 {
+    const lx = local[0]!;
+    const ly = local[1]!;
+    return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, dst);
+  }
+}
+
+function checkedShapes(where: string, value: ArrayLike<Shape> | undefined): Shape[] {
+  if (value === undefined) {
+    return [];
+  }
+  if (typeof value !== 'object' || value === null || typeof value.length !== 'number') {
+    throw typeError(where, 'shapes', 'an array of Shapes', value);
+  }
+  return Array.from(value, (shape, i) => instance(where, `shapes[${i}]`, shape, Shape, 'a Shape'));
+}

@@ -1,0 +1,32 @@
+/**
+ * What a collision kernel found: how two shapes overlap, or face each other within the speculative margin. Points are given relative to the origin of body A, so that
+ * nothing is lost far from the world's origin. Lives in its pair from step to step: a kernel starts from the last axis.
+ */
+export class Manifold {
+  /** Number of points, 0 to 2. */
+  count = 0;
+  /** Unit normal from A to B. */
+  nx = 0;
+  ny = 0;
+  /** Points half-way into the overlap. With two, the first lies lower along the tangent (−ny, nx). */
+  x0 = 0;
+  y0 = 0;
+  x1 = 0;
+  y1 = 0;
+  /** m; negative where the surfaces overlap. */
+  separation0 = 0;
+  separation1 = 0;
+  /** The corner that limits the overlap at this end: 2 · index, + 1 for a corner of B. */
+  id0 = 0;
+  id1 = 0;
+  /** The two edges that face each other. */
+  edgeA = -1;
+  edgeB = -1;
+  /** Where to look first for a separating axis: 2 · edge, + 1 for an edge of B; −1: nowhere. */
+  axis = -1;
+
+  /** Some point is in contact. Circles that touch collide, polygons that touch do not. */
+  overlaps(): boolean {
+    return this.count === 2 ? this.separation0 < 0 || this.separation1 < 0 : this.count === 1 && this.separation0 <= 0;
+  }
+}

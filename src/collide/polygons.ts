@@ -1,0 +1,154 @@
+import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
+import { EDGE_STRIDE, type Polygon } from '../shape/polygon.js';
+import type { Manifold } from './manifold.js';
+
+/** The edge found by `deepestEdge`; dead as soon as it has been read. */
+let foundEdge = 0;
+
+/** How far Q lies beyond edge `i` of P: min over Q's corners q of n · q − offset. `(ox, oy)` leads from P's origin to Q's. */
+function edgeSeparation(p: Polygon, i: number, q: Polygon, ox: number, oy: number): number {
+  const edges = q.edges;
+  const nx = p.edges[EDGE_STRIDE * i + 2]!;
+  const ny = p.edges[EDGE_STRIDE * i + 3]!;
+  let least = Infinity;
+  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+    const s = nx * edges[k]! + ny * edges[k + 1]!;
+    if (s < least) least = s;
+  }
+  return least + nx * ox + ny * oy - p.offsets[i]!;
+}
+
+/** The largest separation over P's edges, its edge in `foundEdge`; stops at the first edge that separates. */
+function deepestEdge(p: Polygon, q: Polygon, ox: number, oy: number): number {
+  const count = p.offsets.length;
+  let best = -Infinity;
+  for (let i = 0; i < count; i += 1) {
+    const s = edgeSeparation(p, i, q, ox, oy);
+    if (s > best) {
+      best = s;
+      foundEdge = i;
+      if (s > SPECULATIVE_MARGIN) {
+        return s;
+      }
+    }
+  }
+  return best;
+}
+
+/** The edge of Q that faces the direction `(nx, ny)` most squarely. */
+function opposedEdge(q: Polygon, nx: number, ny: number): number {
+  const edges = q.edges;
+  let least = Infinity;
+  let found = 0;
+  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+    const d = nx * edges[k + 2]! + ny * edges[k + 3]!;
+    if (d < least) {
+      least = d;
+      found = k;
+    }
+  }
+  return found / EDGE_STRIDE;
+}
+
+/**
+ * Two polygons; `(dx, dy)` leads from body A's origin to B's. Separating axes over all edge normals; the shallowest one
+ * becomes the reference edge (ties go to A), and the opposed edge of the other polygon is clipped to its width (Catto,
+ * "Contact Manifolds", GDC 2007). The last separating axis is tried first.
+ */
+export function collidePolygons(a: Polygon, b: Polygon, dx: number, dy: number, m: Manifold): void {
+  m.count = 0;
+  const axis = m.axis;
+  if (axis >= 0) {
+    const edge = axis >> 1;
+    if ((axis & 1) === 0) {
+      if (edge < a.offsets.length && edgeSeparation(a, edge, b, dx, dy) > SPECULATIVE_MARGIN) return;
+    } else if (edge < b.offsets.length && edgeSeparation(b, edge, a, -dx, -dy) > SPECULATIVE_MARGIN) {
+      return;
+    }
+  }
+  const depthA = deepestEdge(a, b, dx, dy);
+  const edgeA = foundEdge;
+  if (depthA > SPECULATIVE_MARGIN) {
+    m.axis = 2 * edgeA;
+    return;
+  }
+  const depthB = deepestEdge(b, a, -dx, -dy);
+  const edgeB = foundEdge;
+  if (depthB > SPECULATIVE_MARGIN) {
+    m.axis = 2 * edgeB + 1;
+    return;
+  }
+  if (depthB > depthA + FACE_TIE) {
+    clip(b, edgeB, a, -dx, -dy, m);
+    if (m.count > 0) turnRound(m, dx, dy);
+  } else {
+    clip(a, edgeA, b, dx, dy, m);
+  }
+}
+
+/**
+ * Clips the edge of Q that faces edge `i` of P to the width of that edge, with P as A and Q as B:
+ *
+ * Edges that are apart and not above each other do not face each other: no points.
+ *
+ *     Q   w1 <──────────── w2        the ends are sorted by t = (−ny, nx), along which P's edges run
+ *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
+ */
+function clip(p: Polygon, i: number, q: Polygon, ox: number, oy: number, m: Manifold): void {
+  const pe = p.edges;
+  const qe = q.edges;
+  const next = i + 1 === p.offsets.length ? 0 : i + 1;
+  const nx = pe[EDGE_STRIDE * i + 2]!;
+  const ny = pe[EDGE_STRIDE * i + 3]!;
+  const j = opposedEdge(q, nx, ny);
+  const after = j + 1 === q.offsets.length ? 0 : j + 1;
+  const v1 = nx * pe[EDGE_STRIDE * i + 1]! - ny * pe[EDGE_STRIDE * i]!;
+  const v2 = nx * pe[EDGE_STRIDE * next + 1]! - ny * pe[EDGE_STRIDE * next]!;
+  const x1 = qe[EDGE_STRIDE * j]! + ox;
+  const y1 = qe[EDGE_STRIDE * j + 1]! + oy;
+  const x2 = qe[EDGE_STRIDE * after]! + ox;
+  const y2 = qe[EDGE_STRIDE * after + 1]! + oy;
+  const w1 = nx * y1 - ny * x1;
+  const w2 = nx * y2 - ny * x2;
+  const d1 = nx * x1 + ny * y1 - p.offsets[i]!;
+  const d2 = nx * x2 + ny * y2 - p.offsets[i]!;
+  if (d1 >= 0 && d2 >= 0 && (w1 <= v1 || w2 >= v2)) {
+    return;
+  }
+  const width = w1 - w2;
+  const scale = width > 0 ? 1 / width : 0;
+  const low = v1 > w2 && v1 < w1 ? (v1 - w2) * scale : 0;
+  const high = v2 < w1 && v2 > w2 ? (v2 - w2) * scale : 1;
+  const lowDepth = d2 + (d1 - d2) * low;
+  const highDepth = d2 + (d1 - d2) * high;
+  m.count = 2;
+  m.nx = nx;
+  m.ny = ny;
+  m.x0 = x2 + (x1 - x2) * low - nx * lowDepth * 0.5;
+  m.y0 = y2 + (y1 - y2) * low - ny * lowDepth * 0.5;
+  m.x1 = x2 + (x1 - x2) * high - nx * highDepth * 0.5;
+  m.y1 = y2 + (y1 - y2) * high - ny * highDepth * 0.5;
+  m.separation0 = lowDepth;
+  m.separation1 = highDepth;
+  m.id0 = low > 0 ? 2 * i : 2 * after + 1;
+  m.id1 = high < 1 ? 2 * next : 2 * j + 1;
+  m.edgeA = i;
+  m.edgeB = j;
+}
+
+/** Makes a manifold found with the roles exchanged one of A and B: the normal turns and with it the order of the ends. */
+function turnRound(m: Manifold, dx: number, dy: number): void {
+  const { x0, y0, separation0, id0, edgeA } = m;
+  m.nx = -m.nx;
+  m.ny = -m.ny;
+  m.x0 = m.x1 + dx;
+  m.y0 = m.y1 + dy;
+  m.separation0 = m.separation1;
+  m.id0 = m.id1 ^ 1;
+  m.x1 = x0 + dx;
+  m.y1 = y0 + dy;
+  m.separation1 = separation0;
+  m.id1 = id0 ^ 1;
+  m.edgeA = m.edgeB;
+  m.edgeB = edgeA;
+}

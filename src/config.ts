@@ -1,0 +1,79 @@
+/**
+ * Every tolerance of the engine: unit, reason, and what breaks if it moves. Lengths are for things between a centimetre
+ * and tens of metres.
+ */
+
+/** m. Overlap that is left alone at a contact. Below 1.5 mm towers start to sway (pushes that never stop feed it). */
+export const CONTACT_SLOP = 0.002;
+
+/**
+ * m. Surfaces that are apart by no more than this are handed to the solver as well, which stops them when they meet; so
+ * what closes within the step is not found one step too late. Larger costs work, smaller lets falling stacks run into each other.
+ */
+export const SPECULATIVE_MARGIN = 0.02;
+
+/** m. The depth at which surfaces are stopped: more than rounding, so that what rests on something is found touching it. */
+export const TOUCH_DEPTH = 1e-4;
+
+/** m. Two faces whose depths differ by less count as equally deep and shape A's is taken; stops noise from flipping it. */
+export const FACE_TIE = 1e-6;
+
+/** Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. More than 0.3 makes towers sway. */
+export const PUSH_SHARE_DYNAMIC = 0.15;
+
+/** The same where one side cannot move. Less lets a heavy box sink into the ground between light ones. */
+export const PUSH_SHARE_STATIC = 0.75;
+
+/** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
+export const MAX_PUSH = 0.2;
+
+/** m. A remaining error below this ends the position iterations of the sub-step: it is far below what the next one adds. */
+export const PUSH_TOLERANCE = 1e-7;
+
+/** m/s. An impact whose rebound would be slower does not bounce; else a resting body would hum on its own restitution. */
+export const BOUNCE_THRESHOLD = 0.25;
+
+/** (m/s)². Sliding faster than 0.01 m/s takes the dynamic coefficient of friction, slower the static one. */
+export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
+
+/** kg⁻¹. An inverse effective mass below this counts as immovable. */
+export const MIN_INVERSE_MASS = 1e-10;
+
+/** A two-point contact whose matrix K has K11² above this times its determinant is solved as its deeper point alone. */
+export const MAX_CONDITION = 1e5;
+
+/** m. Circle centres closer than this have no direction between them; `(1, 0)` is taken. */
+export const COINCIDENT = 1e-6;
+
+/** m/s. Bodies in contact below this speed are damped a little; removes the sway that a landing leaves in a tall stack. */
+export const REST_SPEED = 0.01;
+
+/** 1/s. Strength of that damping. A body in contact driven by less than about 0.002 m/s² stays below REST_SPEED. */
+export const REST_DAMPING = 0.5;
+
+/** Weight of the spin, taken at the radius of gyration, in the speed that REST_SPEED limits. */
+export const REST_SPIN_WEIGHT = 0.3;
+
+/** steps. How long an arbiter outlives its interaction, so that its impulses and settings are there when it comes back. */
+export const ARBITER_CACHE = 30;
+
+/** steps. A body sleeps when it, and its island, have been at rest for longer than this. */
+export const SLEEP_DELAY = 60;
+
+/** (m/s)². At rest: squared speed, and squared motion of the last step over dt². */
+export const SLEEP_SPEED_SQUARED = 0.0006;
+
+/** (m/s)². At rest: squared speed of the rim, (ω·R)², and of the last turn over dt². */
+export const SLEEP_RIM_SPEED_SQUARED = 0.001;
+
+/** m. Vertices closer than this are one point. */
+export const VERTEX_TOLERANCE = 1e-9;
+
+/** Relative: a vertex whose distance from the line of its neighbours is below this times their distance lies on it. */
+export const COLLINEAR_TOLERANCE = 1e-9;
+
+/** Default of `World.velocityIterations` and `World.positionIterations`: totals per step, spread over the sub-steps. */
+export const DEFAULT_ITERATIONS = 8;
+
+/** Default of `World.substeps`: the fewest with which tall towers, heavy tops and ramps are all right. */
+export const DEFAULT_SUBSTEPS = 4;

@@ -1,0 +1,274 @@
+import type { RigidBody } from '../body.js';
+import { Manifold } from '../collide/manifold.js';
+import { mixElasticity, mixFriction } from '../material.js';
+import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
+import type { Shape } from '../shape/shape.js';
+import { nonNegative, notNaN, boolean } from '../validate.js';
+import { Contact } from './contact.js';
+
+/** @internal which of the mixed values were set by hand */
+const FIXED_ELASTICITY = 1;
+const FIXED_STATIC = 2;
+const FIXED_DYNAMIC = 4;
+const FIXED_ROLLING = 8;
+
+/**
+ * What two shapes have to do with each other: contacts, impulses, combined material. Made by the engine and recycled: read it
+ * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
+ */
+export class Arbiter {
+  static readonly version = 1;
+
+  /** The shape with the lower id. */
+  shapeA: Shape;
+  shapeB: Shape;
+  /** The shapes interacted in the latest step; an inactive arbiter is a cache and has to be skipped. */
+  active = false;
+  /** Both bodies are asleep; the arbiter is in no list of the world. */
+  sleeping = false;
+  /** One of the shapes is a sensor: no contacts, no physics. */
+  readonly sensor = false;
+  /** None, one or two points. Skip those that are not `active`. */
+  readonly contacts: Contact[] = [];
+
+  /** @internal */
+  readonly manifold = new Manifold();
+  /** @internal the objects `contacts` is filled with; B's end of two comes second */
+  readonly points: [Contact, Contact] = [new Contact(), new Contact()];
+  /** @internal the last step in which the shapes interacted */
+  lastInteraction = -1;
+  /** @internal the last step in which the broadphase reported the pair */
+  seen = -1;
+  /** @internal the step in which it fell asleep */
+  sleptAt = -1;
+  /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
+  listed = false;
+  /** @internal taken out of everything; dropped from the sorted list when that is next walked */
+  dead = false;
+  /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
+  awake = false;
+  /** @internal index in the world's list it is in */
+  listIndex = -1;
+  /** @internal index in shapeA.arbiters */
+  indexA = -1;
+  /** @internal index in shapeB.arbiters */
+  indexB = -1;
+  /** @internal the surfaces are apart but near enough to meet within the step; the solver sees them, no one else does */
+  near = false;
+  /** @internal */
+  accepted = true;
+  /** @internal */
+  persistent = false;
+  /** @internal rolling impulse of the last sub-step */
+  rolling = 0;
+  /** @internal rolling impulse of the whole step */
+  stepRolling = 0;
+  /** @internal */
+  elasticity = 0;
+  /** @internal */
+  staticFriction = 0;
+  /** @internal */
+  dynamicFriction = 0;
+  /** @internal */
+  rollingFriction = 0;
+  /** @internal */
+  fixed = 0;
+
+  /** @internal */
+  constructor(shapeA: Shape, shapeB: Shape) {
+    this.shapeA = shapeA;
+    this.shapeB = shapeB;
+  }
+
+  get bodyA(): RigidBody {
+    return this.shapeA.owner as RigidBody;
+  }
+
+  get bodyB(): RigidBody {
+    return this.shapeB.owner as RigidBody;
+  }
+
+  /** Unit vector from `shapeA` towards `shapeB`. */
+  getNormal(): Vec2;
+  getNormal<T extends NumberSink>(dst: T): T;
+  getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.manifold.nx, this.manifold.ny, dst);
+  }
+
+  /** N·m·s of the latest step; 0 unless a circle is involved. */
+  getRollingImpulse(): number {
+    return this.stepRolling;
+  }
+
+  /** `[jx, jy, jw]` given to a body in the latest step, jw about its origin; zeros for a stranger. */
+  getImpulseForBody(body: RigidBody): Vec3;
+  getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
+  getImpulseForBody<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec3 {
+    const sign = body === this.bodyA ? -1 : body === this.bodyB ? 1 : 0;
+    if (sign === 0 || !this.active) {
+      return vec3(0, 0, 0, dst);
+    }
+    const { nx, ny } = this.manifold;
+    let x = 0;
+    let y = 0;
+    let w = sign * this.stepRolling;
+    for (const contact of this.contacts) {
+      const jx = sign * (nx * contact.stepNormal - ny * contact.stepTangent);
+      const jy = sign * (ny * contact.stepNormal + nx * contact.stepTangent);
+      x += jx;
+      y += jy;
+      w += (contact.x - body.x) * jy - (contact.y - body.y) * jx;
+    }
+    return vec3(x, y, w, dst);
+  }
+
+  getElasticity(): number | undefined {
+    return this.elasticity;
+  }
+
+  getStaticFriction(): number | undefined {
+    return this.staticFriction;
+  }
+
+  getDynamicFriction(): number | undefined {
+    return this.dynamicFriction;
+  }
+
+  getRollingFriction(): number | undefined {
+    return this.rollingFriction;
+  }
+
+  /** Fixes the combined elasticity for the life of the arbiter. Outside a step wakes both bodies silently. */
+  setElasticity(elasticity: number): void {
+    this.elasticity = notNaN('Arbiter.setElasticity', 'elasticity', elasticity);
+    this.fix(FIXED_ELASTICITY);
+  }
+
+  /** As `setElasticity`, >= 0. */
+  setStaticFriction(friction: number): void {
+    this.staticFriction = nonNegative('Arbiter.setStaticFriction', 'friction', friction);
+    this.fix(FIXED_STATIC);
+  }
+
+  /** As `setElasticity`, >= 0. */
+  setDynamicFriction(friction: number): void {
+    this.dynamicFriction = nonNegative('Arbiter.setDynamicFriction', 'friction', friction);
+    this.fix(FIXED_DYNAMIC);
+  }
+
+  /** As `setElasticity`, m, >= 0. */
+  setRollingFriction(friction: number): void {
+    this.rollingFriction = nonNegative('Arbiter.setRollingFriction', 'friction', friction);
+    this.fix(FIXED_ROLLING);
+  }
+
+  /** Lets the elasticity follow the shapes' materials again. */
+  setElasticityFromShapes(): void {
+    this.release(FIXED_ELASTICITY);
+  }
+
+  setStaticFrictionFromShapes(): void {
+    this.release(FIXED_STATIC);
+  }
+
+  setDynamicFrictionFromShapes(): void {
+    this.release(FIXED_DYNAMIC);
+  }
+
+  setRollingFrictionFromShapes(): void {
+    this.release(FIXED_ROLLING);
+  }
+
+  /** Whether the collision takes effect. */
+  isStateAccepted(): boolean {
+    return this.accepted;
+  }
+
+  /** Whether that decision holds until the interaction ends. */
+  isStatePersistent(): boolean {
+    return this.persistent;
+  }
+
+  /** Decides whether the collision takes effect; reset in every step unless persistent. */
+  setAcceptedState(accepted: boolean): void {
+    this.accepted = boolean('Arbiter.setAcceptedState', 'accepted', accepted);
+    this.rouse();
+  }
+
+  /** Keeps the decision, without asking `preSolve` handlers again, until the interaction ends. */
+  setPersistentState(persistent: boolean): void {
+    this.persistent = boolean('Arbiter.setPersistentState', 'persistent', persistent);
+    this.rouse();
+  }
+
+  /** @internal combines the materials, except for values set by hand */
+  mixMaterials(): void {
+    const a = this.shapeA.material;
+    const b = this.shapeB.material;
+    const fixed = this.fixed;
+    if ((fixed & FIXED_ELASTICITY) === 0) this.elasticity = mixElasticity(a.elasticity, b.elasticity);
+    if ((fixed & FIXED_STATIC) === 0) this.staticFriction = mixFriction(a.staticFriction, b.staticFriction);
+    if ((fixed & FIXED_DYNAMIC) === 0) this.dynamicFriction = mixFriction(a.dynamicFriction, b.dynamicFriction);
+    if ((fixed & FIXED_ROLLING) === 0) this.rollingFriction = mixFriction(a.rollingFriction, b.rollingFriction);
+  }
+
+  /** @internal joins islands */
+  isSolid(): boolean {
+    return this.active && this.accepted;
+  }
+
+  /** @internal has a place in the solver */
+  isSolved(): boolean {
+    return this.near || (this.active && this.accepted);
+  }
+
+  /** @internal a new pair in a recycled object */
+  reuse(shapeA: Shape, shapeB: Shape): void {
+    this.shapeA = shapeA;
+    this.shapeB = shapeB;
+    this.active = false;
+    this.sleeping = false;
+    this.manifold.count = 0;
+    this.manifold.axis = -1;
+    this.manifold.edgeA = -1;
+    this.manifold.edgeB = -1;
+    this.lastInteraction = -1;
+    this.seen = -1;
+    this.listed = false;
+    this.dead = false;
+    this.awake = false;
+    this.near = false;
+    this.forget();
+  }
+
+  /** @internal drops what is only kept while an interaction runs or is cached */
+  forget(): void {
+    this.contacts.length = 0;
+    this.points[0].reset();
+    this.points[1].reset();
+    this.accepted = true;
+    this.persistent = false;
+    this.rolling = 0;
+    this.stepRolling = 0;
+    this.fixed = 0;
+  }
+
+  private fix(value: number): void {
+    this.fixed |= value;
+    this.rouse();
+  }
+
+  private release(value: number): void {
+    this.fixed &= ~value;
+    this.mixMaterials();
+    this.rouse();
+  }
+
+  private rouse(): void {
+    const world = this.bodyA?.owner ?? null;
+    if (world !== null && !world.stepping) {
+      world.wakeBody(this.bodyA, true);
+      world.wakeBody(this.bodyB, true);
+    }
+  }
+}

@@ -1,0 +1,157 @@
+import { ARBITER_CACHE } from '../config.js';
+import type { Shape } from '../shape/shape.js';
+import { Arbiter } from './arbiter.js';
+import { PairTable } from './pair-table.js';
+
+function before(a: Arbiter, b: Arbiter): boolean {
+  return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
+}
+
+function compare(a: Arbiter, b: Arbiter): number {
+  return a.shapeA.id - b.shapeA.id || a.shapeB.id - b.shapeB.id;
+}
+
+/**
+ * Every pair of shapes whose bounds overlap, or that interacted a short while ago. A pair is made when the broadphase first
+ * reports it and becomes visible as an arbiter (`listed`) when its shapes first touch.
+ *
+ * `sorted` holds the pairs with something awake, ordered by the ids of their shapes, so that the order in which the
+ * broadphase reports them cannot matter. Pairs that sleep are only in the table, and cost nothing.
+ */
+export class Pairs {
+  readonly sorted: Arbiter[] = [];
+
+  private readonly table = new PairTable();
+  private readonly arriving: Arbiter[] = [];
+  private readonly pool: Arbiter[] = [];
+  /** Cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before. */
+  private cut: Arbiter[] = [];
+  private cutBefore: Arbiter[] = [];
+
+  /** The pair of two shapes, made if needed. */
+  obtain(shapeA: Shape, shapeB: Shape): Arbiter {
+    let pair = this.table.find(shapeA, shapeB);
+    if (pair === null) {
+      pair = this.pool.pop() ?? new Arbiter(shapeA, shapeB);
+      pair.reuse(shapeA, shapeB);
+      this.table.add(pair);
+      this.arrive(pair);
+    }
+    return pair;
+  }
+
+  /** Puts a pair among the awake ones, at the next `merge`. */
+  arrive(pair: Arbiter): void {
+    if (!pair.awake) {
+      pair.awake = true;
+      this.arriving.push(pair);
+    }
+  }
+
+  /** Merges the pairs that arrived into the sorted list, from the back, in place. */
+  merge(): void {
+    const { sorted, arriving } = this;
+    if (arriving.length === 0) {
+      return;
+    }
+    arriving.sort(compare);
+    let i = sorted.length - 1;
+    let j = arriving.length - 1;
+    let k = i + j + 1;
+    for (const pair of arriving) {
+      sorted.push(pair);
+    }
+    while (j >= 0) {
+      if (i >= 0 && before(arriving[j]!, sorted[i]!)) {
+        sorted[k] = sorted[i]!;
+        i -= 1;
+      } else {
+        sorted[k] = arriving[j]!;
+        j -= 1;
+      }
+      k -= 1;
+    }
+    arriving.length = 0;
+  }
+
+  /** Makes the pair visible to both shapes. */
+  list(pair: Arbiter): void {
+    pair.listed = true;
+    pair.indexA = pair.shapeA.arbiters.push(pair) - 1;
+    pair.indexB = pair.shapeB.arbiters.push(pair) - 1;
+    pair.mixMaterials();
+  }
+
+  /** Takes the pair from both shapes; nothing is remembered of its interaction. */
+  unlist(pair: Arbiter): void {
+    removeAt(pair.shapeA, pair.indexA);
+    removeAt(pair.shapeB, pair.indexB);
+    pair.listed = false;
+    pair.forget();
+  }
+
+  /** The cache of an interaction that is over has run out. */
+  isExpired(pair: Arbiter, stamp: number): boolean {
+    return pair.listed && pair.lastInteraction + ARBITER_CACHE < stamp;
+  }
+
+  /** Drops a pair that is not listed and is leaving the sorted list. */
+  retire(pair: Arbiter): void {
+    this.table.remove(pair);
+    this.pool.push(pair);
+  }
+
+  /**
+   * Takes a listed pair out of everything because a shape or body goes. The object is reused only after the `end` event that
+   * names it.
+   */
+  cutOff(pair: Arbiter): void {
+    removeAt(pair.shapeA, pair.indexA);
+    removeAt(pair.shapeB, pair.indexB);
+    pair.listed = false;
+    pair.active = false;
+    pair.sleeping = false;
+    pair.dead = true;
+    this.table.remove(pair);
+    this.cut.push(pair);
+  }
+
+  /** At the start of a step: frees what was cut before the last one. */
+  recycle(): void {
+    const free = this.cutBefore;
+    for (const pair of free) {
+      if (pair.awake) {
+        this.cut.push(pair);
+      } else {
+        this.pool.push(pair);
+      }
+    }
+    free.length = 0;
+    this.cutBefore = this.cut;
+    this.cut = free;
+  }
+
+  clear(): void {
+    for (const pair of [...this.sorted, ...this.arriving]) {
+      pair.awake = false;
+    }
+    this.table.clear();
+    this.sorted.length = 0;
+    this.arriving.length = 0;
+  }
+}
+
+/** Removes an entry of `shape.arbiters`; the last one takes its place. */
+function removeAt(shape: Shape, index: number): void {
+  const list = shape.arbiters;
+  const last = list.pop()!;
+  if (index === list.length) {
+    return;
+  }
+  list[index] = last;
+  if (last.shapeA === shape) {
+    last.indexA = index;
+  } else {
+    last.indexB = index;
+  }
+}

@@ -1,0 +1,192 @@
+import type { BodyEventType, BodyHandler, RigidBody } from '../body.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import type { Shape, ShapeEventType, ShapeHandler } from '../shape/shape.js';
+import type { Listener, Listeners } from './listeners.js';
+
+/** Events of one delivery come in this order, then by the ids of their shapes, then as they were queued. */
+const ORDER: Readonly<Record<ShapeEventType | BodyEventType, number>> = {
+  wake: 0,
+  begin: 1,
+  progress: 2,
+  end: 3,
+  sleep: 4,
+  preSolve: 5,
+};
+
+/** Events caused before the step come before those of the step. */
+export const BEFORE_STEP = 0;
+export const IN_STEP = 1;
+/** … and those before what the solver found out. */
+export const FOUND_LATE = 2;
+
+/** An event as it was queued, with the handlers that its objects had then. */
+interface QueuedEvent {
+  readonly group: number;
+  readonly type: ShapeEventType | BodyEventType;
+  readonly idA: number;
+  readonly idB: number;
+  readonly call: () => void;
+}
+
+function listens<H>(list: Listeners<H>, type: string): boolean {
+  for (const entry of list) {
+    if (entry.type === type) {
+      return true;
+    }
+  }
+  return false;
+}
+
+function meets(entry: Listener<ShapeHandler>, type: string, other: Shape): boolean {
+  return entry.type === type && (entry.mask === undefined || (entry.mask & other.group) !== 0);
+}
+
+function compare(a: QueuedEvent, b: QueuedEvent): number {
+  return a.group - b.group || ORDER[a.type] - ORDER[b.type] || a.idA - b.idA || a.idB - b.idB;
+}
+
+/**
+ * Deferred delivery: events are noted while a step runs (or between steps) together with the handlers present at that
+ * moment, and handed out at the end of the step, when the world may be changed freely.
+ */
+export class EventQueue {
+  private queue: QueuedEvent[] = [];
+  private delivering: QueuedEvent[] | null = null;
+  private failure: { readonly error: unknown } | null = null;
+
+  /** Notes `begin`, `progress` or `end` of an interaction. */
+  interaction(type: 'begin' | 'progress' | 'end', arbiter: Arbiter, group: number): void {
+    const { shapeA, shapeB } = arbiter;
+    const a = shapeA.listeners;
+    const b = shapeB.listeners;
+    if (a.length === 0 && b.length === 0) {
+      return;
+    }
+    if (!listens(a, type) && !listens(b, type)) {
+      return;
+    }
+    this.queue.push({
+      group,
+      type,
+      idA: shapeA.id,
+      idB: shapeB.id,
+      call: () => {
+        callShape(a, type, arbiter, shapeA, shapeB);
+        callShape(b, type, arbiter, shapeB, shapeA);
+      },
+    });
+  }
+
+  /** Notes `wake` or `sleep` of a body. */
+  body(type: BodyEventType, body: RigidBody): void {
+    const list = body.listeners;
+    if (!listens(list, type)) {
+      return;
+    }
+    const id = body.shapes.length > 0 ? body.shapes[0]!.id : -1;
+    this.queue.push({ group: IN_STEP, type, idA: id, idB: -1, call: () => callBody(list, type, body) });
+  }
+
+  /**
+   * Calls the handlers of everything queued so far; what they cause waits for the next delivery. If a handler throws, the
+   * rest is delivered all the same.
+   */
+  deliver(): void {
+    if (this.queue.length === 0) {
+      return;
+    }
+    const events = this.queue;
+    this.queue = [];
+    events.sort(compare);
+    this.delivering = events;
+    for (const event of events) {
+      if (this.delivering !== events) {
+        break;
+      }
+      try {
+        event.call();
+      } catch (error) {
+        this.fail(error);
+      }
+    }
+    this.delivering = null;
+  }
+
+  /** Keeps the first exception of a handler for `rethrow`. */
+  fail(error: unknown): void {
+    if (this.failure === null) {
+      this.failure = { error };
+    }
+  }
+
+  /** Throws what a handler threw since the last call, if any did. */
+  rethrow(): void {
+    const failure = this.failure;
+    if (failure !== null) {
+      this.failure = null;
+      throw failure.error;
+    }
+  }
+
+  /** Forgets everything queued, and ends a delivery in progress. */
+  clear(): void {
+    this.queue = [];
+    this.delivering = null;
+  }
+
+}
+
+function callShape(list: Listeners<ShapeHandler>, type: string, arbiter: Arbiter, own: Shape, other: Shape): void {
+  for (const entry of list) {
+    if (meets(entry, type, other)) {
+      entry.handler.call(own, arbiter, other);
+    }
+  }
+}
+
+function callBody(list: Listeners<BodyHandler>, type: string, body: RigidBody): void {
+  for (const entry of list) {
+    if (entry.type === type) {
+      entry.handler.call(body);
+    }
+  }
+}
+
+/** Some `preSolve` handler wants to decide about the pair. */
+export function asksFirst(arbiter: Arbiter): boolean {
+  const { shapeA, shapeB } = arbiter;
+  return (
+    shapeA.listeners.some((entry) => meets(entry, 'preSolve', shapeB)) ||
+    shapeB.listeners.some((entry) => meets(entry, 'preSolve', shapeA))
+  );
+}
+
+/**
+ * Runs the `preSolve` handlers of a pair that collides, at once. Unless it is persistent its state starts as "accepted". What a
+ * handler throws waits until the step is over, so that it cannot leave one half done.
+ *
+ * @returns whether a handler that may change its mind keeps the bodies awake.
+ */
+export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
+  const { shapeA, shapeB } = arbiter;
+  if (arbiter.persistent) {
+    return false;
+  }
+  arbiter.accepted = true;
+  const a = shapeA.listeners;
+  const b = shapeB.listeners;
+  if (a.length === 0 && b.length === 0) {
+    return false;
+  }
+  const unsteady = [
+    ...a.filter((entry) => meets(entry, 'preSolve', shapeB)),
+    ...b.filter((entry) => meets(entry, 'preSolve', shapeA)),
+  ].some((entry) => !entry.deterministic);
+  try {
+    callShape(a, 'preSolve', arbiter, shapeA, shapeB);
+    callShape(b, 'preSolve', arbiter, shapeB, shapeA);
+  } catch (error) {
+    events.fail(error);
+  }
+  return unsteady && !arbiter.persistent;
+}

@@ -1,0 +1,90 @@
+import { nonNegative, notNaN, options } from './validate.js';
+
+/** Options of `createMaterial`. */
+export interface MaterialParams {
+  /** Bounciness; any number, ±Infinity allowed: −Infinity forces "never bounces", +Infinity "bounces fully". Default 0. */
+  elasticity?: number | undefined;
+  /** Coefficient of friction while the surfaces hold, >= 0. Default 2. */
+  staticFriction?: number | undefined;
+  /** Coefficient of friction while they slide, >= 0. Default 1. */
+  dynamicFriction?: number | undefined;
+  /** Resistance of circles to rolling, m, >= 0. Default 0.005. */
+  rollingFriction?: number | undefined;
+  /** Mass per area, kg/m², >= 0. Default 1. */
+  density?: number | undefined;
+  /** Anything of yours; `undefined` becomes `null`. */
+  userData?: unknown;
+}
+
+/**
+ * What a shape is made of. Immutable apart from `userData`; sharing one between shapes is normal.
+ * How two materials combine at a contact: {@link mixElasticity}, {@link mixFriction}.
+ */
+export class Material {
+  static readonly version = 1;
+
+  /** Anything of yours. */
+  userData: unknown;
+
+  /** @internal */
+  readonly elasticity: number;
+  /** @internal */
+  readonly staticFriction: number;
+  /** @internal */
+  readonly dynamicFriction: number;
+  /** @internal */
+  readonly rollingFriction: number;
+  /** @internal */
+  readonly density: number;
+
+  /** @internal use `createMaterial` */
+  constructor(params: MaterialParams = {}) {
+    const where = 'createMaterial';
+    const given = options(where, params, false);
+    this.elasticity = notNaN(where, 'elasticity', given.elasticity ?? 0);
+    this.staticFriction = nonNegative(where, 'staticFriction', given.staticFriction ?? 2);
+    this.dynamicFriction = nonNegative(where, 'dynamicFriction', given.dynamicFriction ?? 1);
+    this.rollingFriction = nonNegative(where, 'rollingFriction', given.rollingFriction ?? 0.005);
+    this.density = nonNegative(where, 'density', given.density ?? 1);
+    this.userData = given.userData === undefined ? null : given.userData;
+  }
+
+  getElasticity(): number {
+    return this.elasticity;
+  }
+
+  getStaticFriction(): number {
+    return this.staticFriction;
+  }
+
+  getDynamicFriction(): number {
+    return this.dynamicFriction;
+  }
+
+  /** Rolling friction, m. */
+  getRollingFriction(): number {
+    return this.rollingFriction;
+  }
+
+  /** Mass per area, kg/m². */
+  getDensity(): number {
+    return this.density;
+  }
+}
+
+/** The material of every shape made without one: all defaults, one object for the whole program. */
+export const DEFAULT_MATERIAL = new Material();
+
+/** Elasticity of a contact: −Infinity on either side gives 0, else +Infinity gives 1, else the mean within [0, 1]. */
+export function mixElasticity(a: number, b: number): number {
+  if (a === -Infinity || b === -Infinity) {
+    return 0;
+  }
+  const mean = (a + b) / 2;
+  return mean < 0 ? 0 : mean > 1 ? 1 : mean;
+}
+
+/** Any friction coefficient of a contact: the geometric mean. */
+export function mixFriction(a: number, b: number): number {
+  return Math.sqrt(a * b);
+}

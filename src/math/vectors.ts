@@ -1,0 +1,41 @@
+/** Two numbers `[x, y]`: any array, tuple or typed array with at least two. Read at once, never kept. */
+export type Vec2Like = ArrayLike<number>;
+
+/** Three numbers `[x, y, w]`. */
+export type Vec3Like = ArrayLike<number>;
+
+/** An axis-aligned rectangle `[minX, minY, maxX, maxY]`. */
+export type RectLike = ArrayLike<number>;
+
+/** A 2 × 3 matrix `[m0, m1, m2, m3, m4, m5]`: x' = m0·x + m2·y + m4, y' = m1·x + m3·y + m5. */
+export type Matrix23Like = ArrayLike<number>;
+
+/** A destination for numbers: anything with writable numeric indices. */
+export interface NumberSink {
+  [index: number]: number;
+}
+
+export type Vec2 = [number, number];
+export type Vec3 = [number, number, number];
+export type Rect = [number, number, number, number];
+
+/** Stores two numbers into `dst` and returns it; without `dst` makes a new array. */
+export function vec2<T extends NumberSink>(x: number, y: number, dst: T | undefined): T | Vec2 {
+  if (dst === undefined) {
+    return [x, y];
+  }
+  dst[0] = x;
+  dst[1] = y;
+  return dst;
+}
+
+/** Stores three numbers into `dst` and returns it; without `dst` makes a new array. */
+export function vec3<T extends NumberSink>(x: number, y: number, w: number, dst: T | undefined): T | Vec3 {
+  if (dst === undefined) {
+    return [x, y, w];
+  }
+  dst[0] = x;
+  dst[1] = y;
+  dst[2] = w;
+  return dst;
+}

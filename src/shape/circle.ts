@@ -1,0 +1,128 @@
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
+import { options, positive, vector } from '../validate.js';
+import { Shape, type ShapeParams } from './shape.js';
+
+/** Options of `createCircleShape`. */
+export interface CircleParams extends ShapeParams {
+  /** m, > 0. */
+  radius: number;
+  /** Centre in body coordinates, m. Default `[0, 0]`. */
+  origin?: Vec2Like | undefined;
+}
+
+/** A disc. */
+export class Circle extends Shape {
+  static readonly version = 1;
+
+  readonly type = 'CIRCLE';
+
+  /** @internal */
+  readonly kind = 0;
+  /** @internal */
+  radius: number;
+  /** @internal */
+  originX: number;
+  /** @internal */
+  originY: number;
+  /** @internal the centre turned with the body, relative to the body origin */
+  centreX = 0;
+  /** @internal */
+  centreY = 0;
+
+  /** @internal use `createCircleShape` */
+  constructor(params: CircleParams) {
+    const where = 'createCircleShape';
+    const given = options(where, params, true);
+    const radius = positive(where, 'radius', given.radius);
+    const origin = given.origin === undefined ? [0, 0] : vector(where, 'origin', given.origin, 2);
+    super(where, given);
+    this.radius = radius;
+    this.originX = origin[0]!;
+    this.originY = origin[1]!;
+  }
+
+  getRadius(): number {
+    return this.radius;
+  }
+
+  /** Sets the radius, m, > 0. Ignored during a step and for a static body in a world. Wakes the body if changed. */
+  setRadius(radius: number): void {
+    positive('Circle.setRadius', 'radius', radius);
+    if (this.isLocked() || radius === this.radius) {
+      return;
+    }
+    this.radius = radius;
+    this.geometryChanged();
+  }
+
+  /** Centre in body coordinates, m. */
+  getOrigin(): Vec2;
+  getOrigin<T extends NumberSink>(dst: T): T;
+  getOrigin<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.originX, this.originY, dst);
+  }
+
+  /** Sets the centre in body coordinates, m. Ignored as `setRadius` is. Wakes the body if changed. */
+  setOrigin(origin: Vec2Like): void {
+    vector('Circle.setOrigin', 'origin', origin, 2);
+    if (this.isLocked() || (origin[0] === this.originX && origin[1] === this.originY)) {
+      return;
+    }
+    this.originX = origin[0]!;
+    this.originY = origin[1]!;
+    this.geometryChanged();
+  }
+
+  override computeArea(): number {
+    return Math.PI * this.radius * this.radius;
+  }
+
+  override computeMasslessInertia(): number {
+    return 0.5 * this.radius * this.radius + this.originX * this.originX + this.originY * this.originY;
+  }
+
+  override computeCenterOfMass(): Vec2;
+  override computeCenterOfMass<T extends NumberSink>(dst: T): T;
+  override computeCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.originX, this.originY, dst);
+  }
+
+  override clone(): this {
+    const origin: Vec2 = [this.originX, this.originY];
+    return new Circle({ ...this.commonParams(), radius: this.radius, origin }) as this;
+  }
+
+  /** @internal */
+  override place(x: number, y: number, c: number, s: number): void {
+    const cx = c * this.originX - s * this.originY;
+    const cy = s * this.originX + c * this.originY;
+    this.centreX = cx;
+    this.centreY = cy;
+    const bounds = this.bounds;
+    bounds[0] = x + cx - this.radius;
+    bounds[1] = y + cy - this.radius;
+    bounds[2] = x + cx + this.radius;
+    bounds[3] = y + cy + this.radius;
+  }
+
+  /** @internal */
+  override reach(): number {
+    return Math.sqrt(this.originX * this.originX + this.originY * this.originY) + this.radius;
+  }
+
+  /** @internal */
+  protected override scaleGeometry(scaleX: number): void {
+    this.radius *= scaleX;
+    this.originX *= scaleX;
+    this.originY *= scaleX;
+  }
+
+  /** @internal */
+  protected override mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void {
+    const x = this.originX;
+    const y = this.originY;
+    this.radius *= Math.sqrt(m0 * m3 - m2 * m1);
+    this.originX = m0 * x + m2 * y + m4;
+    this.originY = m1 * x + m3 * y + m5;
+  }
+}

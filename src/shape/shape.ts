@@ -1,0 +1,260 @@
+import type { RigidBody } from '../body.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { type Listeners, NO_LISTENERS, withListener, withoutListener } from '../events/listeners.js';
+import { DEFAULT_MATERIAL, Material } from '../material.js';
+import { cos, sin } from '../math/trig.js';
+import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
+import { bits, boolean, callable, finite, instance, vector } from '../validate.js';
+
+export type ShapeEventType = 'begin' | 'progress' | 'end' | 'preSolve';
+
+/** Called with `this` = the shape that the handler was added to. */
+export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
+
+/** Options that circles and polygons share. */
+export interface ShapeParams {
+  /** Reports overlaps and takes part in no collision. Default `false`. */
+  sensor?: boolean | undefined;
+  /** Default: the default material. */
+  material?: Material | undefined;
+  /** Bits that say what this shape is. Default 1. */
+  group?: number | undefined;
+  /** Bits of the groups that this shape meets. Default 0xffffffff. */
+  mask?: number | undefined;
+  /** Anything of yours; `undefined` becomes `null`. */
+  userData?: unknown;
+}
+
+/** @internal kernels are looked up by `kind`: 0 circle, 1 polygon */
+export type ShapeKind = 0 | 1;
+
+const EVENT_TYPES: readonly string[] = ['begin', 'progress', 'end', 'preSolve'];
+
+let nextId = 0;
+
+/**
+ * A convex piece of a body: where it collides, what it is made of, what it meets. Coordinates are those of the body.
+ * After every change of geometry or material the body's mass and inertia follow, unless they were given.
+ */
+export abstract class Shape {
+  abstract readonly type: 'CIRCLE' | 'POLYGON';
+
+  /** Grows with creation order, unique in the program. The lower id of a pair is `shapeA`. */
+  readonly id: number;
+  readonly sensor: boolean;
+  /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
+  readonly arbiters: Arbiter[] = [];
+  /** Anything of yours. */
+  userData: unknown;
+
+  /** @internal */
+  abstract readonly kind: ShapeKind;
+  /** @internal */
+  material: Material;
+  /** @internal */
+  group: number;
+  /** @internal */
+  mask: number;
+  /** @internal */
+  owner: RigidBody | null = null;
+  /** @internal */
+  listeners: Listeners<ShapeHandler> = NO_LISTENERS;
+  /** @internal */
+  handle: BroadphaseHandle | null = null;
+  /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
+  readonly bounds = new Float64Array(4);
+
+  /** @internal */
+  constructor(where: string, params: Partial<ShapeParams>) {
+    this.sensor = boolean(where, 'sensor', params.sensor ?? false);
+    this.material =
+      params.material === undefined
+        ? DEFAULT_MATERIAL
+        : instance(where, 'material', params.material, Material, 'a Material');
+    this.group = bits(where, 'group', params.group ?? 1);
+    this.mask = bits(where, 'mask', params.mask ?? 0xffffffff);
+    this.userData = params.userData === undefined ? null : params.userData;
+    this.id = nextId;
+    nextId += 1;
+  }
+
+  /** The body this shape is attached to, or `null`. */
+  get body(): RigidBody | null {
+    return this.owner;
+  }
+
+  getGroup(): number {
+    return this.group;
+  }
+
+  /** Sets the bits that say what this shape is. Wakes the body. */
+  setGroup(group: number): void {
+    this.group = bits('Shape.setGroup', 'group', group);
+    this.owner?.rouse();
+  }
+
+  getMask(): number {
+    return this.mask;
+  }
+
+  /** Sets the bits of the groups that this shape meets. Wakes the body. */
+  setMask(mask: number): void {
+    this.mask = bits('Shape.setMask', 'mask', mask);
+    this.owner?.rouse();
+  }
+
+  getMaterial(): Material {
+    return this.material;
+  }
+
+  /** Replaces the material; running contacts follow. Wakes the body if it is another one. */
+  setMaterial(material: Material): void {
+    instance('Shape.setMaterial', 'material', material, Material, 'a Material');
+    if (material === this.material) {
+      return;
+    }
+    this.material = material;
+    for (const arbiter of this.arbiters) {
+      arbiter.mixMaterials();
+    }
+    this.owner?.shapesChanged();
+    this.owner?.rouse();
+  }
+
+  /** Area, m². */
+  abstract computeArea(): number;
+
+  /** Second moment of area about the body origin, over the area, m². */
+  abstract computeMasslessInertia(): number;
+
+  /** Centre of area in body coordinates, m. */
+  abstract computeCenterOfMass(): Vec2;
+  abstract computeCenterOfMass<T extends NumberSink>(dst: T): T;
+
+  /** An equal shape with a new id, the same `userData`, no body and no listeners. */
+  abstract clone(): this;
+
+  /**
+   * Scales about the body origin. A circle uses `scaleX` alone. Nothing happens for factors ≤ 0, during a step, or for a
+   * static body in a world. Wakes the body.
+   */
+  scale(scaleX: number, scaleY: number = scaleX): void {
+    finite('Shape.scale', 'scaleX', scaleX);
+    finite('Shape.scale', 'scaleY', scaleY);
+    if (this.isLocked() || scaleX <= 0 || (this.type === 'POLYGON' && scaleY <= 0)) {
+      return;
+    }
+    this.scaleGeometry(scaleX, scaleY);
+    this.geometryChanged();
+  }
+
+  /** Moves the shape within its body. Ignored during a step and for a static body in a world. Wakes the body. */
+  translate(translation: Vec2Like): void {
+    vector('Shape.translate', 'translation', translation, 2);
+    if (this.isLocked()) {
+      return;
+    }
+    this.mapGeometry(1, 0, 0, 1, translation[0]!, translation[1]!);
+    this.geometryChanged();
+  }
+
+  /** Turns the shape about the body origin, clockwise on screen. Ignored as `translate` is. Wakes the body. */
+  rotate(clockwiseRadians: number): void {
+    finite('Shape.rotate', 'clockwiseRadians', clockwiseRadians);
+    if (this.isLocked()) {
+      return;
+    }
+    const c = cos(clockwiseRadians);
+    const s = sin(clockwiseRadians);
+    this.mapGeometry(c, s, -s, c, 0, 0);
+    this.geometryChanged();
+  }
+
+  /**
+   * Maps the shape by `[m0, m1, m2, m3, m4, m5]`: x' = m0·x + m2·y + m4, y' = m1·x + m3·y + m5. A circle stays a circle of
+   * the mapped area. Matrices that mirror or flatten (determinant ≤ 0) are ignored. Otherwise as `translate`.
+   */
+  transform(matrix: Matrix23Like): void {
+    const m = vector('Shape.transform', 'matrix', matrix, 6);
+    if (this.isLocked() || !(m[0]! * m[3]! - m[2]! * m[1]! > 0)) {
+      return;
+    }
+    this.mapGeometry(m[0]!, m[1]!, m[2]!, m[3]!, m[4]!, m[5]!);
+    this.geometryChanged();
+  }
+
+  /**
+   * Adds a handler. With a `mask` it is only called for other shapes with `(mask & group) !== 0`; leaving it out is another
+   * listener than 0xffffffff. `isDeterministic` tells a `preSolve` handler that always decides alike, so bodies may sleep.
+   *
+   * @returns `false` for an unknown type, or if the same (type, handler, mask) is present. Wakes the body silently otherwise.
+   */
+  addEventListener(
+    eventType: ShapeEventType,
+    handler: ShapeHandler,
+    mask?: number,
+    isDeterministic: boolean = false,
+  ): boolean {
+    const where = 'Shape.addEventListener';
+    callable(where, 'handler', handler);
+    const checked = mask === undefined ? undefined : bits(where, 'mask', mask);
+    boolean(where, 'isDeterministic', isDeterministic);
+    if (!EVENT_TYPES.includes(eventType)) {
+      return false;
+    }
+    const added = { type: eventType, handler, mask: checked, deterministic: isDeterministic };
+    return this.replaceListeners(withListener(this.listeners, added));
+  }
+
+  /** Removes the handler added with the same (type, handler, mask). @returns whether there was one. */
+  removeEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number): boolean {
+    const checked = mask === undefined ? undefined : bits('Shape.removeEventListener', 'mask', mask);
+    return this.replaceListeners(withoutListener(this.listeners, eventType, handler, checked));
+  }
+
+  private replaceListeners(list: Listeners<ShapeHandler> | null): boolean {
+    if (list === null) {
+      return false;
+    }
+    this.listeners = list;
+    this.owner?.wake();
+    return true;
+  }
+
+  /** @internal geometry may not change now: the world is stepping, or the body is static in a world */
+  isLocked(): boolean {
+    const world = this.owner?.world ?? null;
+    return world !== null && (world.stepping || this.owner!.isStatic());
+  }
+
+  /** @internal */
+  geometryChanged(): void {
+    this.owner?.shapesChanged();
+    this.owner?.moved();
+    this.owner?.rouse();
+  }
+
+  /** @internal turns the geometry by (c, s) and sets the bounds for a body at (x, y) */
+  abstract place(x: number, y: number, c: number, s: number): void;
+
+  /** @internal largest distance of a point of the shape from the body origin */
+  abstract reach(): number;
+
+  /** @internal */
+  protected abstract scaleGeometry(scaleX: number, scaleY: number): void;
+
+  /** @internal */
+  protected abstract mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void;
+
+  /** @internal options for `clone` */
+  protected commonParams(): ShapeParams {
+    return {
+      sensor: this.sensor,
+      material: this.material,
+      group: this.group,
+      mask: this.mask,
+      userData: this.userData,
+    };
+  }
+}

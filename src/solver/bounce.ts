@@ -1,0 +1,95 @@
+import { BOUNCE_THRESHOLD } from '../config.js';
+import * as d from './data.js';
+import type { ContactBatch, SolverData } from './data.js';
+
+/** m/s. A bias that no impulse can meet by pushing: the point stays out of this sub-step. */
+const OFF = 1e9;
+
+function normalVelocity(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
+  const r = batch.records;
+  const v = data.velocity;
+  const k = record / batch.stride;
+  const a = batch.bodies[2 * k]!;
+  const b = batch.bodies[2 * k + 1]!;
+  const i = record + shift;
+  return (
+    r[record + d.NX]! * (v[b + d.VX]! - v[a + d.VX]!) +
+    r[record + d.NY]! * (v[b + d.VY]! - v[a + d.VY]!) +
+    r[i + d.RN_B1]! * v[b + d.W]! -
+    r[i + d.RN_A1]! * v[a + d.W]!
+  );
+}
+
+/** The separation of a point for the present placement; see `warmStartTwo`. */
+function separation(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
+  const r = batch.records;
+  const { motion: q, spin } = data;
+  const k = record / batch.stride;
+  const a = batch.bodies[2 * k]!;
+  const b = batch.bodies[2 * k + 1]!;
+  const sa = (a / d.BODY_STRIDE) * d.SPIN_STRIDE;
+  const sb = (b / d.BODY_STRIDE) * d.SPIN_STRIDE;
+  const i = record + shift;
+  return (
+    r[i + d.START1]! +
+    r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
+    r[record + d.NY]! * (q[b + d.DY]! - q[a + d.DY]!) +
+    spin[sb + d.COS_LESS_ONE]! * r[i + d.RT_B1]! +
+    spin[sb + d.SIN]! * r[i + d.RN_B1]! -
+    spin[sa + d.COS_LESS_ONE]! * r[i + d.RT_A1]! -
+    spin[sa + d.SIN]! * r[i + d.RN_A1]!
+  );
+}
+
+/**
+ * Before gravity: how fast each point of a bouncing material has to leave. One that will bounce but has not met the other
+ * surface yet is left out of the sub-step, so that it gets there at full speed; this keeps (v − g·h/2)²/2 + g·y, the invariant of
+ * the integrator, and with it the height of a bouncing ball.
+ */
+export function planBounces(data: SolverData): void {
+  const list = data.bounces;
+  for (let k = 0; k < list.count; k += 1) {
+    const batch = list.twoPoint[k] === 1 ? data.two : data.one;
+    const record = list.record[k]!;
+    const shift = list.shift[k]!;
+    const leave = list.elasticity[k]! * normalVelocity(data, batch, record, shift);
+    list.bias[k] = 0;
+    if (leave < -BOUNCE_THRESHOLD) {
+      const apart = separation(data, batch, record, shift) > 0;
+      list.bias[k] = apart ? OFF : leave;
+      if (apart) {
+        const r = batch.records;
+        const i = record + shift;
+        r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
+        r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + r[i + d.TANGENT1]!;
+        r[i + d.NORMAL1] = 0;
+        r[i + d.TANGENT1] = 0;
+      }
+    }
+  }
+}
+
+/** After warm start: puts the plan in place of what the separation asked for. */
+export function applyBounces(data: SolverData): void {
+  const list = data.bounces;
+  for (let k = 0; k < list.count; k += 1) {
+    if (list.bias[k] !== 0) {
+      const r = list.twoPoint[k] === 1 ? data.two.records : data.one.records;
+      const record = list.record[k]!;
+      r[record + list.shift[k]! + d.BIAS1] = list.bias[k]! + r[record + d.SURFACE_N]!;
+    }
+  }
+}
+
+/** Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height. */
+export function releaseBounces(data: SolverData): void {
+  const list = data.bounces;
+  for (let k = 0; k < list.count; k += 1) {
+    const batch = list.twoPoint[k] === 1 ? data.two : data.one;
+    const record = list.record[k]!;
+    const shift = list.shift[k]!;
+    if (normalVelocity(data, batch, record, shift) > BOUNCE_THRESHOLD) {
+      batch.records[record + shift + d.SEPARATION1] = OFF;
+    }
+  }
+}

@@ -1,0 +1,205 @@
+import type { Arbiter } from '../contact/arbiter.js';
+
+/**
+ * The packed arrays that the iterations of a step run on. They live as long as the world and grow by doubling. A record is
+ * a run of numbers at a multiple of its stride; the names below are offsets into it.
+ *
+ * Bodies: slot 0 stands for everything that can neither move nor be moved; awake dynamic bodies follow, then awake
+ * kinematic ones. A body has a record in `velocity`, one in `motion`, one in `drive`, and two numbers in `spin`.
+ */
+export const BODY_STRIDE = 8;
+export const SPIN_STRIDE = 2;
+
+/** `velocity`: what velocity iterations read and write. */
+export const VX = 0;
+export const VY = 1;
+export const W = 2;
+/** Inverse mass and inertia, in `velocity` and in `motion` at the same offsets. */
+export const INV_MASS = 3;
+export const INV_INERTIA = 4;
+
+/** `motion`: displacement within this sub-step (velocity · h, then pushes) … */
+export const QX = 0;
+export const QY = 1;
+export const QW = 2;
+/** … and since the start of the step, without this sub-step's. */
+export const DX = 5;
+export const DY = 6;
+export const DW = 7;
+
+/** `drive`: what integration adds and takes in each sub-step. */
+export const GAIN_X = 0;
+export const GAIN_Y = 1;
+export const GAIN_W = 2;
+export const KEEP_LINEAR = 3;
+export const KEEP_ANGULAR = 4;
+/** Square of the radius of gyration times REST_SPIN_WEIGHT; negative for bodies that rest damping leaves alone. */
+export const REST_RADIUS = 5;
+
+/** `spin`: cosine − 1 and sine of the turn since the start of the step. */
+export const COS_LESS_ONE = 0;
+export const SIN = 1;
+
+/**
+ * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
+ * solver needs of r: n · (R(θ) r) = RT·cos θ + RN·sin θ.
+ */
+export const NX = 0;
+export const NY = 1;
+/** Share of the overlap that a position iteration removes. */
+export const SHARE = 2;
+/** Surface velocity along t and along n. */
+export const SURFACE_T = 3;
+export const SURFACE_N = 4;
+export const RN_A1 = 5;
+export const RN_B1 = 6;
+export const RT_A1 = 7;
+export const RT_B1 = 8;
+/** Effective mass along the tangent, coefficient of friction. */
+export const TANGENT_MASS1 = 9;
+export const FRICTION1 = 10;
+/** Impulses of this sub-step. */
+export const NORMAL1 = 11;
+export const TANGENT1 = 12;
+/** What the normal velocity is driven to, with the sign changed. */
+export const BIAS1 = 13;
+/** Separation at the start of the step, and at the start of the sub-step. */
+export const START1 = 14;
+export const SEPARATION1 = 15;
+/** Impulses of the whole step, without this sub-step's. */
+export const NORMAL_SUM1 = 16;
+export const TANGENT_SUM1 = 17;
+/** Inverse effective mass along the normal; in a two-point record K of both points. */
+export const K11 = 18;
+
+/** One-point records only: rolling. */
+export const ROLL_MASS = 19;
+export const ROLL_FRICTION = 20;
+export const ROLL = 21;
+export const ROLL_SUM = 22;
+export const ONE_STRIDE = 24;
+
+/** Two-point records only: the second point at the offsets of the first plus SECOND, and the rest of K. */
+export const SECOND = 14;
+export const RN_A2 = RN_A1 + SECOND;
+export const RN_B2 = RN_B1 + SECOND;
+export const RT_A2 = RT_A1 + SECOND;
+export const RT_B2 = RT_B1 + SECOND;
+export const TANGENT_MASS2 = TANGENT_MASS1 + SECOND;
+export const FRICTION2 = FRICTION1 + SECOND;
+export const NORMAL2 = NORMAL1 + SECOND;
+export const TANGENT2 = TANGENT1 + SECOND;
+export const BIAS2 = BIAS1 + SECOND;
+export const START2 = START1 + SECOND;
+export const SEPARATION2 = SEPARATION1 + SECOND;
+export const NORMAL_SUM2 = NORMAL_SUM1 + SECOND;
+export const TANGENT_SUM2 = TANGENT_SUM1 + SECOND;
+export const K22 = K11 + SECOND;
+export const K12 = 33;
+export const INV_DET = 34;
+export const TWO_STRIDE = 36;
+
+/** Contacts of one kind, in the order in which they are solved. */
+export class ContactBatch {
+  count = 0;
+  records: Float64Array;
+  /** Offsets of the two bodies' records, A then B. */
+  bodies = new Int32Array(128);
+  arbiters: Arbiter[] = [];
+  /** Which of the arbiter's points a one-point record is. */
+  point = new Uint8Array(64);
+  private capacity = 64;
+
+  constructor(readonly stride: number) {
+    this.records = new Float64Array(this.capacity * stride);
+  }
+
+  /** Appends a record for a pair. @returns its index. */
+  add(pair: Arbiter): number {
+    const index = this.count;
+    if (index === this.capacity) {
+      this.grow();
+    }
+    this.arbiters[index] = pair;
+    this.count = index + 1;
+    return index;
+  }
+
+  private grow(): void {
+    this.capacity *= 2;
+    this.records = widened(this.records, new Float64Array(this.capacity * this.stride));
+    this.bodies = widened(this.bodies, new Int32Array(this.capacity * 2));
+    this.point = widened(this.point, new Uint8Array(this.capacity));
+  }
+}
+
+/** The contents of a typed array in a longer one. */
+function widened<T extends { set(from: T): void }>(from: T, to: T): T {
+  to.set(from);
+  return to;
+}
+
+/** Points of bouncing materials: which record, which of its points (`shift` 0 or SECOND), and what is planned for it. */
+export class BounceList {
+  count = 0;
+  twoPoint = new Uint8Array(16);
+  record = new Int32Array(16);
+  shift = new Int32Array(16);
+  elasticity = new Float64Array(16);
+  bias = new Float64Array(16);
+
+  add(twoPoint: boolean, record: number, shift: number, elasticity: number): void {
+    const i = this.count;
+    if (i === this.record.length) {
+      this.grow();
+    }
+    this.twoPoint[i] = twoPoint ? 1 : 0;
+    this.record[i] = record;
+    this.shift[i] = shift;
+    this.elasticity[i] = elasticity;
+    this.bias[i] = 0;
+    this.count += 1;
+  }
+
+  private grow(): void {
+    const size = this.record.length * 2;
+    this.twoPoint = widened(this.twoPoint, new Uint8Array(size));
+    this.record = widened(this.record, new Int32Array(size));
+    this.shift = widened(this.shift, new Int32Array(size));
+    this.elasticity = widened(this.elasticity, new Float64Array(size));
+    this.bias = widened(this.bias, new Float64Array(size));
+  }
+}
+
+/** Everything the solver keeps for a world. Nothing in it but the previous sub-step's length survives a step. */
+export class SolverData {
+  bodyCount = 0;
+  velocity = new Float64Array(64 * BODY_STRIDE);
+  motion = new Float64Array(64 * BODY_STRIDE);
+  drive = new Float64Array(64 * BODY_STRIDE);
+  spin = new Float64Array(64 * SPIN_STRIDE);
+  readonly one = new ContactBatch(ONE_STRIDE);
+  readonly two = new ContactBatch(TWO_STRIDE);
+  readonly bounces = new BounceList();
+  /** s. Length of the last sub-step; impulses kept from it are scaled to the new one. */
+  previousH = 0;
+
+  /** Makes room for `count` bodies; slot 0 is cleared, the others are to be filled. */
+  resetBodies(count: number): void {
+    this.bodyCount = count;
+    if (count * BODY_STRIDE > this.velocity.length) {
+      const size = Math.max(count, (this.velocity.length / BODY_STRIDE) * 2);
+      this.velocity = new Float64Array(size * BODY_STRIDE);
+      this.motion = new Float64Array(size * BODY_STRIDE);
+      this.drive = new Float64Array(size * BODY_STRIDE);
+      this.spin = new Float64Array(size * SPIN_STRIDE);
+    }
+    this.motion.fill(0, 0, count * BODY_STRIDE);
+    this.spin.fill(0, 0, count * SPIN_STRIDE);
+    this.velocity.fill(0, 0, BODY_STRIDE);
+    this.drive.fill(0, 0, BODY_STRIDE);
+    this.drive[KEEP_LINEAR] = 1;
+    this.drive[KEEP_ANGULAR] = 1;
+    this.drive[REST_RADIUS] = -1;
+  }
+}

@@ -1,0 +1,244 @@
+import { DYNAMIC } from '../body.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { collide } from '../collide/table.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { asksFirst, IN_STEP, preSolve } from '../events/events.js';
+import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
+import { wakeBody } from './sleep.js';
+import { leaveOutAll } from './store.js';
+
+/** Filters, and what makes an interaction possible at all. Sensors are left out: nothing reports them yet. */
+function mayInteract(a: Shape, b: Shape): boolean {
+  const bodyA = a.owner!;
+  const bodyB = b.owner!;
+  return (
+    bodyA !== bodyB &&
+    (a.group & b.mask) !== 0 &&
+    (b.group & a.mask) !== 0 &&
+    (bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC) &&
+    !(bodyA.asleep && bodyB.asleep) &&
+    !a.sensor &&
+    !b.sensor
+  );
+}
+
+/** Called by the broadphase with `this` = the world. */
+function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): void {
+  const a = first.data as Shape;
+  const b = second.data as Shape;
+  if (mayInteract(a, b)) {
+    const pair = a.id < b.id ? this.pairs.obtain(a, b) : this.pairs.obtain(b, a);
+    pair.seen = this.timeStamp;
+    this.pairs.arrive(pair);
+  }
+}
+
+/**
+ * Finds what collides: broadphase → pairs → manifolds → begin, progress, end and `preSolve`. Sleeping bodies that were hit
+ * wake once all pairs have been seen, with the manifolds they fell asleep with.
+ */
+export function findPairs(world: World): void {
+  const pairs = world.pairs;
+  const stamp = world.timeStamp;
+  pairs.recycle();
+  world.broadphase.perform(report, world);
+  pairs.merge();
+  const sorted = pairs.sorted;
+  let kept = 0;
+  for (let i = 0; i < sorted.length; i += 1) {
+    const pair = sorted[i]!;
+    if (pair.dead || pair.sleeping) {
+      pair.awake = false;
+      continue;
+    }
+    pair.near = false;
+    if (pair.seen === stamp && touch(pair)) {
+      interact(world, pair);
+    } else {
+      part(world, pair);
+      if (pair.seen === stamp && pair.manifold.count > 0) {
+        approach(pair);
+      }
+      if (pair.seen !== stamp && !pair.listed) {
+        pair.awake = false;
+        pairs.retire(pair);
+        continue;
+      }
+    }
+    sorted[kept] = pair;
+    kept += 1;
+  }
+  sorted.length = kept;
+  wakeHit(world);
+}
+
+/** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
+function touch(pair: Arbiter): boolean {
+  const m = pair.manifold;
+  const { id0, id1, edgeA, edgeB } = m;
+  const a = pair.shapeA;
+  const b = pair.shapeB;
+  const bodyA = a.owner!;
+  const bodyB = b.owner!;
+  collide(a, b, bodyB.x - bodyA.x, bodyB.y - bodyA.y, m);
+  if (m.count === 0) {
+    return false;
+  }
+  const known = pair.contacts.length;
+  if (known !== m.count) {
+    pair.contacts.length = 0;
+    for (let i = 0; i < m.count; i += 1) {
+      const point = pair.points[i]!;
+      point.reset();
+      pair.contacts.push(point);
+    }
+  } else if (known === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
+    matchPoints(pair, id0, id1);
+  }
+  return m.overlaps();
+}
+
+/** Other edges than in the last step: points are recognised by the corner that limits them. */
+function matchPoints(pair: Arbiter, oldId0: number, oldId1: number): void {
+  const { id0, id1 } = pair.manifold;
+  const [p0, p1] = pair.points;
+  if (id0 === oldId1) {
+    p0.take(p1);
+    p1.reset();
+  } else if (id1 === oldId0) {
+    p1.take(p0);
+    p0.reset();
+  } else {
+    if (id0 !== oldId0) {
+      p0.reset();
+    }
+    if (id1 !== oldId1) {
+      p1.reset();
+    }
+  }
+}
+
+function interact(world: World, pair: Arbiter): void {
+  const stamp = world.timeStamp;
+  const begins = pair.lastInteraction !== stamp - 1;
+  if (!pair.listed) {
+    world.pairs.list(pair);
+  }
+  if (begins) {
+    pair.persistent = false;
+  }
+  pair.lastInteraction = stamp;
+  pair.active = true;
+  showManifold(pair);
+  world.events.interaction(begins ? 'begin' : 'progress', pair, IN_STEP);
+  const a = pair.bodyA;
+  const b = pair.bodyB;
+  if (preSolve(world.events, pair)) {
+    wakeBody(world, a, true);
+    wakeBody(world, b, true);
+  }
+  if (!pair.accepted) {
+    leaveOutAll(pair);
+  } else {
+    if (a.asleep && a.kind === DYNAMIC) {
+      world.hit.push(a);
+    }
+    if (b.asleep && b.kind === DYNAMIC) {
+      world.hit.push(b);
+    }
+  }
+}
+
+/** What a `preSolve` handler may read: points and depths of this step. */
+function showManifold(pair: Arbiter): void {
+  const m = pair.manifold;
+  const body = pair.bodyA;
+  const p0 = pair.points[0];
+  p0.active = true;
+  p0.x = body.x + m.x0;
+  p0.y = body.y + m.y0;
+  p0.penetration = -m.separation0;
+  if (m.count === 2) {
+    const p1 = pair.points[1];
+    p1.active = true;
+    p1.x = body.x + m.x1;
+    p1.y = body.y + m.y1;
+    p1.penetration = -m.separation1;
+  }
+}
+
+/**
+ * Surfaces that are near each other are given to the solver. Not if one belongs to a sleeping dynamic body, which could not
+ * give way, nor if `preSolve` handlers have to be asked first.
+ */
+function approach(pair: Arbiter): void {
+  const a = pair.bodyA;
+  const b = pair.bodyB;
+  const asleep = (a.asleep && a.kind === DYNAMIC) || (b.asleep && b.kind === DYNAMIC);
+  if (!asleep && !asksFirst(pair)) {
+    pair.near = true;
+    pair.mixMaterials();
+  }
+}
+
+/** The shapes do not interact in this step. */
+function part(world: World, pair: Arbiter): void {
+  if (pair.active) {
+    pair.active = false;
+    pair.stepRolling = 0;
+    for (const point of pair.contacts) {
+      point.active = false;
+      point.stepNormal = 0;
+      point.stepTangent = 0;
+    }
+    world.events.interaction('end', pair, IN_STEP);
+  }
+  if (world.pairs.isExpired(pair, world.timeStamp)) {
+    world.pairs.unlist(pair);
+  }
+}
+
+function wakeHit(world: World): void {
+  const hit = world.hit;
+  for (const body of hit) {
+    if (body.asleep) {
+      wakeBody(world, body, false);
+    }
+  }
+  hit.length = 0;
+  world.pairs.merge();
+}
+
+/** Brings the world's lists of arbiters up to date, in the order of their shapes; what fell asleep leaves them. */
+export function listArbiters(world: World): void {
+  const { dynamicArbiters, staticArbiters } = world;
+  const sorted = world.pairs.sorted;
+  let dynamics = 0;
+  let statics = 0;
+  let kept = 0;
+  for (let i = 0; i < sorted.length; i += 1) {
+    const pair = sorted[i]!;
+    if (pair.sleeping) {
+      pair.awake = false;
+      continue;
+    }
+    sorted[kept] = pair;
+    kept += 1;
+    if (!pair.listed) {
+      continue;
+    }
+    if (pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC) {
+      dynamicArbiters[dynamics] = pair;
+      pair.listIndex = dynamics;
+      dynamics += 1;
+    } else {
+      staticArbiters[statics] = pair;
+      pair.listIndex = statics;
+      statics += 1;
+    }
+  }
+  sorted.length = kept;
+  dynamicArbiters.length = dynamics;
+  staticArbiters.length = statics;
+}

@@ -1,0 +1,68 @@
+import { REST_DAMPING, REST_SPEED } from '../config.js';
+import { cos, sin } from '../math/trig.js';
+import * as d from './data.js';
+import type { SolverData } from './data.js';
+
+/** Below this turn the series for sine and cosine are exact to the last digit that matters. rad */
+const SMALL_TURN = 0.05;
+
+/** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
+export function integrateVelocities(data: SolverData): void {
+  const { velocity: v, drive: f } = data;
+  const end = data.bodyCount * d.BODY_STRIDE;
+  for (let i = d.BODY_STRIDE; i < end; i += d.BODY_STRIDE) {
+    const keep = f[i + d.KEEP_LINEAR]!;
+    v[i + d.VX] = (v[i + d.VX]! + f[i + d.GAIN_X]!) * keep;
+    v[i + d.VY] = (v[i + d.VY]! + f[i + d.GAIN_Y]!) * keep;
+    v[i + d.W] = (v[i + d.W]! + f[i + d.GAIN_W]!) * f[i + d.KEEP_ANGULAR]!;
+  }
+}
+
+/** The motion of one sub-step, q = v·h, after rest damping of slow bodies in contact. */
+export function integratePositions(data: SolverData, h: number): void {
+  const { velocity: v, motion: q, drive: f } = data;
+  const end = data.bodyCount * d.BODY_STRIDE;
+  const inverseSquare = 1 / (REST_SPEED * REST_SPEED);
+  for (let i = d.BODY_STRIDE; i < end; i += d.BODY_STRIDE) {
+    let vx = v[i + d.VX]!;
+    let vy = v[i + d.VY]!;
+    let w = v[i + d.W]!;
+    const radius = f[i + d.REST_RADIUS]!;
+    if (radius >= 0) {
+      const share = (vx * vx + vy * vy + radius * w * w) * inverseSquare;
+      if (share < 1) {
+        const keep = 1 - REST_DAMPING * h * (1 - share);
+        vx *= keep;
+        vy *= keep;
+        w *= keep;
+        v[i + d.VX] = vx;
+        v[i + d.VY] = vy;
+        v[i + d.W] = w;
+      }
+    }
+    q[i + d.QX] = vx * h;
+    q[i + d.QY] = vy * h;
+    q[i + d.QW] = w * h;
+  }
+}
+
+/** Adds the motion of the sub-step, pushes included, to that of the step. */
+export function advance(data: SolverData): void {
+  const { motion: q, spin } = data;
+  const count = data.bodyCount;
+  for (let k = 1, i = d.BODY_STRIDE; k < count; k += 1, i += d.BODY_STRIDE) {
+    q[i + d.DX] = q[i + d.DX]! + q[i + d.QX]!;
+    q[i + d.DY] = q[i + d.DY]! + q[i + d.QY]!;
+    const turn = q[i + d.DW]! + q[i + d.QW]!;
+    q[i + d.DW] = turn;
+    const at = k * d.SPIN_STRIDE;
+    if (turn < SMALL_TURN && turn > -SMALL_TURN) {
+      const s = turn * turn;
+      spin[at + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));
+      spin[at + d.SIN] = turn * (1 - s * (1 / 6 - s * (1 / 120 - s * (1 / 5040 - s / 362880))));
+    } else {
+      spin[at + d.COS_LESS_ONE] = cos(turn) - 1;
+      spin[at + d.SIN] = sin(turn);
+    }
+  }
+}

@@ -1,0 +1,75 @@
+import { DYNAMIC, type RigidBody, STATIC } from '../body.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { BEFORE_STEP } from '../events/events.js';
+import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
+import { enliven, quieten, wakeBody } from './sleep.js';
+
+/** Wakes, with events, the dynamic bodies that a body interacts with. */
+export function rouseNeighbours(world: World, body: RigidBody): void {
+  const found: RigidBody[] = [];
+  for (const shape of body.shapes) {
+    for (const pair of shape.arbiters) {
+      const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
+      if (other.kind === DYNAMIC && (pair.active || pair.sleeping) && pair.accepted) {
+        found.push(other);
+      }
+    }
+  }
+  for (const other of found) {
+    wakeBody(world, other, false);
+  }
+}
+
+/** Ends every interaction of a shape that goes, with an `end` for those that run. */
+export function cutPairs(world: World, shape: Shape): void {
+  while (shape.arbiters.length > 0) {
+    cutPair(world, shape.arbiters[shape.arbiters.length - 1]!);
+  }
+}
+
+function cutPair(world: World, pair: Arbiter): void {
+  if (pair.active || pair.sleeping) {
+    world.events.interaction('end', pair, BEFORE_STEP);
+  }
+  removeFrom(world.dynamicArbiters, pair);
+  removeFrom(world.staticArbiters, pair);
+  world.pairs.cutOff(pair);
+}
+
+function removeFrom(list: Arbiter[], pair: Arbiter): void {
+  const at = pair.listIndex;
+  if (list[at] !== pair) {
+    return;
+  }
+  const last = list.pop()!;
+  if (last !== pair) {
+    list[at] = last;
+    last.listIndex = at;
+  }
+}
+
+/** Changes the type of a body in this world, outside a step. Interactions that the new type cannot have end. */
+export function changeKind(world: World, body: RigidBody, kind: number): void {
+  wakeBody(world, body, true);
+  rouseNeighbours(world, body);
+  if (body.liveIndex >= 0) {
+    quieten(world, body);
+  }
+  body.kind = kind;
+  for (const shape of body.shapes) {
+    for (const pair of [...shape.arbiters]) {
+      if (pair.bodyA.kind !== DYNAMIC && pair.bodyB.kind !== DYNAMIC) {
+        cutPair(world, pair);
+      }
+    }
+  }
+  if (kind === STATIC) {
+    body.asleep = true;
+    return;
+  }
+  enliven(world, body);
+  if (kind === DYNAMIC) {
+    world.events.body('wake', body);
+  }
+}

@@ -1,0 +1,146 @@
+import { CONTACT_SLOP, MAX_PUSH, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import * as d from './data.js';
+import type { SolverData } from './data.js';
+
+/** Starts a sub-step, as `warmStartTwo`, for contacts of one point; circles carry a rolling impulse as well. */
+export function warmStartOne(data: SolverData, h: number, first: boolean): void {
+  const { records: r, bodies, count } = data.one;
+  const { velocity: v, motion: q, spin } = data;
+  const keep = first ? 0 : 1;
+  const inverseH = 1 / h;
+  for (let k = 0, i = 0; k < count; k += 1, i += d.ONE_STRIDE) {
+    const a = bodies[2 * k]!;
+    const b = bodies[2 * k + 1]!;
+    const sa = (a >> 3) * d.SPIN_STRIDE;
+    const sb = (b >> 3) * d.SPIN_STRIDE;
+    const nx = r[i + d.NX]!;
+    const ny = r[i + d.NY]!;
+    const rnA = r[i + d.RN_A1]!;
+    const rnB = r[i + d.RN_B1]!;
+    const rtA = r[i + d.RT_A1]!;
+    const rtB = r[i + d.RT_B1]!;
+    const s =
+      r[i + d.START1]! +
+      nx * (q[b + d.DX]! - q[a + d.DX]!) +
+      ny * (q[b + d.DY]! - q[a + d.DY]!) +
+      spin[sb + d.COS_LESS_ONE]! * rtB +
+      spin[sb + d.SIN]! * rnB -
+      spin[sa + d.COS_LESS_ONE]! * rtA -
+      spin[sa + d.SIN]! * rnA;
+    const surface = r[i + d.SURFACE_N]!;
+    r[i + d.SEPARATION1] = s;
+    r[i + d.BIAS1] = s > -TOUCH_DEPTH ? (s + TOUCH_DEPTH) * inverseH + surface : surface;
+    const p = r[i + d.NORMAL1]!;
+    const t = r[i + d.TANGENT1]!;
+    const roll = r[i + d.ROLL]!;
+    r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + keep * p;
+    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + keep * t;
+    r[i + d.ROLL_SUM] = r[i + d.ROLL_SUM]! + keep * roll;
+    const jx = nx * p - ny * t;
+    const jy = ny * p + nx * t;
+    const mA = v[a + d.INV_MASS]!;
+    const mB = v[b + d.INV_MASS]!;
+    v[a + d.VX] = v[a + d.VX]! - mA * jx;
+    v[a + d.VY] = v[a + d.VY]! - mA * jy;
+    v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * (rnA * p + rtA * t + roll);
+    v[b + d.VX] = v[b + d.VX]! + mB * jx;
+    v[b + d.VY] = v[b + d.VY]! + mB * jy;
+    v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * (rnB * p + rtB * t + roll);
+  }
+}
+
+/** One velocity iteration: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal. */
+export function solveVelocityOne(data: SolverData): void {
+  const { records: r, bodies, count } = data.one;
+  const v = data.velocity;
+  for (let k = 0, i = 0; k < count; k += 1, i += d.ONE_STRIDE) {
+    const a = bodies[2 * k]!;
+    const b = bodies[2 * k + 1]!;
+    const nx = r[i + d.NX]!;
+    const ny = r[i + d.NY]!;
+    const mA = v[a + d.INV_MASS]!;
+    const mB = v[b + d.INV_MASS]!;
+    const iA = v[a + d.INV_INERTIA]!;
+    const iB = v[b + d.INV_INERTIA]!;
+    const vax = v[a + d.VX]!;
+    const vay = v[a + d.VY]!;
+    const vbx = v[b + d.VX]!;
+    const vby = v[b + d.VY]!;
+    let wA = v[a + d.W]!;
+    let wB = v[b + d.W]!;
+    const dvx = vbx - vax;
+    const dvy = vby - vay;
+    const p = r[i + d.NORMAL1]!;
+
+    const rtA = r[i + d.RT_A1]!;
+    const rtB = r[i + d.RT_B1]!;
+    const t = r[i + d.TANGENT1]!;
+    const limit = r[i + d.FRICTION1]! * p;
+    const slide = nx * dvy - ny * dvx + r[i + d.SURFACE_T]! + rtB * wB - rtA * wA;
+    let nextT = t - slide * r[i + d.TANGENT_MASS1]!;
+    nextT = nextT > limit ? limit : nextT < -limit ? -limit : nextT;
+    const dt = nextT - t;
+    r[i + d.TANGENT1] = nextT;
+    wA -= iA * rtA * dt;
+    wB += iB * rtB * dt;
+
+    const roll = r[i + d.ROLL]!;
+    const rollLimit = r[i + d.ROLL_FRICTION]! * p;
+    let nextRoll = roll - (wB - wA) * r[i + d.ROLL_MASS]!;
+    nextRoll = nextRoll > rollLimit ? rollLimit : nextRoll < -rollLimit ? -rollLimit : nextRoll;
+    r[i + d.ROLL] = nextRoll;
+    wA -= iA * (nextRoll - roll);
+    wB += iB * (nextRoll - roll);
+
+    const rnA = r[i + d.RN_A1]!;
+    const rnB = r[i + d.RN_B1]!;
+    const vn = nx * dvx + ny * dvy + rnB * wB - rnA * wA;
+    const nextP = Math.max(0, p - (vn + r[i + d.BIAS1]!) / r[i + d.K11]!);
+    const dp = nextP - p;
+    r[i + d.NORMAL1] = nextP;
+    const jx = nx * dp - ny * dt;
+    const jy = ny * dp + nx * dt;
+    v[a + d.VX] = vax - mA * jx;
+    v[a + d.VY] = vay - mA * jy;
+    v[a + d.W] = wA - iA * rnA * dp;
+    v[b + d.VX] = vbx + mB * jx;
+    v[b + d.VY] = vby + mB * jy;
+    v[b + d.W] = wB + iB * rnB * dp;
+  }
+}
+
+/** One position iteration, as `solvePositionTwo`, for contacts of one point. */
+export function solvePositionOne(data: SolverData): number {
+  const { records: r, bodies, count } = data.one;
+  const q = data.motion;
+  let worst = 0;
+  for (let k = 0, i = 0; k < count; k += 1, i += d.ONE_STRIDE) {
+    const a = bodies[2 * k]!;
+    const b = bodies[2 * k + 1]!;
+    const nx = r[i + d.NX]!;
+    const ny = r[i + d.NY]!;
+    const rnA = r[i + d.RN_A1]!;
+    const rnB = r[i + d.RN_B1]!;
+    const c =
+      r[i + d.SEPARATION1]! +
+      nx * (q[b + d.QX]! - q[a + d.QX]!) +
+      ny * (q[b + d.QY]! - q[a + d.QY]!) +
+      rnB * q[b + d.QW]! -
+      rnA * q[a + d.QW]! +
+      CONTACT_SLOP;
+    if (c > -PUSH_TOLERANCE) {
+      continue;
+    }
+    if (c < worst) worst = c;
+    const x = -Math.max(r[i + d.SHARE]! * c, -MAX_PUSH) / r[i + d.K11]!;
+    const mA = q[a + d.INV_MASS]! * x;
+    const mB = q[b + d.INV_MASS]! * x;
+    q[a + d.QX] = q[a + d.QX]! - mA * nx;
+    q[a + d.QY] = q[a + d.QY]! - mA * ny;
+    q[a + d.QW] = q[a + d.QW]! - q[a + d.INV_INERTIA]! * rnA * x;
+    q[b + d.QX] = q[b + d.QX]! + mB * nx;
+    q[b + d.QY] = q[b + d.QY]! + mB * ny;
+    q[b + d.QW] = q[b + d.QW]! + q[b + d.INV_INERTIA]! * rnB * x;
+  }
+  return -worst;
+}

@@ -1,0 +1,72 @@
+import type { RigidBody } from '../body.js';
+import { pow } from '../math/trig.js';
+import type { World } from '../world.js';
+import * as d from './data.js';
+import type { SolverData } from './data.js';
+import { packContacts } from './pack-contacts.js';
+
+/** Packs awake bodies and accepted contacts for sub-steps of length h. */
+export function prepare(world: World, h: number): void {
+  const data = world.solver;
+  packBodies(world, h);
+  packContacts(data, world.pairs.sorted, data.previousH > 0 ? h / data.previousH : 0);
+  data.previousH = h;
+}
+
+function packBodies(world: World, h: number): void {
+  const data = world.solver;
+  const dynamics = world.liveDynamics;
+  const kinematics = world.liveKinematics;
+  data.resetBodies(1 + dynamics.length + kinematics.length);
+  let slot = 1;
+  let drag = -1;
+  let keep = 1;
+  for (const body of dynamics) {
+    if (body.linearDrag !== drag) {
+      drag = body.linearDrag;
+      keep = keepAfter(drag, h);
+    }
+    packBody(data, body, slot);
+    const at = slot * d.BODY_STRIDE;
+    const invMass = data.velocity[at + d.INV_MASS]!;
+    const invInertia = data.velocity[at + d.INV_INERTIA]!;
+    const drive = data.drive;
+    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (body.fx * invMass + world.gravityX) * h;
+    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (body.fy * invMass + world.gravityY) * h;
+    drive[at + d.GAIN_W] = body.appliedTorque * invInertia * h;
+    drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : keep;
+    drive[at + d.KEEP_ANGULAR] =
+      invInertia === 0 ? 1 : body.angularDrag === drag ? keep : keepAfter(body.angularDrag, h);
+    slot += 1;
+  }
+  for (const body of kinematics) {
+    packBody(data, body, slot);
+    const at = slot * d.BODY_STRIDE;
+    data.drive.fill(0, at, at + d.BODY_STRIDE);
+    data.drive[at + d.KEEP_LINEAR] = 1;
+    data.drive[at + d.KEEP_ANGULAR] = 1;
+    data.drive[at + d.REST_RADIUS] = -1;
+    slot += 1;
+  }
+}
+
+/** What a drag leaves of a velocity after h seconds: (1 − drag)^h. */
+function keepAfter(drag: number, h: number): number {
+  return drag >= 1 ? 0 : pow(1 - drag, h);
+}
+
+function packBody(data: SolverData, body: RigidBody, slot: number): void {
+  const at = slot * d.BODY_STRIDE;
+  const invMass = body.inverseMass();
+  const invInertia = body.inverseInertia();
+  body.slot = slot;
+  const { velocity, motion } = data;
+  velocity[at + d.VX] = body.vx;
+  velocity[at + d.VY] = body.vy;
+  velocity[at + d.W] = body.w;
+  velocity[at + d.INV_MASS] = invMass;
+  velocity[at + d.INV_INERTIA] = invInertia;
+  motion[at + d.INV_MASS] = invMass;
+  motion[at + d.INV_INERTIA] = invInertia;
+  data.drive[at + d.REST_RADIUS] = -1;
+}

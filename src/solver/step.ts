@@ -1,0 +1,53 @@
+import type { World } from '../world.js';
+import { applyBounces, planBounces, releaseBounces } from './bounce.js';
+import { findPairs, listArbiters } from './find-pairs.js';
+import { advance, integratePositions, integrateVelocities } from './integrate.js';
+import { sleepIslands } from './islands.js';
+import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
+import { prepare } from './prepare.js';
+import { refreshMoved } from './refresh.js';
+import { sleepKinematics } from './sleep.js';
+import { store } from './store.js';
+import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
+
+/**
+ * One step: the table of contents of the engine. Collision is found once; then the step is integrated in `substeps` equal
+ * parts, over which the iterations are spread (Macklin et al., "Small Steps in Physics Simulation", 2019).
+ */
+export function step(world: World, dt: number): void {
+  const { solver, substeps } = world;
+  const h = dt / substeps;
+  refreshMoved(world);
+  findPairs(world);
+  sleepIslands(world, dt);
+  listArbiters(world);
+  prepare(world, h);
+  for (let part = 0; part < substeps; part += 1) {
+    planBounces(solver);
+    integrateVelocities(solver);
+    warmStartTwo(solver, h, part === 0);
+    warmStartOne(solver, h, part === 0);
+    applyBounces(solver);
+    for (let i = share(world.velocityIterations, part, substeps); i > 0; i -= 1) {
+      solveVelocityTwo(solver);
+      solveVelocityOne(solver);
+    }
+    integratePositions(solver, h);
+    releaseBounces(solver);
+    for (let i = share(world.positionIterations, part, substeps); i > 0; i -= 1) {
+      const two = solvePositionTwo(solver);
+      const one = solvePositionOne(solver);
+      if (two === 0 && one === 0) {
+        break;
+      }
+    }
+    advance(solver);
+  }
+  store(world);
+  sleepKinematics(world);
+}
+
+/** How many of a step's iterations fall to one of its parts; at least one. */
+function share(total: number, part: number, parts: number): number {
+  return Math.max(1, Math.floor(((part + 1) * total) / parts) - Math.floor((part * total) / parts));
+}

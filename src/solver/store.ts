@@ -1,0 +1,156 @@
+import { DYNAMIC, type RigidBody } from '../body.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import type { Contact } from '../contact/contact.js';
+import { FOUND_LATE } from '../events/events.js';
+import type { World } from '../world.js';
+import * as d from './data.js';
+import type { ContactBatch, SolverData } from './data.js';
+
+/** Writes the outcome of a step back to bodies, contacts and arbiters. */
+export function store(world: World): void {
+  const data = world.solver;
+  for (const body of world.liveDynamics) {
+    storeBody(data, body);
+  }
+  for (const body of world.liveKinematics) {
+    storeBody(data, body);
+  }
+  storeContacts(world, data, data.two);
+  storeContacts(world, data, data.one);
+}
+
+function storeBody(data: SolverData, body: RigidBody): void {
+  const at = body.slot * d.BODY_STRIDE;
+  const { velocity: v, motion: q } = data;
+  if (body.kind === DYNAMIC) {
+    body.vx = v[at + d.VX]!;
+    body.vy = v[at + d.VY]!;
+    body.w = v[at + d.W]!;
+  }
+  const dx = q[at + d.DX]!;
+  const dy = q[at + d.DY]!;
+  const turn = q[at + d.DW]!;
+  body.lastDx = dx;
+  body.lastDy = dy;
+  body.lastTurn = turn;
+  if (dx !== 0 || dy !== 0 || turn !== 0) {
+    body.putAt(body.x + dx, body.y + dy, body.angle + turn);
+  }
+}
+
+function storeContacts(world: World, data: SolverData, batch: ContactBatch): void {
+  const r = batch.records;
+  const two = batch === data.two;
+  for (let k = 0; k < batch.count; k += 1) {
+    const at = k * batch.stride;
+    const pair = batch.arbiters[k]!;
+    if (two) {
+      storePoint(data, batch, k, 0, pair.points[0], pair.manifold.separation0);
+      storePoint(data, batch, k, d.SECOND, pair.points[1], pair.manifold.separation1);
+    } else {
+      const index = batch.point[k]!;
+      const separation = index === 0 ? pair.manifold.separation0 : pair.manifold.separation1;
+      storePoint(data, batch, k, 0, pair.points[index]!, separation);
+      pair.rolling = r[at + d.ROLL]!;
+      pair.stepRolling = r[at + d.ROLL_SUM]! + pair.rolling;
+      if (pair.manifold.count === 2) {
+        leaveOut(pair.points[1 - index]!);
+      }
+    }
+    if (pair.near) {
+      meet(world, pair);
+    }
+  }
+}
+
+/** Surfaces that were apart when the step began and met during it: the interaction begins late in the step. */
+function meet(world: World, pair: Arbiter): void {
+  if (!pair.contacts.some((point) => point.stepNormal > 0)) {
+    return;
+  }
+  if (!pair.listed) {
+    world.pairs.list(pair);
+    const dynamic = pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC;
+    pair.listIndex = (dynamic ? world.dynamicArbiters : world.staticArbiters).push(pair) - 1;
+  }
+  for (const point of pair.contacts) {
+    point.active = true;
+  }
+  pair.persistent = false;
+  pair.accepted = true;
+  pair.active = true;
+  pair.lastInteraction = world.timeStamp;
+  world.events.interaction('begin', pair, FOUND_LATE);
+}
+
+/** A point that the solver did not see. */
+function leaveOut(point: Contact): void {
+  point.virtual = true;
+  point.fresh = false;
+  point.normal = 0;
+  point.tangent = 0;
+  point.stepNormal = 0;
+  point.stepTangent = 0;
+}
+
+/** A collision that a handler has rejected: its contacts are listed, and do nothing. */
+export function leaveOutAll(pair: Arbiter): void {
+  pair.rolling = 0;
+  pair.stepRolling = 0;
+  for (const point of pair.contacts) {
+    leaveOut(point);
+  }
+}
+
+function storePoint(
+  data: SolverData,
+  batch: ContactBatch,
+  index: number,
+  shift: number,
+  point: Contact,
+  start: number,
+): void {
+  const r = batch.records;
+  const { motion: q, spin } = data;
+  const base = index * batch.stride;
+  const i = base + shift;
+  const pair = batch.arbiters[index]!;
+  const nx = r[base + d.NX]!;
+  const ny = r[base + d.NY]!;
+  const a = batch.bodies[2 * index]!;
+  const b = batch.bodies[2 * index + 1]!;
+  const sa = (a >> 3) * d.SPIN_STRIDE;
+  const sb = (b >> 3) * d.SPIN_STRIDE;
+  const cA = spin[sa + d.COS_LESS_ONE]!;
+  const sinA = spin[sa + d.SIN]!;
+  const cB = spin[sb + d.COS_LESS_ONE]!;
+  const sinB = spin[sb + d.SIN]!;
+  const rnA = r[i + d.RN_A1]!;
+  const rtA = r[i + d.RT_A1]!;
+  const rnB = r[i + d.RN_B1]!;
+  const rtB = r[i + d.RT_B1]!;
+  point.penetration = -(
+    start +
+    nx * (q[b + d.DX]! - q[a + d.DX]!) +
+    ny * (q[b + d.DY]! - q[a + d.DY]!) +
+    cB * rtB +
+    sinB * rnB -
+    cA * rtA -
+    sinA * rnA
+  );
+  const bodyA = pair.bodyA;
+  const along = rtA + cA * rtA + sinA * rnA;
+  const across = -rnA - cA * rnA + sinA * rtA;
+  const half = 0.5 * (point.penetration + start);
+  point.x = bodyA.x + nx * (along - half) - ny * across;
+  point.y = bodyA.y + ny * (along - half) + nx * across;
+  const normal = r[i + d.NORMAL1]!;
+  const tangent = r[i + d.TANGENT1]!;
+  point.normal = normal;
+  point.tangent = tangent;
+  point.stepNormal = r[i + d.NORMAL_SUM1]! + normal;
+  point.stepTangent = r[i + d.TANGENT_SUM1]! + tangent;
+  const wasVirtual = point.virtual;
+  point.virtual = start > 0 && point.stepNormal === 0;
+  point.fresh = wasVirtual && !point.virtual;
+}

@@ -1,0 +1,222 @@
+import { MAX_PUSH, CONTACT_SLOP, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import * as d from './data.js';
+import type { SolverData } from './data.js';
+
+/**
+ * Starts a sub-step: separations for the present placement, what the normal velocities are driven to, and the impulses of
+ * the last sub-step applied once more.
+ *
+ *     s = s₀ + n·(ΔdB − ΔdA) + (cos θ − 1)·RT + sin θ·RN   of B less that of A
+ */
+export function warmStartTwo(data: SolverData, h: number, first: boolean): void {
+  const { records: r, bodies, count } = data.two;
+  const { velocity: v, motion: q, spin } = data;
+  const keep = first ? 0 : 1;
+  const inverseH = 1 / h;
+  for (let k = 0, i = 0; k < count; k += 1, i += d.TWO_STRIDE) {
+    const a = bodies[2 * k]!;
+    const b = bodies[2 * k + 1]!;
+    const sa = (a >> 3) * d.SPIN_STRIDE;
+    const sb = (b >> 3) * d.SPIN_STRIDE;
+    const nx = r[i + d.NX]!;
+    const ny = r[i + d.NY]!;
+    const rnA1 = r[i + d.RN_A1]!;
+    const rnB1 = r[i + d.RN_B1]!;
+    const rtA1 = r[i + d.RT_A1]!;
+    const rtB1 = r[i + d.RT_B1]!;
+    const rnA2 = r[i + d.RN_A2]!;
+    const rnB2 = r[i + d.RN_B2]!;
+    const rtA2 = r[i + d.RT_A2]!;
+    const rtB2 = r[i + d.RT_B2]!;
+    const ca = spin[sa + d.COS_LESS_ONE]!;
+    const sinA = spin[sa + d.SIN]!;
+    const cb = spin[sb + d.COS_LESS_ONE]!;
+    const sinB = spin[sb + d.SIN]!;
+    const moved = nx * (q[b + d.DX]! - q[a + d.DX]!) + ny * (q[b + d.DY]! - q[a + d.DY]!);
+    const s1 = r[i + d.START1]! + moved + cb * rtB1 + sinB * rnB1 - ca * rtA1 - sinA * rnA1;
+    const s2 = r[i + d.START2]! + moved + cb * rtB2 + sinB * rnB2 - ca * rtA2 - sinA * rnA2;
+    const surface = r[i + d.SURFACE_N]!;
+    r[i + d.SEPARATION1] = s1;
+    r[i + d.SEPARATION2] = s2;
+    r[i + d.BIAS1] = s1 > -TOUCH_DEPTH ? (s1 + TOUCH_DEPTH) * inverseH + surface : surface;
+    r[i + d.BIAS2] = s2 > -TOUCH_DEPTH ? (s2 + TOUCH_DEPTH) * inverseH + surface : surface;
+    const p1 = r[i + d.NORMAL1]!;
+    const p2 = r[i + d.NORMAL2]!;
+    const t1 = r[i + d.TANGENT1]!;
+    const t2 = r[i + d.TANGENT2]!;
+    r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + keep * p1;
+    r[i + d.NORMAL_SUM2] = r[i + d.NORMAL_SUM2]! + keep * p2;
+    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + keep * t1;
+    r[i + d.TANGENT_SUM2] = r[i + d.TANGENT_SUM2]! + keep * t2;
+    const p = p1 + p2;
+    const t = t1 + t2;
+    const jx = nx * p - ny * t;
+    const jy = ny * p + nx * t;
+    const mA = v[a + d.INV_MASS]!;
+    const mB = v[b + d.INV_MASS]!;
+    v[a + d.VX] = v[a + d.VX]! - mA * jx;
+    v[a + d.VY] = v[a + d.VY]! - mA * jy;
+    v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * (rnA1 * p1 + rnA2 * p2 + rtA1 * t1 + rtA2 * t2);
+    v[b + d.VX] = v[b + d.VX]! + mB * jx;
+    v[b + d.VY] = v[b + d.VY]! + mB * jy;
+    v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * (rnB1 * p1 + rnB2 * p2 + rtB1 * t1 + rtB2 * t2);
+  }
+}
+
+/**
+ * One velocity iteration. Friction of each point, within ± μ · normal impulse; then both normals as one linear
+ * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
+ * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · (impulse so far).
+ */
+export function solveVelocityTwo(data: SolverData): void {
+  const { records: r, bodies, count } = data.two;
+  const v = data.velocity;
+  for (let k = 0, i = 0; k < count; k += 1, i += d.TWO_STRIDE) {
+    const a = bodies[2 * k]!;
+    const b = bodies[2 * k + 1]!;
+    const nx = r[i + d.NX]!;
+    const ny = r[i + d.NY]!;
+    const mA = v[a + d.INV_MASS]!;
+    const mB = v[b + d.INV_MASS]!;
+    const iA = v[a + d.INV_INERTIA]!;
+    const iB = v[b + d.INV_INERTIA]!;
+    const vax = v[a + d.VX]!;
+    const vay = v[a + d.VY]!;
+    const vbx = v[b + d.VX]!;
+    const vby = v[b + d.VY]!;
+    let wA = v[a + d.W]!;
+    let wB = v[b + d.W]!;
+    const dvx = vbx - vax;
+    const dvy = vby - vay;
+    const vn = nx * dvx + ny * dvy;
+    const p1 = r[i + d.NORMAL1]!;
+    const p2 = r[i + d.NORMAL2]!;
+
+    const rtA1 = r[i + d.RT_A1]!;
+    const rtB1 = r[i + d.RT_B1]!;
+    let vt = nx * dvy - ny * dvx + r[i + d.SURFACE_T]!;
+    const t1 = r[i + d.TANGENT1]!;
+    const limit1 = r[i + d.FRICTION1]! * p1;
+    let next1 = t1 - (vt + rtB1 * wB - rtA1 * wA) * r[i + d.TANGENT_MASS1]!;
+    next1 = next1 > limit1 ? limit1 : next1 < -limit1 ? -limit1 : next1;
+    const dt1 = next1 - t1;
+    r[i + d.TANGENT1] = next1;
+    vt += dt1 * (mA + mB);
+    wA -= iA * rtA1 * dt1;
+    wB += iB * rtB1 * dt1;
+
+    const rtA2 = r[i + d.RT_A2]!;
+    const rtB2 = r[i + d.RT_B2]!;
+    const t2 = r[i + d.TANGENT2]!;
+    const limit2 = r[i + d.FRICTION2]! * p2;
+    let next2 = t2 - (vt + rtB2 * wB - rtA2 * wA) * r[i + d.TANGENT_MASS2]!;
+    next2 = next2 > limit2 ? limit2 : next2 < -limit2 ? -limit2 : next2;
+    const dt2 = next2 - t2;
+    r[i + d.TANGENT2] = next2;
+    wA -= iA * rtA2 * dt2;
+    wB += iB * rtB2 * dt2;
+
+    const rnA1 = r[i + d.RN_A1]!;
+    const rnB1 = r[i + d.RN_B1]!;
+    const rnA2 = r[i + d.RN_A2]!;
+    const rnB2 = r[i + d.RN_B2]!;
+    const k11 = r[i + d.K11]!;
+    const k12 = r[i + d.K12]!;
+    const k22 = r[i + d.K22]!;
+    const b1 = vn + rnB1 * wB - rnA1 * wA + r[i + d.BIAS1]! - k11 * p1 - k12 * p2;
+    const b2 = vn + rnB2 * wB - rnA2 * wA + r[i + d.BIAS2]! - k12 * p1 - k22 * p2;
+    const inverse = r[i + d.INV_DET]!;
+    let x1 = (k12 * b2 - k22 * b1) * inverse;
+    let x2 = (k12 * b1 - k11 * b2) * inverse;
+    if (!(x1 >= 0 && x2 >= 0)) {
+      x1 = -b1 / k11;
+      x2 = 0;
+      if (!(x1 >= 0 && k12 * x1 + b2 >= 0)) {
+        x1 = 0;
+        x2 = -b2 / k22;
+        if (!(x2 >= 0 && k12 * x2 + b1 >= 0)) {
+          if (b1 >= 0 && b2 >= 0) {
+            x2 = 0;
+          } else {
+            x1 = p1;
+            x2 = p2;
+          }
+        }
+      }
+    }
+    r[i + d.NORMAL1] = x1;
+    r[i + d.NORMAL2] = x2;
+    const d1 = x1 - p1;
+    const d2 = x2 - p2;
+    const p = d1 + d2;
+    const t = dt1 + dt2;
+    const jx = nx * p - ny * t;
+    const jy = ny * p + nx * t;
+    v[a + d.VX] = vax - mA * jx;
+    v[a + d.VY] = vay - mA * jy;
+    v[a + d.W] = wA - iA * (rnA1 * d1 + rnA2 * d2);
+    v[b + d.VX] = vbx + mB * jx;
+    v[b + d.VY] = vby + mB * jy;
+    v[b + d.W] = wB + iB * (rnB1 * d1 + rnB2 * d2);
+  }
+}
+
+/**
+ * One position iteration: moves the bodies apart by a share of the overlap beyond the slop, both points together; if one of
+ * them would have to pull, the deeper one alone. Velocities are not touched.
+ *
+ * @returns the deepest overlap beyond the slop that it found, m.
+ */
+export function solvePositionTwo(data: SolverData): number {
+  const { records: r, bodies, count } = data.two;
+  const q = data.motion;
+  let worst = 0;
+  for (let k = 0, i = 0; k < count; k += 1, i += d.TWO_STRIDE) {
+    const a = bodies[2 * k]!;
+    const b = bodies[2 * k + 1]!;
+    const nx = r[i + d.NX]!;
+    const ny = r[i + d.NY]!;
+    const rnA1 = r[i + d.RN_A1]!;
+    const rnB1 = r[i + d.RN_B1]!;
+    const rnA2 = r[i + d.RN_A2]!;
+    const rnB2 = r[i + d.RN_B2]!;
+    const qax = q[a + d.QX]!;
+    const qay = q[a + d.QY]!;
+    const qaw = q[a + d.QW]!;
+    const qbx = q[b + d.QX]!;
+    const qby = q[b + d.QY]!;
+    const qbw = q[b + d.QW]!;
+    const moved = nx * (qbx - qax) + ny * (qby - qay) + CONTACT_SLOP;
+    const c1 = r[i + d.SEPARATION1]! + moved + rnB1 * qbw - rnA1 * qaw;
+    const c2 = r[i + d.SEPARATION2]! + moved + rnB2 * qbw - rnA2 * qaw;
+    if (c1 > -PUSH_TOLERANCE && c2 > -PUSH_TOLERANCE) {
+      continue;
+    }
+    if (c1 < worst) worst = c1;
+    if (c2 < worst) worst = c2;
+    const share = r[i + d.SHARE]!;
+    const e1 = c1 < 0 ? Math.max(share * c1, -MAX_PUSH) : 0;
+    const e2 = c2 < 0 ? Math.max(share * c2, -MAX_PUSH) : 0;
+    const k11 = r[i + d.K11]!;
+    const k12 = r[i + d.K12]!;
+    const k22 = r[i + d.K22]!;
+    const inverse = r[i + d.INV_DET]!;
+    let x1 = (k12 * e2 - k22 * e1) * inverse;
+    let x2 = (k12 * e1 - k11 * e2) * inverse;
+    if (x1 < 0 || x2 < 0) {
+      const firstDeeper = c1 < c2;
+      x1 = firstDeeper ? -e1 / k11 : 0;
+      x2 = firstDeeper ? 0 : -e2 / k22;
+    }
+    const x = x1 + x2;
+    const mA = q[a + d.INV_MASS]! * x;
+    const mB = q[b + d.INV_MASS]! * x;
+    q[a + d.QX] = qax - mA * nx;
+    q[a + d.QY] = qay - mA * ny;
+    q[a + d.QW] = qaw - q[a + d.INV_INERTIA]! * (rnA1 * x1 + rnA2 * x2);
+    q[b + d.QX] = qbx + mB * nx;
+    q[b + d.QY] = qby + mB * ny;
+    q[b + d.QW] = qbw + q[b + d.INV_INERTIA]! * (rnB1 * x1 + rnB2 * x2);
+  }
+  return -worst;
+}

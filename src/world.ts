@@ -1,0 +1,334 @@
+import { DYNAMIC, RigidBody, STATIC } from './body.js';
+import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
+import type { Broadphase } from './broadphase/broadphase.js';
+import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
+import type { Arbiter } from './contact/arbiter.js';
+import { Pairs } from './contact/pairs.js';
+import { EventQueue } from './events/events.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import type { Shape } from './shape/shape.js';
+import { SolverData } from './solver/data.js';
+import { IslandWork } from './solver/islands.js';
+import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
+import { widened } from './solver/refresh.js';
+import { enliven, quieten, sleepBody, wakeBody } from './solver/sleep.js';
+import { step } from './solver/step.js';
+import { boolean, instance, integer, options, positive, typeError, vector } from './validate.js';
+
+/** Options of `createWorld`. */
+export interface WorldParams {
+  /** Finds pairs of shapes that are near each other; any object of that interface. Default: a box tree. */
+  broadphase?: Broadphase | undefined;
+  /** m/s². Default `[0, 10]`: down, as y points down. */
+  gravity?: Vec2Like | undefined;
+  /** Total per step, integer >= 1. Default 8. */
+  velocityIterations?: number | undefined;
+  /** Total per step, integer >= 1. Default 8. */
+  positionIterations?: number | undefined;
+  /** Equal parts in which a step is integrated, integer >= 1; the iterations are spread over them. Default 4. */
+  substeps?: number | undefined;
+  /** Whether bodies at rest fall asleep by themselves. Default `true`. */
+  allowSleeping?: boolean | undefined;
+}
+
+const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 'sample'] as const;
+
+/**
+ * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
+ * (in `preSolve` handlers) nothing can be added or removed; in all other handlers everything may be changed.
+ */
+export class World {
+  static readonly version = 1;
+
+  readonly rigidBodies: RigidBody[] = [];
+  /** Dynamic bodies that are awake. */
+  readonly liveDynamics: RigidBody[] = [];
+  /** Kinematic bodies that are awake. */
+  readonly liveKinematics: RigidBody[] = [];
+  /** Awake interactions, running or cached, between two dynamic bodies. */
+  readonly dynamicArbiters: Arbiter[] = [];
+  /** Awake interactions, running or cached, with a static or kinematic body. */
+  readonly staticArbiters: Arbiter[] = [];
+  readonly broadphase: Broadphase;
+
+  /** @internal */
+  gravityX: number;
+  /** @internal */
+  gravityY: number;
+  /** @internal from the first line of `step` until its events are delivered */
+  stepping = false;
+  /** @internal bodies whose geometry has to be refreshed */
+  readonly stale: RigidBody[] = [];
+  /** @internal sleeping bodies hit in this step */
+  readonly hit: RigidBody[] = [];
+  /** @internal */
+  readonly pairs = new Pairs();
+  /** @internal */
+  readonly events = new EventQueue();
+  /** @internal */
+  readonly solver = new SolverData();
+  /** @internal */
+  readonly islandWork = new IslandWork();
+
+  private time = 0;
+  private stamp = 0;
+  private delivering = false;
+  private velocityTotal: number;
+  private positionTotal: number;
+  private parts: number;
+  private mayRest: boolean;
+
+  /** @internal use `createWorld` */
+  constructor(params?: WorldParams) {
+    const where = 'createWorld';
+    const given = options(where, params, false);
+    const gravity = given.gravity === undefined ? [0, 10] : vector(where, 'gravity', given.gravity, 2);
+    this.gravityX = gravity[0]!;
+    this.gravityY = gravity[1]!;
+    this.velocityTotal = integer(where, 'velocityIterations', given.velocityIterations ?? DEFAULT_ITERATIONS, 1);
+    this.positionTotal = integer(where, 'positionIterations', given.positionIterations ?? DEFAULT_ITERATIONS, 1);
+    this.parts = integer(where, 'substeps', given.substeps ?? DEFAULT_SUBSTEPS, 1);
+    this.mayRest = boolean(where, 'allowSleeping', given.allowSleeping ?? true);
+    this.broadphase =
+      given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
+  }
+
+  /** s. Grows by the step length at the start of each step; never reset. */
+  get simulatedTime(): number {
+    return this.time;
+  }
+
+  /** Number of steps; grows at the start of each step; never reset. */
+  get timeStamp(): number {
+    return this.stamp;
+  }
+
+  /** Velocity iterations per step in total, integer >= 1. */
+  get velocityIterations(): number {
+    return this.velocityTotal;
+  }
+
+  set velocityIterations(value: number) {
+    this.velocityTotal = integer('World', 'velocityIterations', value, 1);
+  }
+
+  /** Position iterations per step in total, integer >= 1. */
+  get positionIterations(): number {
+    return this.positionTotal;
+  }
+
+  set positionIterations(value: number) {
+    this.positionTotal = integer('World', 'positionIterations', value, 1);
+  }
+
+  /** Equal parts in which a step is integrated, integer >= 1; the iterations are spread over them, at least one each. */
+  get substeps(): number {
+    return this.parts;
+  }
+
+  set substeps(value: number) {
+    this.parts = integer('World', 'substeps', value, 1);
+  }
+
+  /** Whether bodies at rest fall asleep by themselves; setting it to `false` wakes everything. */
+  get allowSleeping(): boolean {
+    return this.mayRest;
+  }
+
+  set allowSleeping(value: boolean) {
+    this.mayRest = boolean('World', 'allowSleeping', value);
+    if (!value) {
+      this.wakeAll();
+    }
+  }
+
+  /**
+   * Advances the world by one step of `deltaTime` seconds (> 0), then delivers events. Use a fixed step such as 1/60.
+   *
+   * @throws Error when called from a handler. An exception of a handler leaves the world consistent: the step is completed,
+   * the other handlers are called, then the first exception is thrown on.
+   */
+  step(deltaTime: number): void {
+    positive('World.step', 'deltaTime', deltaTime);
+    if (this.stepping || this.delivering) {
+      throw new Error('World.step: must not be called from a handler or callback of the same world');
+    }
+    this.stamp += 1;
+    this.time += deltaTime;
+    this.stepping = true;
+    try {
+      step(this, deltaTime);
+    } finally {
+      this.stepping = false;
+    }
+    this.delivering = true;
+    try {
+      this.events.deliver();
+    } finally {
+      this.delivering = false;
+    }
+    this.events.rethrow();
+  }
+
+  /** m/s². */
+  getGravity(): Vec2;
+  getGravity<T extends NumberSink>(dst: T): T;
+  getGravity<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.gravityX, this.gravityY, dst);
+  }
+
+  /** Sets the gravity, m/s². Wakes everything if changed. */
+  setGravity(gravity: Vec2Like): void {
+    vector('World.setGravity', 'gravity', gravity, 2);
+    if (gravity[0] !== this.gravityX || gravity[1] !== this.gravityY) {
+      this.gravityX = gravity[0]!;
+      this.gravityY = gravity[1]!;
+      this.wakeAll();
+    }
+  }
+
+  /** Adds a body. @returns `false`, without effect, if it is in a world already, or during a step. */
+  addRigidBody(body: RigidBody): boolean {
+    instance('World.addRigidBody', 'body', body, RigidBody, 'a RigidBody');
+    if (this.stepping || body.owner !== null) {
+      return false;
+    }
+    body.place();
+    body.placeStale = false;
+    body.owner = this;
+    body.index = this.rigidBodies.push(body) - 1;
+    body.lastDx = 0;
+    body.lastDy = 0;
+    body.lastTurn = 0;
+    body.asleep = body.asleep || body.kind === STATIC;
+    for (const shape of body.shapes) {
+      shape.handle = this.broadphase.insert(shape, widened(shape), body.asleep);
+    }
+    if (!body.asleep) {
+      enliven(this, body);
+    }
+    return true;
+  }
+
+  /**
+   * Removes a body; what touches it wakes, its interactions end.
+   *
+   * @returns `false`, without effect, if it is not in this world, or during a step.
+   */
+  removeRigidBody(body: RigidBody): boolean {
+    instance('World.removeRigidBody', 'body', body, RigidBody, 'a RigidBody');
+    if (this.stepping || body.owner !== this) {
+      return false;
+    }
+    wakeBody(this, body, true);
+    rouseNeighbours(this, body);
+    for (const shape of body.shapes) {
+      cutPairs(this, shape);
+    }
+    if (body.liveIndex >= 0) {
+      quieten(this, body);
+    }
+    for (const shape of body.shapes) {
+      this.broadphase.remove(shape.handle!);
+      shape.handle = null;
+    }
+    const last = this.rigidBodies.pop()!;
+    if (last !== body) {
+      this.rigidBodies[body.index] = last;
+      last.index = body.index;
+    }
+    leave(body);
+    return true;
+  }
+
+  /** Removes everything, without events; queued events are dropped. Time, gravity and settings stay. Ignored during a step. */
+  clear(): void {
+    if (this.stepping) {
+      return;
+    }
+    for (const body of this.rigidBodies) {
+      for (const shape of body.shapes) {
+        shape.handle = null;
+        shape.arbiters.length = 0;
+      }
+      leave(body);
+    }
+    this.broadphase.clear();
+    this.rigidBodies.length = 0;
+    this.liveDynamics.length = 0;
+    this.liveKinematics.length = 0;
+    this.dynamicArbiters.length = 0;
+    this.staticArbiters.length = 0;
+    this.stale.length = 0;
+    this.pairs.clear();
+    this.events.clear();
+  }
+
+  /** @internal */
+  wakeBody(body: RigidBody, silent: boolean): void {
+    wakeBody(this, body, silent);
+  }
+
+  /** @internal */
+  sleepBody(body: RigidBody): void {
+    sleepBody(this, body);
+  }
+
+  /** @internal */
+  changeKind(body: RigidBody, kind: number): void {
+    changeKind(this, body, kind);
+  }
+
+  /** @internal a shape was attached to a body of this world */
+  shapeAdded(shape: Shape): void {
+    const body = shape.owner!;
+    shape.place(body.x, body.y, body.cos, body.sin);
+    shape.handle = this.broadphase.insert(shape, widened(shape), body.asleep);
+  }
+
+  /** @internal a shape is about to be detached from a body of this world */
+  shapeRemoved(shape: Shape): void {
+    rouseNeighbours(this, shape.owner!);
+    cutPairs(this, shape);
+    this.broadphase.remove(shape.handle!);
+    shape.handle = null;
+  }
+
+  /** @internal tells the broadphase whether the shapes of a body may move */
+  setHandlesStatic(body: RigidBody, isStatic: boolean): void {
+    for (const shape of body.shapes) {
+      this.broadphase.update(shape.handle!, widened(shape), isStatic);
+    }
+  }
+
+  private wakeAll(): void {
+    for (const body of this.rigidBodies) {
+      if (body.kind === DYNAMIC || body.asleep) {
+        wakeBody(this, body, false);
+      }
+    }
+  }
+}
+
+/** Resets what a body had from its world. */
+function leave(body: RigidBody): void {
+  body.owner = null;
+  body.asleep = false;
+  body.index = -1;
+  body.liveIndex = -1;
+  body.slot = 0;
+  body.island = null;
+  body.placeStale = true;
+}
+
+function checkedBroadphase(where: string, value: unknown): Broadphase {
+  if (typeof value !== 'object' || value === null) {
+    throw typeError(where, 'broadphase', 'a Broadphase', value);
+  }
+  for (const method of BROADPHASE_METHODS) {
+    if (typeof (value as Record<string, unknown>)[method] !== 'function') {
+      throw typeError(where, 'broadphase', `a Broadphase with the method ${method}`, value);
+    }
+  }
+  return value as Broadphase;
+}
