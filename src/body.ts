@@ -1,200 +1,28 @@
-import { type Listeners, NO_LISTENERS, withListener, withoutListener } from './events/listeners.js';
-import { cos, sin } from './math/trig.js';
+import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
+import type { RigidBodyParams } from './body-params.js';
+import { BodyState } from './body-state.js';
+import { type Listeners, withListener, withoutListener } from './events/listeners.js';
 import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
-import type { Island } from './solver/sleep.js';
-import {
-  boolean,
-  callable,
-  finite,
-  instance,
-  nonNegative,
-  options,
-  positive,
-  positiveOrInfinite,
-  typeError,
-  vector,
-} from './validate.js';
+import { callable, finite, instance, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
 import type { World } from './world.js';
 
-export type BodyType = 'dynamic' | 'kinematic' | 'static';
 export type BodyEventType = 'wake' | 'sleep';
 
 /** Called without arguments, `this` = the body. */
 export type BodyHandler = (this: RigidBody) => void;
-
-/** Options of `createRigidBody`. */
-export interface RigidBodyParams {
-  /** 'dynamic' is moved by forces and contacts, 'kinematic' by its velocity alone, 'static' not at all. Default 'dynamic'. */
-  type?: BodyType | undefined;
-  /** Attached in order; one that has a body already is skipped. Default none. */
-  shapes?: ArrayLike<Shape> | undefined;
-  /** kg, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
-  mass?: number | undefined;
-  /** kg·m² about the body origin, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
-  inertia?: number | undefined;
-  /** Stays asleep when added to a world. Default `false`. */
-  sleeping?: boolean | undefined;
-  /** Is swept against other dynamic bodies too. Default `false`. */
-  bullet?: boolean | undefined;
-  /** World position of the body origin, m. Default `[0, 0]`. */
-  position?: Vec2Like | undefined;
-  /** Clockwise on screen, rad. Default 0. */
-  rotation?: number | undefined;
-  /** m/s; ignored for 'static'. Default `[0, 0]`. */
-  velocity?: Vec2Like | undefined;
-  /** rad/s; ignored for 'static'. Default 0. */
-  angularVelocity?: number | undefined;
-  /** N; acts in every step until changed. Default `[0, 0]`. */
-  force?: Vec2Like | undefined;
-  /** N·m; acts in every step until changed. Default 0. */
-  torque?: number | undefined;
-  /** Share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Default 0.05. */
-  linearDrag?: number | undefined;
-  /** Share of the angular velocity lost per second, >= 0. Default 0.05. */
-  angularDrag?: number | undefined;
-  /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
-  surfaceVelocity?: Vec2Like | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
-  userData?: unknown;
-}
-
-/** @internal */
-export const DYNAMIC = 0;
-/** @internal */
-export const KINEMATIC = 1;
-/** @internal */
-export const STATIC = 2;
-
-const TYPES: readonly string[] = ['dynamic', 'kinematic', 'static'];
-const ZERO: Vec2Like = [0, 0];
 
 /**
  * A rigid body: shapes that move together. The body origin is its centre of rotation and of gravity whatever the shapes;
  * see `alignWithOrigin`. In a world, changes wake the body unless stated otherwise; teleports and geometry changes are
  * ignored during a step.
  */
-export class RigidBody {
+export class RigidBody extends BodyState {
   static readonly version = 1;
-
-  /** Attached shapes. Do not modify. */
-  readonly shapes: Shape[] = [];
-  /** Is swept against other dynamic bodies too; takes effect in the next step. */
-  bullet: boolean;
-  /** Anything of yours. */
-  userData: unknown;
-
-  /** @internal DYNAMIC, KINEMATIC or STATIC */
-  kind: number;
-  /** @internal */
-  x: number;
-  /** @internal */
-  y: number;
-  /** @internal */
-  angle: number;
-  /** @internal */
-  cos: number;
-  /** @internal */
-  sin: number;
-  /** @internal */
-  vx = 0;
-  /** @internal */
-  vy = 0;
-  /** @internal */
-  w = 0;
-  /** @internal */
-  fx: number;
-  /** @internal */
-  fy: number;
-  /** @internal */
-  appliedTorque: number;
-  /** @internal */
-  linearDrag: number;
-  /** @internal */
-  angularDrag: number;
-  /** @internal */
-  surfaceX: number;
-  /** @internal */
-  surfaceY: number;
-  /** @internal given mass, or −1: from the shapes */
-  fixedMass: number;
-  /** @internal given inertia, or −1: from the shapes */
-  fixedInertia: number;
-  /** @internal right after `refreshMass` */
-  mass = 0;
-  /** @internal right after `refreshMass` */
-  inertia = 0;
-  /** @internal largest distance of a shape point from the origin; right after `refreshMass` */
-  radius = 0;
-  /** @internal motion of the last step */
-  lastDx = 0;
-  /** @internal */
-  lastDy = 0;
-  /** @internal */
-  lastTurn = 0;
-  /** @internal the last step in which the body was not at rest or was woken */
-  wakeTime = 0;
-  /** @internal shapes, mass or radius differ from what is cached */
-  massStale = true;
-  /** @internal turned geometry, bounds and broadphase are behind the placement */
-  placeStale = true;
-  /** @internal */
-  asleep: boolean;
-  /** @internal */
-  owner: World | null = null;
-  /** @internal index in the world's list of bodies */
-  index = -1;
-  /** @internal index in the live list of its type, −1 while in none */
-  liveIndex = -1;
-  /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
-  slot = 0;
-  /** @internal those it fell asleep with */
-  island: Island | null = null;
-  /** @internal */
-  listeners: Listeners<BodyHandler> = NO_LISTENERS;
 
   /** @internal use `createRigidBody` */
   constructor(params?: RigidBodyParams) {
-    const where = 'createRigidBody';
-    const given = options(where, params, false);
-    const type = given.type ?? 'dynamic';
-    if (!TYPES.includes(type)) {
-      throw typeError(where, 'type', "'dynamic', 'kinematic' or 'static'", type);
-    }
-    const list = checkedShapes(where, given.shapes);
-    const position = vector(where, 'position', given.position ?? ZERO, 2);
-    const velocity = vector(where, 'velocity', given.velocity ?? ZERO, 2);
-    const force = vector(where, 'force', given.force ?? ZERO, 2);
-    const surface = vector(where, 'surfaceVelocity', given.surfaceVelocity ?? ZERO, 2);
-    const angularVelocity = finite(where, 'angularVelocity', given.angularVelocity ?? 0);
-    this.kind = TYPES.indexOf(type);
-    this.x = position[0]!;
-    this.y = position[1]!;
-    this.angle = finite(where, 'rotation', given.rotation ?? 0);
-    this.cos = cos(this.angle);
-    this.sin = sin(this.angle);
-    this.fx = force[0]!;
-    this.fy = force[1]!;
-    this.appliedTorque = finite(where, 'torque', given.torque ?? 0);
-    this.linearDrag = nonNegative(where, 'linearDrag', given.linearDrag ?? 0.05);
-    this.angularDrag = nonNegative(where, 'angularDrag', given.angularDrag ?? 0.05);
-    this.surfaceX = surface[0]!;
-    this.surfaceY = surface[1]!;
-    this.fixedMass = given.mass === undefined ? -1 : positiveOrInfinite(where, 'mass', given.mass);
-    this.fixedInertia = given.inertia === undefined ? -1 : positiveOrInfinite(where, 'inertia', given.inertia);
-    this.asleep = boolean(where, 'sleeping', given.sleeping ?? false);
-    this.bullet = boolean(where, 'bullet', given.bullet ?? false);
-    this.userData = given.userData === undefined ? null : given.userData;
-    if (this.kind !== STATIC) {
-      this.vx = velocity[0]!;
-      this.vy = velocity[1]!;
-      this.w = angularVelocity;
-    }
-    for (const shape of list) {
-      if (shape.owner === null) {
-        this.attach(shape);
-      }
-    }
+    super(params);
   }
 
   /** The world the body is in, or `null`. */
@@ -459,42 +287,6 @@ export class RigidBody {
     }
   }
 
-  /** Σ density · area, kg. Overlaps count twice, sensors count. */
-  computeMassFromShapes(): number {
-    let mass = 0;
-    for (const shape of this.shapes) {
-      mass += shape.material.density * shape.computeArea();
-    }
-    return mass;
-  }
-
-  /** Σ density · area · massless inertia, kg·m² about the body origin. */
-  computeInertiaFromShapes(): number {
-    let inertia = 0;
-    for (const shape of this.shapes) {
-      inertia += shape.material.density * shape.computeArea() * shape.computeMasslessInertia();
-    }
-    return inertia;
-  }
-
-  /** Centre of mass of the shapes in body coordinates, m; `[0, 0]` without shapes or mass. */
-  computeLocalCenterOfMass(): Vec2;
-  computeLocalCenterOfMass<T extends NumberSink>(dst: T): T;
-  computeLocalCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
-    let x = 0;
-    let y = 0;
-    let total = 0;
-    const centre: Vec2 = [0, 0];
-    for (const shape of this.shapes) {
-      const mass = shape.material.density * shape.computeArea();
-      shape.computeCenterOfMass(centre);
-      x += mass * centre[0];
-      y += mass * centre[1];
-      total += mass;
-    }
-    return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
-  }
-
   /**
    * Translates all shapes so that their centre of mass is the body origin. The body's position stays, so the shapes move
    * in the world. No effect without shapes or mass. Ignored as `setPosition` is. Wakes the body.
@@ -627,18 +419,6 @@ export class RigidBody {
     return true;
   }
 
-  /** @internal 0 for everything that cannot be pushed */
-  inverseMass(): number {
-    this.refreshMass();
-    return this.kind === DYNAMIC && this.mass > 0 ? 1 / this.mass : 0;
-  }
-
-  /** @internal 0 for everything that cannot be turned */
-  inverseInertia(): number {
-    this.refreshMass();
-    return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
-  }
-
   /** @internal the automatic wake: with a `wake` event if the body was asleep */
   rouse(): void {
     if (this.owner !== null) {
@@ -670,8 +450,7 @@ export class RigidBody {
   putAt(x: number, y: number, angle: number): void {
     if (angle !== this.angle) {
       this.angle = angle;
-      this.cos = cos(angle);
-      this.sin = sin(angle);
+      this.refreshTurn();
     }
     this.x = x;
     this.y = y;
@@ -684,7 +463,7 @@ export class RigidBody {
       return;
     }
     for (const shape of this.shapes) {
-      shape.place(this.x, this.y, this.cos, this.sin);
+      shape.place(this);
     }
     if (this.owner === null) {
       this.placeStale = false;
@@ -692,20 +471,7 @@ export class RigidBody {
   }
 
   /** @internal */
-  refreshMass(): void {
-    if (!this.massStale) {
-      return;
-    }
-    this.massStale = false;
-    this.mass = this.fixedMass >= 0 ? this.fixedMass : this.computeMassFromShapes();
-    this.inertia = this.fixedInertia >= 0 ? this.fixedInertia : this.computeInertiaFromShapes();
-    this.radius = 0;
-    for (const shape of this.shapes) {
-      this.radius = Math.max(this.radius, shape.reach());
-    }
-  }
-
-  private attach(shape: Shape): void {
+  override attach(shape: Shape): void {
     shape.owner = this;
     this.shapes.push(shape);
     this.shapesChanged();
@@ -727,24 +493,4 @@ export class RigidBody {
       this.w = 0;
     }
   }
-
-  private toLocal<T extends NumberSink>(x: number, y: number, dst: T | undefined): T | Vec2 {
-    return vec2(this.cos * x + this.sin * y, this.cos * y - this.sin * x, dst);
-  }
-
-  private toWorld<T extends NumberSink>(local: Vec2Like, x: number, y: number, dst: T | undefined): T | Vec2 {
-    const lx = local[0]!;
-    const ly = local[1]!;
-    return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, dst);
-  }
-}
-
-function checkedShapes(where: string, value: ArrayLike<Shape> | undefined): Shape[] {
-  if (value === undefined) {
-    return [];
-  }
-  if (typeof value !== 'object' || value === null || typeof value.length !== 'number') {
-    throw typeError(where, 'shapes', 'an array of Shapes', value);
-  }
-  return Array.from(value, (shape, i) => instance(where, `shapes[${i}]`, shape, Shape, 'a Shape'));
 }

@@ -1,4 +1,5 @@
-import { RigidBody, type RigidBodyParams } from './body.js';
+import { RigidBody } from './body.js';
+import type { RigidBodyParams } from './body-params.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { SweepAndPrune } from './broadphase/sweep-and-prune.js';

@@ -1,4 +1,5 @@
-import { DYNAMIC, RigidBody, STATIC } from './body.js';
+import { RigidBody } from './body.js';
+import { DYNAMIC, STATIC } from './body-kind.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
@@ -282,7 +283,7 @@ export class World {
   /** @internal a shape was attached to a body of this world */
   shapeAdded(shape: Shape): void {
     const body = shape.owner!;
-    shape.place(body.x, body.y, body.cos, body.sin);
+    shape.place(body);
     shape.handle = this.broadphase.insert(shape, widened(shape), body.asleep);
   }
 

@@ -1,6 +1,7 @@
 import { COINCIDENT, SPECULATIVE_MARGIN } from '../config.js';
 import type { Circle } from '../shape/circle.js';
-import { EDGE_STRIDE, type Polygon } from '../shape/polygon.js';
+import { EDGE_STRIDE } from '../shape/layout.js';
+import type { Polygon } from '../shape/polygon.js';
 import type { Manifold } from './manifold.js';
 
 /** Stores the single point half-way between two surfaces that face each other at `(x, y)` + n · distance. */
@@ -14,16 +15,14 @@ function setPoint(m: Manifold, nx: number, ny: number, x: number, y: number, sep
   m.id0 = 0;
 }
 
-/**
- * Two circles; `(dx, dy)` leads from body A's origin to B's. Centres that coincide are pushed apart along x.
- */
-export function collideCircles(a: Circle, b: Circle, dx: number, dy: number, m: Manifold): void {
-  const cx = dx + b.centreX - a.centreX;
-  const cy = dy + b.centreY - a.centreY;
+/** Two circles. Centres that coincide are pushed apart along x. */
+export function collideCircles(a: Circle, b: Circle, m: Manifold): void {
+  const cx = m.dx + b.centreX - a.centreX;
+  const cy = m.dy + b.centreY - a.centreY;
   const reach = a.radius + b.radius;
+  const limit = reach + SPECULATIVE_MARGIN;
   const squared = cx * cx + cy * cy;
   m.count = 0;
-  const limit = reach + SPECULATIVE_MARGIN;
   if (squared > limit * limit) {
     return;
   }
@@ -34,11 +33,25 @@ export function collideCircles(a: Circle, b: Circle, dx: number, dy: number, m: 
   setPoint(m, nx, ny, a.centreX + nx * a.radius, a.centreY + ny * a.radius, distance - reach);
 }
 
+/** A polygon and a circle. */
+export function collidePolygonCircle(a: Polygon, b: Circle, m: Manifold): void {
+  faceCircle(a, b, m.dx, m.dy, m);
+}
+
+/** A circle and a polygon: the polygon's view of it, turned round. */
+export function collideCirclePolygon(a: Circle, b: Polygon, m: Manifold): void {
+  faceCircle(b, a, -m.dx, -m.dy, m);
+  m.nx = -m.nx;
+  m.ny = -m.ny;
+  m.x0 += m.dx;
+  m.y0 += m.dy;
+}
+
 /**
- * A polygon (A) and a circle (B). The edge farthest from the centre decides; beyond its ends the nearer corner does
- * (Ericson, Real-Time Collision Detection, 5.1).
+ * The circle as the polygon sees it; `(dx, dy)` leads from the polygon's body origin to the circle's. The edge farthest from the
+ * centre decides; beyond its ends the nearer corner does (Ericson, Real-Time Collision Detection, 5.1).
  */
-export function collidePolygonCircle(a: Polygon, b: Circle, dx: number, dy: number, m: Manifold): void {
+function faceCircle(a: Polygon, b: Circle, dx: number, dy: number, m: Manifold): void {
   const cx = dx + b.centreX;
   const cy = dy + b.centreY;
   const edges = a.edges;
@@ -81,13 +94,4 @@ export function collidePolygonCircle(a: Polygon, b: Circle, dx: number, dy: numb
     }
   }
   setPoint(m, nx, ny, cx - nx * separation, cy - ny * separation, separation - b.radius);
-}
-
-/** A circle (A) and a polygon (B): the polygon's view of it, turned round. */
-export function collideCirclePolygon(a: Circle, b: Polygon, dx: number, dy: number, m: Manifold): void {
-  collidePolygonCircle(b, a, -dx, -dy, m);
-  m.nx = -m.nx;
-  m.ny = -m.ny;
-  m.x0 += dx;
-  m.y0 += dy;
 }

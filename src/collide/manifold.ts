@@ -3,6 +3,9 @@
  * nothing is lost far from the world's origin. Lives in its pair from step to step: a kernel starts from the last axis.
  */
 export class Manifold {
+  /** Input: from body A's origin to body B's. A field, because numbers handed over as arguments would be boxed. */
+  dx = 0;
+  dy = 0;
   /** Number of points, 0 to 2. */
   count = 0;
   /** Unit normal from A to B. */

@@ -1,9 +1,10 @@
 import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE, type Polygon } from '../shape/polygon.js';
+import { EDGE_STRIDE } from '../shape/layout.js';
+import type { Polygon } from '../shape/polygon.js';
 import type { Manifold } from './manifold.js';
 
-/** The edge found by `deepestEdge`; dead as soon as it has been read. */
-let foundEdge = 0;
+/** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
+const best = { separation: -Infinity, edge: 0 };
 
 /** How far Q lies beyond edge `i` of P: min over Q's corners q of n · q − offset. `(ox, oy)` leads from P's origin to Q's. */
 function edgeSeparation(p: Polygon, i: number, q: Polygon, ox: number, oy: number): number {
@@ -18,21 +19,40 @@ function edgeSeparation(p: Polygon, i: number, q: Polygon, ox: number, oy: numbe
   return least + nx * ox + ny * oy - p.offsets[i]!;
 }
 
-/** The largest separation over P's edges, its edge in `foundEdge`; stops at the first edge that separates. */
-function deepestEdge(p: Polygon, q: Polygon, ox: number, oy: number): number {
-  const count = p.offsets.length;
-  let best = -Infinity;
-  for (let i = 0; i < count; i += 1) {
-    const s = edgeSeparation(p, i, q, ox, oy);
-    if (s > best) {
-      best = s;
-      foundEdge = i;
-      if (s > SPECULATIVE_MARGIN) {
-        return s;
+/**
+ * Looks for an edge of P that Q lies farther beyond than `best` says, and puts it there; `side` is 1 if P is A, else −1. Starts
+ * with a likely edge, gives an edge up at the first corner that makes it no better, and stops at one that separates.
+ */
+function deepestEdge(p: Polygon, q: Polygon, m: Manifold, side: number, likely: number): void {
+  const pe = p.edges;
+  const qe = q.edges;
+  const offsets = p.offsets;
+  const count = offsets.length;
+  const end = qe.length;
+  const ox = side * m.dx;
+  const oy = side * m.dy;
+  let deepest = best.separation;
+  let i = likely >= 0 && likely < count ? likely : 0;
+  for (let tried = 0; tried < count; tried += 1) {
+    const nx = pe[EDGE_STRIDE * i + 2]!;
+    const ny = pe[EDGE_STRIDE * i + 3]!;
+    const base = nx * ox + ny * oy - offsets[i]!;
+    let least = Infinity;
+    for (let k = 0; k < end; k += EDGE_STRIDE) {
+      const s = base + nx * qe[k]! + ny * qe[k + 1]!;
+      if (s < least) {
+        least = s;
+        if (s <= deepest) break;
       }
     }
+    if (least > deepest) {
+      deepest = least;
+      best.edge = i;
+      if (least > SPECULATIVE_MARGIN) break;
+    }
+    i = i + 1 === count ? 0 : i + 1;
   }
-  return best;
+  best.separation = deepest;
 }
 
 /** The edge of Q that faces the direction `(nx, ny)` most squarely. */
@@ -51,39 +71,47 @@ function opposedEdge(q: Polygon, nx: number, ny: number): number {
 }
 
 /**
- * Two polygons; `(dx, dy)` leads from body A's origin to B's. Separating axes over all edge normals; the shallowest one
+ * Two polygons. Separating axes over all edge normals; the shallowest one
  * becomes the reference edge (ties go to A), and the opposed edge of the other polygon is clipped to its width (Catto,
  * "Contact Manifolds", GDC 2007). The last separating axis is tried first.
  */
-export function collidePolygons(a: Polygon, b: Polygon, dx: number, dy: number, m: Manifold): void {
+export function collidePolygons(a: Polygon, b: Polygon, m: Manifold): void {
   m.count = 0;
-  const axis = m.axis;
-  if (axis >= 0) {
-    const edge = axis >> 1;
-    if ((axis & 1) === 0) {
-      if (edge < a.offsets.length && edgeSeparation(a, edge, b, dx, dy) > SPECULATIVE_MARGIN) return;
-    } else if (edge < b.offsets.length && edgeSeparation(b, edge, a, -dx, -dy) > SPECULATIVE_MARGIN) {
-      return;
-    }
+  if (isStillApart(a, b, m)) {
+    return;
   }
-  const depthA = deepestEdge(a, b, dx, dy);
-  const edgeA = foundEdge;
-  if (depthA > SPECULATIVE_MARGIN) {
+  best.separation = -Infinity;
+  deepestEdge(a, b, m, 1, m.edgeA);
+  const edgeA = best.edge;
+  if (best.separation > SPECULATIVE_MARGIN) {
     m.axis = 2 * edgeA;
     return;
   }
-  const depthB = deepestEdge(b, a, -dx, -dy);
-  const edgeB = foundEdge;
-  if (depthB > SPECULATIVE_MARGIN) {
+  best.separation += FACE_TIE;
+  best.edge = -1;
+  deepestEdge(b, a, m, -1, m.edgeB);
+  const edgeB = best.edge;
+  if (edgeB >= 0 && best.separation > SPECULATIVE_MARGIN) {
     m.axis = 2 * edgeB + 1;
     return;
   }
-  if (depthB > depthA + FACE_TIE) {
-    clip(b, edgeB, a, -dx, -dy, m);
-    if (m.count > 0) turnRound(m, dx, dy);
+  if (edgeB >= 0) {
+    clip(b, edgeB, a, m, -1);
+    if (m.count > 0) turnRound(m);
   } else {
-    clip(a, edgeA, b, dx, dy, m);
+    clip(a, edgeA, b, m, 1);
   }
+}
+
+/** The axis that separated the shapes last time does so again. */
+function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
+  const edge = m.axis >> 1;
+  if (m.axis < 0) {
+    return false;
+  }
+  return (m.axis & 1) === 0
+    ? edge < a.offsets.length && edgeSeparation(a, edge, b, m.dx, m.dy) > SPECULATIVE_MARGIN
+    : edge < b.offsets.length && edgeSeparation(b, edge, a, -m.dx, -m.dy) > SPECULATIVE_MARGIN;
 }
 
 /**
@@ -94,7 +122,9 @@ export function collidePolygons(a: Polygon, b: Polygon, dx: number, dy: number, 
  *     Q   w1 <──────────── w2        the ends are sorted by t = (−ny, nx), along which P's edges run
  *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
  */
-function clip(p: Polygon, i: number, q: Polygon, ox: number, oy: number, m: Manifold): void {
+function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): void {
+  const ox = side * m.dx;
+  const oy = side * m.dy;
   const pe = p.edges;
   const qe = q.edges;
   const next = i + 1 === p.offsets.length ? 0 : i + 1;
@@ -137,8 +167,8 @@ function clip(p: Polygon, i: number, q: Polygon, ox: number, oy: number, m: Mani
 }
 
 /** Makes a manifold found with the roles exchanged one of A and B: the normal turns and with it the order of the ends. */
-function turnRound(m: Manifold, dx: number, dy: number): void {
-  const { x0, y0, separation0, id0, edgeA } = m;
+function turnRound(m: Manifold): void {
+  const { dx, dy, x0, y0, separation0, id0, edgeA } = m;
   m.nx = -m.nx;
   m.ny = -m.ny;
   m.x0 = m.x1 + dx;

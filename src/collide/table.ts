@@ -5,8 +5,8 @@ import { collideCirclePolygon, collideCircles, collidePolygonCircle } from './ci
 import type { Manifold } from './manifold.js';
 import { collidePolygons } from './polygons.js';
 
-/** `(dx, dy)` leads from body A's origin to body B's. Writes the manifold; `count` 0 means no collision. */
-type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, dx: number, dy: number, m: Manifold) => void;
+/** Reads `dx`, `dy` of the manifold and writes the rest; `count` 0 means that the shapes are apart. */
+type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, m: Manifold) => void;
 
 const KINDS = 2;
 
@@ -18,7 +18,7 @@ const KERNELS: readonly [
   Kernel<Polygon, Polygon>,
 ] = [collideCircles, collideCirclePolygon, collidePolygonCircle, collidePolygons];
 
-/** Collides two placed shapes. */
-export function collide(a: Shape, b: Shape, dx: number, dy: number, m: Manifold): void {
-  (KERNELS[a.kind * KINDS + b.kind] as Kernel<Shape, Shape>)(a, b, dx, dy, m);
+/** Collides two placed shapes, whose bodies lie `m.dx`, `m.dy` apart. */
+export function collide(a: Shape, b: Shape, m: Manifold): void {
+  (KERNELS[a.kind * KINDS + b.kind] as Kernel<Shape, Shape>)(a, b, m);
 }

@@ -3,7 +3,7 @@ import { Manifold } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
-import { nonNegative, notNaN, boolean } from '../validate.js';
+import { boolean, nonNegative, notNaN } from '../validate.js';
 import { Contact } from './contact.js';
 
 /** @internal which of the mixed values were set by hand */

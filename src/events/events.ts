@@ -133,7 +133,6 @@ export class EventQueue {
     this.queue = [];
     this.delivering = null;
   }
-
 }
 
 function callShape(list: Listeners<ShapeHandler>, type: string, arbiter: Arbiter, own: Shape, other: Shape): void {

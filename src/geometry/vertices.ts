@@ -1,7 +1,7 @@
 import { COLLINEAR_TOLERANCE, VERTEX_TOLERANCE } from '../config.js';
 import { cos, sin } from '../math/trig.js';
 import type { Vec2, Vec2Like } from '../math/vectors.js';
-import { integer, positive, finite, typeError, vector } from '../validate.js';
+import { finite, integer, positive, typeError, vector } from '../validate.js';
 import { polygonArea } from './mass.js';
 
 /** Corners of a `width` × `height` box around the origin, clockwise from the upper left. Sizes in m, > 0. */

@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options, positive, vector } from '../validate.js';
 import { Shape, type ShapeParams } from './shape.js';
@@ -93,7 +94,8 @@ export class Circle extends Shape {
   }
 
   /** @internal */
-  override place(x: number, y: number, c: number, s: number): void {
+  override place(body: RigidBody): void {
+    const { x, y, cos: c, sin: s } = body;
     const cx = c * this.originX - s * this.originY;
     const cy = s * this.originX + c * this.originY;
     this.centreX = cx;

@@ -1,7 +1,9 @@
+import type { RigidBody } from '../body.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import { convexVertices } from '../geometry/vertices.js';
 import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { options } from '../validate.js';
+import { EDGE_STRIDE } from './layout.js';
 import { Shape, type ShapeParams } from './shape.js';
 
 /** Options of `createPolygonShape`. */
@@ -12,9 +14,6 @@ export interface PolygonParams extends ShapeParams {
    */
   vertices: ArrayLike<Vec2Like>;
 }
-
-/** Numbers per corner in {@link Polygon.edges}: the corner and the outward normal of the edge that starts there. */
-export const EDGE_STRIDE = 4;
 
 /** A convex polygon with any number of corners. */
 export class Polygon extends Shape {
@@ -87,7 +86,8 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
-  override place(x: number, y: number, c: number, s: number): void {
+  override place(body: RigidBody): void {
+    const { x, y, cos: c, sin: s } = body;
     const local = this.localEdges;
     const edges = this.edges;
     let minX = Infinity;

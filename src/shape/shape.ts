@@ -235,8 +235,8 @@ export abstract class Shape {
     this.owner?.rouse();
   }
 
-  /** @internal turns the geometry by (c, s) and sets the bounds for a body at (x, y) */
-  abstract place(x: number, y: number, c: number, s: number): void;
+  /** @internal turns the geometry with the body and sets the bounds */
+  abstract place(body: RigidBody): void;
 
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;

@@ -1,9 +1,6 @@
 import { BOUNCE_THRESHOLD } from '../config.js';
-import * as d from './data.js';
 import type { ContactBatch, SolverData } from './data.js';
-
-/** m/s. A bias that no impulse can meet by pushing: the point stays out of this sub-step. */
-const OFF = 1e9;
+import * as d from './data.js';
 
 function normalVelocity(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
   const r = batch.records;
@@ -56,7 +53,7 @@ export function planBounces(data: SolverData): void {
     list.bias[k] = 0;
     if (leave < -BOUNCE_THRESHOLD) {
       const apart = separation(data, batch, record, shift) > 0;
-      list.bias[k] = apart ? OFF : leave;
+      list.bias[k] = apart ? d.OFF : leave;
       if (apart) {
         const r = batch.records;
         const i = record + shift;
@@ -89,7 +86,7 @@ export function releaseBounces(data: SolverData): void {
     const record = list.record[k]!;
     const shift = list.shift[k]!;
     if (normalVelocity(data, batch, record, shift) > BOUNCE_THRESHOLD) {
-      batch.records[record + shift + d.SEPARATION1] = OFF;
+      batch.records[record + shift + d.SEPARATION1] = d.NEVER;
     }
   }
 }

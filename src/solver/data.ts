@@ -99,6 +99,15 @@ export const K12 = 33;
 export const INV_DET = 34;
 export const TWO_STRIDE = 36;
 
+/** kg⁻¹. Stands for an infinite inverse mass, but may be multiplied by zero. */
+export const IMMOVABLE = 1e30;
+/** m. A separation that no motion of a step can close: switches a point off. */
+export const NEVER = 1e9;
+/** m/s. A bias that no impulse can meet by pushing: keeps a point out of a sub-step. */
+export const OFF = 1e9;
+/** rad. Up to this turn a short series for sine and cosine is exact to the last digit that matters. */
+export const SMALL_TURN = 0.05;
+
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {
   count = 0;
@@ -181,8 +190,10 @@ export class SolverData {
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();
-  /** s. Length of the last sub-step; impulses kept from it are scaled to the new one. */
+  /** s. Length of the sub-steps of the last step … */
   previousH = 0;
+  /** … and what its impulses are multiplied by to fit the present ones. */
+  impulseScale = 0;
 
   /** Makes room for `count` bodies; slot 0 is cleared, the others are to be filled. */
   resetBodies(count: number): void {

@@ -1,4 +1,4 @@
-import { DYNAMIC } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { collide } from '../collide/table.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -81,7 +81,9 @@ function touch(pair: Arbiter): boolean {
   const b = pair.shapeB;
   const bodyA = a.owner!;
   const bodyB = b.owner!;
-  collide(a, b, bodyB.x - bodyA.x, bodyB.y - bodyA.y, m);
+  m.dx = bodyB.x - bodyA.x;
+  m.dy = bodyB.y - bodyA.y;
+  collide(a, b, m);
   if (m.count === 0) {
     return false;
   }

@@ -1,10 +1,7 @@
 import { REST_DAMPING, REST_SPEED } from '../config.js';
 import { cos, sin } from '../math/trig.js';
-import * as d from './data.js';
 import type { SolverData } from './data.js';
-
-/** Below this turn the series for sine and cosine are exact to the last digit that matters. rad */
-const SMALL_TURN = 0.05;
+import * as d from './data.js';
 
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function integrateVelocities(data: SolverData): void {
@@ -56,7 +53,7 @@ export function advance(data: SolverData): void {
     const turn = q[i + d.DW]! + q[i + d.QW]!;
     q[i + d.DW] = turn;
     const at = k * d.SPIN_STRIDE;
-    if (turn < SMALL_TURN && turn > -SMALL_TURN) {
+    if (turn < d.SMALL_TURN && turn > -d.SMALL_TURN) {
       const s = turn * turn;
       spin[at + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));
       spin[at + d.SIN] = turn * (1 - s * (1 / 6 - s * (1 / 120 - s * (1 / 5040 - s / 362880))));

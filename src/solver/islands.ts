@@ -1,5 +1,6 @@
+import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import { SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
-import { DYNAMIC, type RigidBody } from '../body.js';
 import type { World } from '../world.js';
 import { sleepIsland } from './sleep.js';
 

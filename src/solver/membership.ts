@@ -1,4 +1,5 @@
-import { DYNAMIC, type RigidBody, STATIC } from '../body.js';
+import type { RigidBody } from '../body.js';
+import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { BEFORE_STEP } from '../events/events.js';
 import type { Shape } from '../shape/shape.js';

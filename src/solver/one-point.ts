@@ -1,6 +1,6 @@
 import { CONTACT_SLOP, MAX_PUSH, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
-import * as d from './data.js';
 import type { SolverData } from './data.js';
+import * as d from './data.js';
 
 /** Starts a sub-step, as `warmStartTwo`, for contacts of one point; circles carry a rolling impulse as well. */
 export function warmStartOne(data: SolverData, h: number, first: boolean): void {

@@ -1,4 +1,3 @@
-import type { RigidBody } from '../body.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
@@ -9,22 +8,15 @@ import {
   STATIC_FRICTION_SPEED_SQUARED,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import type { Contact } from '../contact/contact.js';
-import * as d from './data.js';
 import type { ContactBatch, SolverData } from './data.js';
-
-/** A separation that no motion of a step can close: switches a point off. */
-const NEVER = 1e9;
-
-/** Stands for an infinite mass, but may be multiplied by zero. */
-const IMMOVABLE = 1e30;
+import * as d from './data.js';
 
 /**
  * Writes the records of all contacts, in the order of their shapes' ids. Impulses kept from the last sub-step are scaled by
- * `ratio`. Refused: greedy colouring, so that neighbours share no body. Solving, say, all left supports before all right ones
+ * `impulseScale`. Refused: greedy colouring, so that neighbours share no body. Solving, say, all left supports before all right ones
  * leaves one error in all rows of a pyramid (base 20: it slides 0.3 m and never rests; in this order 0.017 m, at rest in 2 s).
  */
-export function packContacts(data: SolverData, pairs: readonly Arbiter[], ratio: number): void {
+export function packContacts(data: SolverData, pairs: readonly Arbiter[]): void {
   const { one, two } = data;
   one.count = 0;
   two.count = 0;
@@ -32,9 +24,9 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[], ratio:
   for (const pair of pairs) {
     if (pair.isSolved()) {
       if (hasTwoPoints(pair)) {
-        packTwo(data, two.add(pair), ratio);
+        packTwo(data, two.add(pair));
       } else {
-        packOne(data, one.add(pair), ratio);
+        packOne(data, one.add(pair));
       }
     }
   }
@@ -46,17 +38,15 @@ function hasTwoPoints(pair: Arbiter): boolean {
   return m.count === 2 && m.separation0 <= SPECULATIVE_MARGIN && m.separation1 <= SPECULATIVE_MARGIN;
 }
 
-function packTwo(data: SolverData, index: number, ratio: number): void {
+function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
   const at = index * d.TWO_STRIDE;
   const pair = batch.arbiters[index]!;
   const m = pair.manifold;
   const records = batch.records;
   packPair(data, batch, index, pair);
-  packPoint(data, batch, index, 0, m.x0, m.y0, m.separation0);
-  packPoint(data, batch, index, d.SECOND, m.x1, m.y1, m.separation1);
-  keepImpulses(records, at, pair.points[0], ratio);
-  keepImpulses(records, at + d.SECOND, pair.points[1], ratio);
+  packPoint(data, batch, index, 0, 0);
+  packPoint(data, batch, index, d.SECOND, 1);
   const { velocity } = data;
   const a = batch.bodies[2 * index]!;
   const b = batch.bodies[2 * index + 1]!;
@@ -73,7 +63,7 @@ function packTwo(data: SolverData, index: number, ratio: number): void {
     records[at + d.INV_DET] = 1 / det;
   } else {
     const shallow = m.separation0 <= m.separation1 ? d.SECOND : 0;
-    records[at + shallow + d.START1] = NEVER;
+    records[at + shallow + d.START1] = d.NEVER;
     records[at + d.K12] = 0;
     records[at + d.INV_DET] = 1 / (k11 * k22);
   }
@@ -83,7 +73,7 @@ function packTwo(data: SolverData, index: number, ratio: number): void {
   }
 }
 
-function packOne(data: SolverData, index: number, ratio: number): void {
+function packOne(data: SolverData, index: number): void {
   const batch = data.one;
   const at = index * d.ONE_STRIDE;
   const pair = batch.arbiters[index]!;
@@ -92,13 +82,7 @@ function packOne(data: SolverData, index: number, ratio: number): void {
   const second = m.count === 2 && m.separation1 < m.separation0;
   batch.point[index] = second ? 1 : 0;
   packPair(data, batch, index, pair);
-  if (second) {
-    packPoint(data, batch, index, 0, m.x1, m.y1, m.separation1);
-    keepImpulses(records, at, pair.points[1], ratio);
-  } else {
-    packPoint(data, batch, index, 0, m.x0, m.y0, m.separation0);
-    keepImpulses(records, at, pair.points[0], ratio);
-  }
+  packPoint(data, batch, index, 0, second ? 1 : 0);
   const { velocity } = data;
   const a = batch.bodies[2 * index]!;
   const b = batch.bodies[2 * index + 1]!;
@@ -106,7 +90,7 @@ function packOne(data: SolverData, index: number, ratio: number): void {
   const rolls = m.count === 1 && k > MIN_INVERSE_MASS;
   records[at + d.ROLL_MASS] = rolls ? 1 / k : 0;
   records[at + d.ROLL_FRICTION] = rolls ? pair.rollingFriction : 0;
-  records[at + d.ROLL] = pair.rolling * ratio;
+  records[at + d.ROLL] = pair.rolling * data.impulseScale;
   records[at + d.ROLL_SUM] = 0;
   if (pair.elasticity > 0) {
     data.bounces.add(false, at, 0, pair.elasticity);
@@ -142,16 +126,8 @@ function damp(data: SolverData, at: number): void {
   }
 }
 
-/** Arms, masses and friction of one point; `(x, y)` is relative to A's origin. */
-function packPoint(
-  data: SolverData,
-  batch: ContactBatch,
-  index: number,
-  shift: number,
-  x: number,
-  y: number,
-  separation: number,
-): void {
+/** Arms, masses, friction and kept impulses of point 0 or 1 of a manifold. */
+function packPoint(data: SolverData, batch: ContactBatch, index: number, shift: number, which: number): void {
   const { velocity } = data;
   const records = batch.records;
   const pair = batch.arbiters[index]!;
@@ -161,10 +137,11 @@ function packPoint(
   const b = batch.bodies[2 * index + 1]!;
   const nx = records[base + d.NX]!;
   const ny = records[base + d.NY]!;
-  const bodyA: RigidBody = pair.bodyA;
-  const bodyB: RigidBody = pair.bodyB;
-  const bx = x - (bodyB.x - bodyA.x);
-  const by = y - (bodyB.y - bodyA.y);
+  const m = pair.manifold;
+  const x = which === 0 ? m.x0 : m.x1;
+  const y = which === 0 ? m.y0 : m.y1;
+  const bx = x - m.dx;
+  const by = y - m.dy;
   const rnA = x * ny - y * nx;
   const rtA = x * nx + y * ny;
   const rnB = bx * ny - by * nx;
@@ -178,7 +155,7 @@ function packPoint(
   const iB = velocity[b + d.INV_INERTIA]!;
   const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
   const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
-  records[at + d.K11] = kn > MIN_INVERSE_MASS ? kn : IMMOVABLE;
+  records[at + d.K11] = kn > MIN_INVERSE_MASS ? kn : d.IMMOVABLE;
   records[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   const vt =
     nx * (velocity[b + d.VY]! - velocity[a + d.VY]!) -
@@ -186,12 +163,10 @@ function packPoint(
     rtB * velocity[b + d.W]! -
     rtA * velocity[a + d.W]!;
   records[at + d.FRICTION1] = vt * vt > STATIC_FRICTION_SPEED_SQUARED ? pair.dynamicFriction : pair.staticFriction;
-  records[at + d.START1] = separation;
+  records[at + d.START1] = which === 0 ? m.separation0 : m.separation1;
   records[at + d.NORMAL_SUM1] = 0;
   records[at + d.TANGENT_SUM1] = 0;
-}
-
-function keepImpulses(records: Float64Array, at: number, point: Contact, ratio: number): void {
-  records[at + d.NORMAL1] = point.normal * ratio;
-  records[at + d.TANGENT1] = point.tangent * ratio;
+  const point = pair.points[which]!;
+  records[at + d.NORMAL1] = point.normal * data.impulseScale;
+  records[at + d.TANGENT1] = point.tangent * data.impulseScale;
 }

@@ -1,16 +1,17 @@
 import type { RigidBody } from '../body.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
-import * as d from './data.js';
 import type { SolverData } from './data.js';
+import * as d from './data.js';
 import { packContacts } from './pack-contacts.js';
 
 /** Packs awake bodies and accepted contacts for sub-steps of length h. */
 export function prepare(world: World, h: number): void {
   const data = world.solver;
   packBodies(world, h);
-  packContacts(data, world.pairs.sorted, data.previousH > 0 ? h / data.previousH : 0);
+  data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
   data.previousH = h;
+  packContacts(data, world.pairs.sorted);
 }
 
 function packBodies(world: World, h: number): void {

@@ -1,6 +1,7 @@
-import { DYNAMIC, type RigidBody, STATIC } from '../body.js';
-import { IN_STEP } from '../events/events.js';
+import type { RigidBody } from '../body.js';
+import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { IN_STEP } from '../events/events.js';
 import type { World } from '../world.js';
 
 /** Bodies that fell asleep together, and wake together. */

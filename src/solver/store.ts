@@ -1,10 +1,11 @@
-import { DYNAMIC, type RigidBody } from '../body.js';
+import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Contact } from '../contact/contact.js';
 import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
-import * as d from './data.js';
 import type { ContactBatch, SolverData } from './data.js';
+import * as d from './data.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {
@@ -34,7 +35,13 @@ function storeBody(data: SolverData, body: RigidBody): void {
   body.lastDy = dy;
   body.lastTurn = turn;
   if (dx !== 0 || dy !== 0 || turn !== 0) {
-    body.putAt(body.x + dx, body.y + dy, body.angle + turn);
+    body.x += dx;
+    body.y += dy;
+    if (turn !== 0) {
+      body.angle += turn;
+      body.refreshTurn();
+    }
+    body.moved();
   }
 }
 
@@ -45,12 +52,11 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     const at = k * batch.stride;
     const pair = batch.arbiters[k]!;
     if (two) {
-      storePoint(data, batch, k, 0, pair.points[0], pair.manifold.separation0);
-      storePoint(data, batch, k, d.SECOND, pair.points[1], pair.manifold.separation1);
+      storePoint(data, batch, k, 0, 0);
+      storePoint(data, batch, k, d.SECOND, 1);
     } else {
       const index = batch.point[k]!;
-      const separation = index === 0 ? pair.manifold.separation0 : pair.manifold.separation1;
-      storePoint(data, batch, k, 0, pair.points[index]!, separation);
+      storePoint(data, batch, k, 0, index);
       pair.rolling = r[at + d.ROLL]!;
       pair.stepRolling = r[at + d.ROLL_SUM]! + pair.rolling;
       if (pair.manifold.count === 2) {
@@ -102,19 +108,15 @@ export function leaveOutAll(pair: Arbiter): void {
   }
 }
 
-function storePoint(
-  data: SolverData,
-  batch: ContactBatch,
-  index: number,
-  shift: number,
-  point: Contact,
-  start: number,
-): void {
+/** Placement, depth and impulses of point 0 or 1 at the end of the step. */
+function storePoint(data: SolverData, batch: ContactBatch, index: number, shift: number, which: number): void {
   const r = batch.records;
   const { motion: q, spin } = data;
   const base = index * batch.stride;
   const i = base + shift;
   const pair = batch.arbiters[index]!;
+  const point = pair.points[which]!;
+  const start = which === 0 ? pair.manifold.separation0 : pair.manifold.separation1;
   const nx = r[base + d.NX]!;
   const ny = r[base + d.NY]!;
   const a = batch.bodies[2 * index]!;

@@ -1,6 +1,6 @@
-import { MAX_PUSH, CONTACT_SLOP, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
-import * as d from './data.js';
+import { CONTACT_SLOP, MAX_PUSH, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { SolverData } from './data.js';
+import * as d from './data.js';
 
 /**
  * Starts a sub-step: separations for the present placement, what the normal velocities are driven to, and the impulses of

@@ -1,0 +1,83 @@
+import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
+import type { Vec2Like } from './math/vectors.js';
+import { Shape } from './shape/shape.js';
+import { boolean, finite, instance, nonNegative, options, positiveOrInfinite, typeError, vector } from './validate.js';
+
+export type BodyType = 'dynamic' | 'kinematic' | 'static';
+
+/** Options of `createRigidBody`. */
+export interface RigidBodyParams {
+  /** 'dynamic' is moved by forces and contacts, 'kinematic' by its velocity alone, 'static' not at all. Default 'dynamic'. */
+  type?: BodyType | undefined;
+  /** Attached in order; one that has a body already is skipped. Default none. */
+  shapes?: ArrayLike<Shape> | undefined;
+  /** kg, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
+  mass?: number | undefined;
+  /** kg·m² about the body origin, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
+  inertia?: number | undefined;
+  /** Stays asleep when added to a world. Default `false`. */
+  sleeping?: boolean | undefined;
+  /** Is swept against other dynamic bodies too. Default `false`. */
+  bullet?: boolean | undefined;
+  /** World position of the body origin, m. Default `[0, 0]`. */
+  position?: Vec2Like | undefined;
+  /** Clockwise on screen, rad. Default 0. */
+  rotation?: number | undefined;
+  /** m/s; ignored for 'static'. Default `[0, 0]`. */
+  velocity?: Vec2Like | undefined;
+  /** rad/s; ignored for 'static'. Default 0. */
+  angularVelocity?: number | undefined;
+  /** N; acts in every step until changed. Default `[0, 0]`. */
+  force?: Vec2Like | undefined;
+  /** N·m; acts in every step until changed. Default 0. */
+  torque?: number | undefined;
+  /** Share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Default 0.05. */
+  linearDrag?: number | undefined;
+  /** Share of the angular velocity lost per second, >= 0. Default 0.05. */
+  angularDrag?: number | undefined;
+  /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
+  surfaceVelocity?: Vec2Like | undefined;
+  /** Anything of yours; `undefined` becomes `null`. */
+  userData?: unknown;
+}
+
+const KINDS: Readonly<Record<string, number>> = { dynamic: DYNAMIC, kinematic: KINEMATIC, static: STATIC };
+const ZERO: Vec2Like = [0, 0];
+
+/** The options with every value checked and every default filled in; mass and inertia are −1 where they follow the shapes. */
+export function checkedParams(params: RigidBodyParams | undefined) {
+  const where = 'createRigidBody';
+  const given = options(where, params, false);
+  const type = given.type ?? 'dynamic';
+  if (typeof type !== 'string' || !Object.hasOwn(KINDS, type)) {
+    throw typeError(where, 'type', "'dynamic', 'kinematic' or 'static'", type);
+  }
+  return {
+    kind: KINDS[type]!,
+    shapes: checkedShapes(where, given.shapes),
+    position: vector(where, 'position', given.position ?? ZERO, 2),
+    rotation: finite(where, 'rotation', given.rotation ?? 0),
+    velocity: vector(where, 'velocity', given.velocity ?? ZERO, 2),
+    angularVelocity: finite(where, 'angularVelocity', given.angularVelocity ?? 0),
+    force: vector(where, 'force', given.force ?? ZERO, 2),
+    torque: finite(where, 'torque', given.torque ?? 0),
+    linearDrag: nonNegative(where, 'linearDrag', given.linearDrag ?? 0.05),
+    angularDrag: nonNegative(where, 'angularDrag', given.angularDrag ?? 0.05),
+    surfaceVelocity: vector(where, 'surfaceVelocity', given.surfaceVelocity ?? ZERO, 2),
+    mass: given.mass === undefined ? -1 : positiveOrInfinite(where, 'mass', given.mass),
+    inertia: given.inertia === undefined ? -1 : positiveOrInfinite(where, 'inertia', given.inertia),
+    sleeping: boolean(where, 'sleeping', given.sleeping ?? false),
+    bullet: boolean(where, 'bullet', given.bullet ?? false),
+    userData: given.userData === undefined ? null : given.userData,
+  };
+}
+
+function checkedShapes(where: string, value: ArrayLike<Shape> | undefined): Shape[] {
+  if (value === undefined) {
+    return [];
+  }
+  if (typeof value !== 'object' || value === null || typeof value.length !== 'number') {
+    throw typeError(where, 'shapes', 'an array of Shapes', value);
+  }
+  return Array.from(value, (shape, i) => instance(where, `shapes[${i}]`, shape, Shape, 'a Shape'));
+}

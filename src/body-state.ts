@@ -1,0 +1,203 @@
+import type { BodyHandler } from './body.js';
+import { DYNAMIC, STATIC } from './body-kind.js';
+import { checkedParams, type RigidBodyParams } from './body-params.js';
+import { type Listeners, NO_LISTENERS } from './events/listeners.js';
+import { cos, sin } from './math/trig.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import type { Shape } from './shape/shape.js';
+import type { Island } from './solver/sleep.js';
+import type { World } from './world.js';
+
+/** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
+export abstract class BodyState {
+  /** Attached shapes. Do not modify. */
+  readonly shapes: Shape[] = [];
+  /** Is swept against other dynamic bodies too; takes effect in the next step. */
+  bullet: boolean;
+  /** Anything of yours. */
+  userData: unknown;
+
+  /** @internal DYNAMIC, KINEMATIC or STATIC */
+  kind: number;
+  /** @internal */
+  x: number;
+  /** @internal */
+  y: number;
+  /** @internal */
+  angle: number;
+  /** @internal */
+  cos: number;
+  /** @internal */
+  sin: number;
+  /** @internal */
+  vx: number;
+  /** @internal */
+  vy: number;
+  /** @internal */
+  w: number;
+  /** @internal */
+  fx: number;
+  /** @internal */
+  fy: number;
+  /** @internal */
+  appliedTorque: number;
+  /** @internal */
+  linearDrag: number;
+  /** @internal */
+  angularDrag: number;
+  /** @internal */
+  surfaceX: number;
+  /** @internal */
+  surfaceY: number;
+  /** @internal given mass, or −1: from the shapes */
+  fixedMass: number;
+  /** @internal given inertia, or −1: from the shapes */
+  fixedInertia: number;
+  /** @internal right after `refreshMass` */
+  mass = 0;
+  /** @internal right after `refreshMass` */
+  inertia = 0;
+  /** @internal largest distance of a shape point from the origin; right after `refreshMass` */
+  radius = 0;
+  /** @internal motion of the last step */
+  lastDx = 0;
+  /** @internal */
+  lastDy = 0;
+  /** @internal */
+  lastTurn = 0;
+  /** @internal the last step in which the body was not at rest or was woken */
+  wakeTime = 0;
+  /** @internal shapes, mass or radius differ from what is cached */
+  massStale = true;
+  /** @internal turned geometry, bounds and broadphase are behind the placement */
+  placeStale = true;
+  /** @internal */
+  asleep: boolean;
+  /** @internal */
+  owner: World | null = null;
+  /** @internal index in the world's list of bodies */
+  index = -1;
+  /** @internal index in the live list of its type, −1 while in none */
+  liveIndex = -1;
+  /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
+  slot = 0;
+  /** @internal those it fell asleep with */
+  island: Island | null = null;
+  /** @internal */
+  listeners: Listeners<BodyHandler> = NO_LISTENERS;
+
+  /** @internal */
+  constructor(params: RigidBodyParams | undefined) {
+    const given = checkedParams(params);
+    const moves = given.kind !== STATIC;
+    this.kind = given.kind;
+    this.x = given.position[0]!;
+    this.y = given.position[1]!;
+    this.angle = given.rotation;
+    this.cos = cos(this.angle);
+    this.sin = sin(this.angle);
+    this.vx = moves ? given.velocity[0]! : 0;
+    this.vy = moves ? given.velocity[1]! : 0;
+    this.w = moves ? given.angularVelocity : 0;
+    this.fx = given.force[0]!;
+    this.fy = given.force[1]!;
+    this.appliedTorque = given.torque;
+    this.linearDrag = given.linearDrag;
+    this.angularDrag = given.angularDrag;
+    this.surfaceX = given.surfaceVelocity[0]!;
+    this.surfaceY = given.surfaceVelocity[1]!;
+    this.fixedMass = given.mass;
+    this.fixedInertia = given.inertia;
+    this.asleep = given.sleeping;
+    this.bullet = given.bullet;
+    this.userData = given.userData;
+    for (const shape of given.shapes) {
+      if (shape.owner === null) {
+        this.attach(shape);
+      }
+    }
+  }
+
+  /** Σ density · area, kg. Overlaps count twice, sensors count. */
+  computeMassFromShapes(): number {
+    let mass = 0;
+    for (const shape of this.shapes) {
+      mass += shape.material.density * shape.computeArea();
+    }
+    return mass;
+  }
+
+  /** Σ density · area · massless inertia, kg·m² about the body origin. */
+  computeInertiaFromShapes(): number {
+    let inertia = 0;
+    for (const shape of this.shapes) {
+      inertia += shape.material.density * shape.computeArea() * shape.computeMasslessInertia();
+    }
+    return inertia;
+  }
+
+  /** Centre of mass of the shapes in body coordinates, m; `[0, 0]` without shapes or mass. */
+  computeLocalCenterOfMass(): Vec2;
+  computeLocalCenterOfMass<T extends NumberSink>(dst: T): T;
+  computeLocalCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
+    let x = 0;
+    let y = 0;
+    let total = 0;
+    const centre: Vec2 = [0, 0];
+    for (const shape of this.shapes) {
+      const mass = shape.material.density * shape.computeArea();
+      shape.computeCenterOfMass(centre);
+      x += mass * centre[0];
+      y += mass * centre[1];
+      total += mass;
+    }
+    return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
+  }
+
+  /** @internal 0 for everything that cannot be pushed */
+  inverseMass(): number {
+    this.refreshMass();
+    return this.kind === DYNAMIC && this.mass > 0 ? 1 / this.mass : 0;
+  }
+
+  /** @internal 0 for everything that cannot be turned */
+  inverseInertia(): number {
+    this.refreshMass();
+    return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
+  }
+
+  /** @internal after a change of `angle` */
+  refreshTurn(): void {
+    this.cos = cos(this.angle);
+    this.sin = sin(this.angle);
+  }
+
+  /** @internal */
+  refreshMass(): void {
+    if (!this.massStale) {
+      return;
+    }
+    this.massStale = false;
+    this.mass = this.fixedMass >= 0 ? this.fixedMass : this.computeMassFromShapes();
+    this.inertia = this.fixedInertia >= 0 ? this.fixedInertia : this.computeInertiaFromShapes();
+    this.radius = 0;
+    for (const shape of this.shapes) {
+      this.radius = Math.max(this.radius, shape.reach());
+    }
+  }
+
+  /** @internal */
+  protected toLocal<T extends NumberSink>(x: number, y: number, dst: T | undefined): T | Vec2 {
+    return vec2(this.cos * x + this.sin * y, this.cos * y - this.sin * x, dst);
+  }
+
+  /** @internal */
+  protected toWorld<T extends NumberSink>(local: Vec2Like, x: number, y: number, dst: T | undefined): T | Vec2 {
+    const lx = local[0]!;
+    const ly = local[1]!;
+    return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, dst);
+  }
+
+  /** @internal */
+  abstract attach(shape: Shape): void;
+}
