@@ -2,11 +2,14 @@ import type { BodyHandler } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
 import { type Listeners, NO_LISTENERS } from './events/listeners.js';
-import { cos, sin } from './math/trig.js';
+import { cos, cosSin, sin } from './math/trig.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
 import type { World } from './world.js';
+
+/** Angle, cosine, sine: scratch of `refreshTurn`. */
+const turn = new Float64Array(3);
 
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState {
@@ -168,8 +171,10 @@ export abstract class BodyState {
 
   /** @internal after a change of `angle` */
   refreshTurn(): void {
-    this.cos = cos(this.angle);
-    this.sin = sin(this.angle);
+    turn[0] = this.angle;
+    cosSin(turn);
+    this.cos = turn[1]!;
+    this.sin = turn[2]!;
   }
 
   /** @internal */

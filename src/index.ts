@@ -11,7 +11,7 @@ export { Physics2DDevice, phys2D, phys2D as default } from './device.js';
 export { createBoxVertices, createRectangleVertices, createRegularPolygonVertices } from './geometry/vertices.js';
 export type { MaterialParams } from './material.js';
 export { Material } from './material.js';
-export type { Matrix23Like, NumberSink, Rect, RectLike, Vec2, Vec2Like, Vec3, Vec3Like } from './math/vectors.js';
+export type { Matrix23Like, NumberSink, Ray, Rect, RectLike, Vec2, Vec2Like, Vec3, Vec3Like } from './math/vectors.js';
 export type { CircleParams } from './shape/circle.js';
 export { Circle } from './shape/circle.js';
 export type { PolygonParams } from './shape/polygon.js';

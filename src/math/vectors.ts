@@ -10,6 +10,16 @@ export type RectLike = ArrayLike<number>;
 /** A 2 × 3 matrix `[m0, m1, m2, m3, m4, m5]`: x' = m0·x + m2·y + m4, y' = m1·x + m3·y + m5. */
 export type Matrix23Like = ArrayLike<number>;
 
+/** The points origin + direction · f, 0 ≤ f < maxFactor. */
+export interface Ray {
+  /** World coordinates, m. */
+  origin: Vec2Like;
+  /** Need not be a unit vector; must not be zero. */
+  direction: Vec2Like;
+  /** May be `Infinity`. */
+  maxFactor: number;
+}
+
 /** A destination for numbers: anything with writable numeric indices. */
 export interface NumberSink {
   [index: number]: number;

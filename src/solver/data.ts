@@ -99,6 +99,10 @@ export const K12 = 33;
 export const INV_DET = 34;
 export const TWO_STRIDE = 36;
 
+/** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
+export const WINDOW = 128;
+export const RUN = 32;
+
 /** kg⁻¹. Stands for an infinite inverse mass, but may be multiplied by zero. */
 export const IMMOVABLE = 1e30;
 /** m. A separation that no motion of a step can close: switches a point off. */
@@ -187,6 +191,8 @@ export class SolverData {
   motion = new Float64Array(64 * BODY_STRIDE);
   drive = new Float64Array(64 * BODY_STRIDE);
   spin = new Float64Array(64 * SPIN_STRIDE);
+  /** The pairs that have a contact in this step; what lies beyond the count is old. */
+  readonly solved: Arbiter[] = [];
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();

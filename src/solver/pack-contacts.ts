@@ -12,23 +12,40 @@ import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
 /**
- * Writes the records of all contacts, in the order of their shapes' ids. Impulses kept from the last sub-step are scaled by
- * `impulseScale`. Refused: greedy colouring, so that neighbours share no body. Solving, say, all left supports before all right ones
- * leaves one error in all rows of a pyramid (base 20: it slides 0.3 m and never rests; in this order 0.017 m, at rest in 2 s).
+ * Writes the records of all contacts. Impulses kept from the last sub-step are scaled by `impulseScale`.
+ *
+ * The order is that of the shapes' ids, but neighbours there share a body, and the processor would wait for one contact before it
+ * can begin the next; so each window of the list is taken in four runs by turns. That saves a quarter of an iteration and changes
+ * no result that matters. Refused: greedy colouring, so that no neighbours share a body. Solving, say, all left supports before all
+ * right ones leaves the same error in all rows of a pyramid: of base 20 it slides 0.3 m and never rests (this order: 0.02 m, rests).
  */
 export function packContacts(data: SolverData, pairs: readonly Arbiter[]): void {
-  const { one, two } = data;
-  one.count = 0;
-  two.count = 0;
-  data.bounces.count = 0;
+  const solved = data.solved;
+  let count = 0;
   for (const pair of pairs) {
     if (pair.isSolved()) {
-      if (hasTwoPoints(pair)) {
-        packTwo(data, two.add(pair));
-      } else {
-        packOne(data, one.add(pair));
+      solved[count] = pair;
+      count += 1;
+    }
+  }
+  data.one.count = 0;
+  data.two.count = 0;
+  data.bounces.count = 0;
+  for (let start = 0; start < count; start += d.WINDOW) {
+    const end = Math.min(count, start + d.WINDOW);
+    for (let first = start; first < start + d.RUN && first < end; first += 1) {
+      for (let i = first; i < end; i += d.RUN) {
+        packContact(data, solved[i]!);
       }
     }
+  }
+}
+
+function packContact(data: SolverData, pair: Arbiter): void {
+  if (hasTwoPoints(pair)) {
+    packTwo(data, data.two.add(pair));
+  } else {
+    packOne(data, data.one.add(pair));
   }
 }
 

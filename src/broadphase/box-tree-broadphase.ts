@@ -1,0 +1,244 @@
+import type { RectLike } from '../math/vectors.js';
+import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
+import { PackedTree } from './packed-tree.js';
+
+/** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
+const MARGIN = 0.1;
+
+/** A handle of {@link BoxTreeBroadphase}. */
+class TreeHandle<T> implements BroadphaseHandle<T> {
+  minX = 0;
+  minY = 0;
+  maxX = 0;
+  maxY = 0;
+  /** Leaf in the tree of its kind; −1 once removed. */
+  leaf = -1;
+  /** Its pairs may have changed: it is in the list of `perform`. */
+  moved = false;
+  /** The last search in which it was met. */
+  mark = 0;
+  readonly pairs: TreePair<T>[] = [];
+
+  constructor(
+    public data: T,
+    public isStatic: boolean,
+    readonly owner: object,
+  ) {}
+
+  set(bounds: RectLike): void {
+    this.minX = bounds[0]!;
+    this.minY = bounds[1]!;
+    this.maxX = bounds[2]!;
+    this.maxY = bounds[3]!;
+  }
+
+  overlaps(b: TreeHandle<T>): boolean {
+    return this.minX <= b.maxX && this.maxX >= b.minX && this.minY <= b.maxY && this.maxY >= b.minY;
+  }
+}
+
+/** Two handles, not both static, whose leaves overlap. Knows its place in three lists, so that it is taken out at once. */
+class TreePair<T> {
+  slot = 0;
+  slotA = 0;
+  slotB = 0;
+
+  constructor(
+    public a: TreeHandle<T>,
+    public b: TreeHandle<T>,
+  ) {}
+}
+
+/**
+ * Two box trees, for static and for moving handles. Leaves are larger than their handles, and the pairs of overlapping leaves are kept
+ * from call to call: only handles that left their leaf are looked up again, so what rests costs one comparison a pair, and what is
+ * static costs nothing.
+ */
+export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
+  static readonly version = 1;
+
+  private readonly moving = new PackedTree<TreeHandle<T>>();
+  private readonly still = new PackedTree<TreeHandle<T>>();
+  private readonly movedHandles: TreeHandle<T>[] = [];
+  private readonly pairs: TreePair<T>[] = [];
+  private readonly freePairs: TreePair<T>[] = [];
+  private search = 0;
+  private readonly met: TreeHandle<T>[] = [];
+  /** Results of `sample`, one list for each call that is inside another. */
+  private readonly samples: TreeHandle<T>[][] = [];
+  private depth = 0;
+
+  insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
+    if (!isRect(bounds)) {
+      throw badBounds('BoxTreeBroadphase.insert', bounds);
+    }
+    const handle = new TreeHandle<T>(data, isStatic, this);
+    handle.set(bounds);
+    handle.leaf = this.treeOf(handle).insert(handle, bounds, isStatic ? 0 : MARGIN);
+    this.noteMoved(handle);
+    return handle;
+  }
+
+  update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic: boolean = handle.isStatic): void {
+    if (!isRect(bounds)) {
+      throw badBounds('BoxTreeBroadphase.update', bounds);
+    }
+    const own = this.owned('BoxTreeBroadphase.update', handle);
+    own.set(bounds);
+    if (isStatic !== own.isStatic) {
+      this.treeOf(own).remove(own.leaf);
+      own.isStatic = isStatic;
+      own.leaf = this.treeOf(own).insert(own, bounds, isStatic ? 0 : MARGIN);
+      this.noteMoved(own);
+    } else if (!this.treeOf(own).contains(own.leaf, bounds)) {
+      this.treeOf(own).move(own.leaf, bounds, isStatic ? 0 : MARGIN);
+      this.noteMoved(own);
+    }
+  }
+
+  remove(handle: BroadphaseHandle<T>): void {
+    const own = this.owned('BoxTreeBroadphase.remove', handle);
+    while (own.pairs.length > 0) {
+      this.dropPair(own.pairs[own.pairs.length - 1]!);
+    }
+    this.treeOf(own).remove(own.leaf);
+    own.leaf = -1;
+  }
+
+  clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
+    const handles = [...this.moving.items, ...this.still.items].filter((handle) => handle !== null);
+    this.moving.clear();
+    this.still.clear();
+    this.movedHandles.length = 0;
+    this.pairs.length = 0;
+    for (const handle of handles) {
+      handle.leaf = -1;
+      handle.pairs.length = 0;
+      callback?.call(thisObject, handle);
+    }
+  }
+
+  perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
+    const moved = this.movedHandles;
+    for (let i = 0; i < moved.length; i += 1) {
+      const handle = moved[i]!;
+      handle.moved = false;
+      if (handle.leaf >= 0) {
+        this.renewPairs(handle);
+      }
+    }
+    moved.length = 0;
+    const pairs = this.pairs;
+    for (let i = 0; i < pairs.length; i += 1) {
+      const { a, b } = pairs[i]!;
+      if (a.overlaps(b)) {
+        callback.call(thisObject, a, b);
+      }
+    }
+  }
+
+  sample(
+    bounds: RectLike,
+    callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
+    thisObject?: unknown,
+  ): void {
+    if (!isRect(bounds)) {
+      throw badBounds('BoxTreeBroadphase.sample', bounds);
+    }
+    this.samples[this.depth] ??= [];
+    const found = this.samples[this.depth]!;
+    this.depth += 1;
+    try {
+      const count = this.still.query(bounds, found, this.moving.query(bounds, found, 0));
+      for (let i = 0; i < count; i += 1) {
+        const h = found[i]!;
+        if (h.minX <= bounds[2]! && h.maxX >= bounds[0]! && h.minY <= bounds[3]! && h.maxY >= bounds[1]!) {
+          callback.call(thisObject, h, bounds);
+        }
+      }
+    } finally {
+      this.depth -= 1;
+    }
+  }
+
+  /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */
+  private renewPairs(handle: TreeHandle<T>): void {
+    this.search += 1;
+    const tree = this.treeOf(handle);
+    const own = handle.pairs;
+    for (let i = own.length - 1; i >= 0; i -= 1) {
+      const pair = own[i]!;
+      const other = pair.a === handle ? pair.b : pair.a;
+      if ((handle.isStatic && other.isStatic) || !tree.overlaps(handle.leaf, this.treeOf(other), other.leaf)) {
+        this.dropPair(pair);
+      } else {
+        other.mark = this.search;
+      }
+    }
+    handle.mark = this.search;
+    const box = tree.boxOf(handle.leaf);
+    let count = this.moving.query(box, this.met, 0);
+    if (!handle.isStatic) {
+      count = this.still.query(box, this.met, count);
+    }
+    for (let i = 0; i < count; i += 1) {
+      const other = this.met[i]!;
+      if (other.mark !== this.search) {
+        this.addPair(handle, other);
+      }
+    }
+  }
+
+  private addPair(a: TreeHandle<T>, b: TreeHandle<T>): void {
+    const pair = this.freePairs.pop() ?? new TreePair(a, b);
+    pair.a = a;
+    pair.b = b;
+    pair.slot = this.pairs.push(pair) - 1;
+    pair.slotA = a.pairs.push(pair) - 1;
+    pair.slotB = b.pairs.push(pair) - 1;
+  }
+
+  private dropPair(pair: TreePair<T>): void {
+    const last = this.pairs.pop()!;
+    if (last !== pair) {
+      this.pairs[pair.slot] = last;
+      last.slot = pair.slot;
+    }
+    dropFrom(pair.a, pair.slotA);
+    dropFrom(pair.b, pair.slotB);
+    this.freePairs.push(pair);
+  }
+
+  private noteMoved(handle: TreeHandle<T>): void {
+    if (!handle.moved) {
+      handle.moved = true;
+      this.movedHandles.push(handle);
+    }
+  }
+
+  private treeOf(handle: TreeHandle<T>): PackedTree<TreeHandle<T>> {
+    return handle.isStatic ? this.still : this.moving;
+  }
+
+  private owned(where: string, handle: BroadphaseHandle<T>): TreeHandle<T> {
+    const own = handle as TreeHandle<T>;
+    if (!(own instanceof TreeHandle) || own.owner !== this || own.leaf < 0) {
+      throw new TypeError(`${where}: handle must be one of this broadphase, and not removed`);
+    }
+    return own;
+  }
+}
+
+/** Takes the pair at `slot` out of a handle's list; the last one takes its place. */
+function dropFrom<T>(handle: TreeHandle<T>, slot: number): void {
+  const last = handle.pairs.pop()!;
+  if (slot === handle.pairs.length) {
+    return;
+  }
+  handle.pairs[slot] = last;
+  if (last.a === handle) {
+    last.slotA = slot;
+  } else {
+    last.slotB = slot;
+  }
+}

@@ -1,0 +1,64 @@
+import type { RectLike } from '../math/vectors.js';
+import { rangeError, typeError } from '../validate.js';
+
+/** A thing in a broadphase. */
+export interface BroadphaseHandle<T = unknown> {
+  /** What was inserted. */
+  data: T;
+  /** Two static handles never make a pair. */
+  readonly isStatic: boolean;
+}
+
+/**
+ * Finds things whose bounds overlap; knows nothing of shapes. Usable on its own, with any data; the same data may be
+ * inserted many times. Bounds are `[minX, minY, maxX, maxY]`, copied, may be infinite; bounds that touch overlap. Any object
+ * with these methods may be given to `createWorld`: the choice does not change results, only their cost.
+ *
+ * Callbacks of `perform` and `sample` may query, but must not modify.
+ */
+export interface Broadphase<T = unknown> {
+  /** Adds a thing. @throws TypeError or RangeError unless `bounds` is a rectangle. */
+  insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T>;
+
+  /** Gives a handle new bounds, and another kind if `isStatic` is given. */
+  update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void;
+
+  /** Removes a handle; it may be reused by a later `insert`. */
+  remove(handle: BroadphaseHandle<T>): void;
+
+  /** Removes everything, after calling back once per handle. */
+  clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
+
+  /** Reports each pair of overlapping handles once, in any order, except pairs of static ones. */
+  perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
+
+  /** Reports each handle that overlaps `bounds` once, static or not. */
+  sample(
+    bounds: RectLike,
+    callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
+    thisObject?: unknown,
+  ): void;
+}
+
+/** Whether four numbers are a rectangle; false for NaN. */
+export function isRect(bounds: RectLike): boolean {
+  return bounds[0]! <= bounds[2]! && bounds[1]! <= bounds[3]!;
+}
+
+/** The error for bounds that `isRect` refuses. */
+export function badBounds(where: string, bounds: unknown): Error {
+  const list = bounds as RectLike | null | undefined;
+  if (typeof list !== 'object' || list === null || !(list.length >= 4)) {
+    return typeError(where, 'bounds', 'four numbers [minX, minY, maxX, maxY]', bounds);
+  }
+  for (let i = 0; i < 4; i += 1) {
+    if (typeof list[i] !== 'number') {
+      return typeError(where, `bounds[${i}]`, 'a number', list[i]);
+    }
+    if (Number.isNaN(list[i])) {
+      return rangeError(where, `bounds[${i}]`, 'a number, not NaN', list[i]);
+    }
+  }
+  const axis = list[0]! <= list[2]! ? 1 : 0;
+  return rangeError(where, `bounds[${axis + 2}]`, `>= bounds[${axis}] = ${list[axis]}`, list[axis + 2]);
+}
