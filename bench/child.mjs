@@ -1,0 +1,115 @@
+// One measurement in a process of its own: node child.mjs '{"task":"pyramid","engine":"phys2d"}' prints one line of JSON.
+import { buildPyramid, stateHash } from '../dist/bench/scenes.js';
+import { phys2D } from '../dist/phys2d.js';
+
+const DT = 1 / 60;
+
+const engines = {
+  phys2d: () => phys2D,
+  planck: async () => (await import('./planck.mjs')).planck,
+  'planck, discrete': async () => (await import('./planck.mjs')).planckDiscrete,
+};
+
+const tasks = { pyramid, crowd, garbage, hash };
+const { task, ...params } = JSON.parse(process.argv[2]);
+console.log(JSON.stringify(await tasks[task](params)));
+
+/** Milliseconds of each of `steps` steps. */
+function time(steps, step) {
+  const times = new Float64Array(steps);
+  for (let i = 0; i < steps; i += 1) {
+    const start = performance.now();
+    step();
+    times[i] = performance.now() - start;
+  }
+  return [...times];
+}
+
+function repeat(count, action) {
+  for (let i = 0; i < count; i += 1) {
+    action();
+  }
+}
+
+/** An awake pyramid: the time of its steps, and how far the box that sank most has sunk. */
+async function pyramid({ engine, base, warmUp, steps }) {
+  const device = await engines[engine]();
+  const world = device.createWorld({ allowSleeping: false, velocityIterations: 8 });
+  buildPyramid(device, world, base);
+  const before = world.rigidBodies.map((body) => body.getPosition()[1]);
+  const step = () => world.step(DT);
+  repeat(warmUp, step);
+  const times = time(steps, step);
+  const sags = world.rigidBodies.map((body, i) => body.getPosition()[1] - before[i]);
+  return { times, sag: Math.max(...sags) };
+}
+
+/** Ten stacks of five boxes that are kept awake, alone or amid static and sleeping boxes. */
+function crowd({ idle, warmUp, steps }) {
+  const world = phys2D.createWorld();
+  const box = (params) => {
+    const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) })];
+    const body = phys2D.createRigidBody({ ...params, shapes });
+    world.addRigidBody(body);
+    return body;
+  };
+  const awake = [];
+  for (let stack = 0; stack < 10; stack += 1) {
+    box({ type: 'static', position: [3 * stack, 0.5] });
+    for (let level = 0; level < 5; level += 1) {
+      awake.push(box({ position: [3 * stack, -0.5 - level] }));
+    }
+  }
+  for (let i = 0; i < idle / 2; i += 1) {
+    const x = 3 * (i % 100) - 135;
+    const y = 10 * (1 + Math.floor(i / 100));
+    box({ type: 'static', position: [x, y + 0.5] });
+    box({ sleeping: true, position: [x, y - 0.5] });
+  }
+  const step = () => {
+    for (const body of awake) {
+      body.wake();
+    }
+    world.step(DT);
+  };
+  repeat(warmUp, step);
+  return { times: time(steps, step), awake: world.liveDynamics.length, bodies: world.rigidBodies.length };
+}
+
+/** Bytes allocated per step. Each part of the run starts with a clean heap, and is too short for a collection of its own. */
+async function garbage({ engine, base, warmUp, steps }) {
+  const PART = 100;
+  const device = await engines[engine]();
+  const world = device.createWorld({ allowSleeping: false });
+  buildPyramid(device, world, base);
+  const step = () => world.step(DT);
+  repeat(warmUp, step);
+  let bytes = 0;
+  for (let done = 0; done < steps; done += PART) {
+    globalThis.gc();
+    const before = process.memoryUsage().heapUsed;
+    repeat(PART, step);
+    bytes += process.memoryUsage().heapUsed - before;
+  }
+  return { bytesPerStep: bytes / steps };
+}
+
+/** State hashes of one scene: with either broadphase, and in a second world while another one is stepped in between. */
+function hash({ base, steps }) {
+  const run = (broadphase, between = () => {}) => {
+    const world = phys2D.createWorld({ allowSleeping: false, broadphase });
+    buildPyramid(phys2D, world, base);
+    repeat(steps, () => {
+      world.step(DT);
+      between();
+    });
+    return stateHash(world);
+  };
+  const other = phys2D.createWorld({ gravity: [1, 9], substeps: 2 });
+  buildPyramid(phys2D, other, 7);
+  return {
+    boxTree: run(phys2D.createBoxTreeBroadphase()),
+    sweepAndPrune: run(phys2D.createSweepAndPruneBroadphase()),
+    secondWorld: run(undefined, () => other.step(DT)),
+  };
+}

@@ -1,0 +1,151 @@
+// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [crowd] [garbage] [hash]
+import { spawnSync } from 'node:child_process';
+import { cpus } from 'node:os';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+
+const ROUNDS = 3;
+const TIMEOUT = 300_000;
+const GC_FLAGS = ['--expose-gc', '--min-semi-space-size=64', '--max-semi-space-size=64'];
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const json = process.argv.includes('--json');
+const wanted = process.argv.slice(2).filter((argument) => argument !== '--json');
+const say = (line) => json || console.log(line);
+
+const parts = { pyramid, crowd, garbage, hash };
+for (const name of wanted.filter((name) => !(name in parts))) {
+  console.error(`bench: there is no part ${name}, only ${Object.keys(parts).join(', ')}`);
+  process.exit(2);
+}
+
+await build({
+  stdin: {
+    contents: "export * from './pyramid.js'; export * from './hash.js';",
+    resolveDir: here('../test/scenes'),
+  },
+  outfile: here('../dist/bench/scenes.js'),
+  bundle: true,
+  format: 'esm',
+});
+
+const cpu = cpus()[0].model.trim();
+const results = { node: process.version, cpu, cores: cpus().length };
+say(`phys2d bench: Node ${process.version}, ${cpu}, ${results.cores} cores`);
+for (const name of Object.keys(parts)) {
+  if (wanted.length === 0 || wanted.includes(name)) {
+    results[name] = parts[name]();
+  }
+}
+if (json) {
+  console.log(JSON.stringify(results, null, 2));
+}
+process.exitCode = results.hash?.equal === false ? 1 : 0;
+
+/** Runs one measurement in a process of its own. */
+function measure(job, flags = []) {
+  const child = spawnSync(process.execPath, [...flags, here('child.mjs'), JSON.stringify(job)], {
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'inherit'],
+    maxBuffer: 2 ** 26,
+    timeout: TIMEOUT,
+  });
+  if (child.status !== 0) {
+    throw new Error(`bench: ${JSON.stringify(job)} ended with ${child.signal ?? child.status}`);
+  }
+  return JSON.parse(child.stdout);
+}
+
+/** Runs all jobs in turn, several times over, so that a slow moment of the machine hits all alike. */
+function interleave(jobs) {
+  const runs = jobs.map(() => []);
+  for (let round = 0; round < ROUNDS; round += 1) {
+    for (const [i, job] of jobs.entries()) {
+      runs[i].push(measure(job));
+    }
+  }
+  return runs;
+}
+
+function summary(runs) {
+  const times = runs.flatMap(({ times }) => times).sort((a, b) => a - b);
+  const quantile = (share) => times[Math.floor(share * times.length)];
+  return { median: quantile(0.5), p95: quantile(0.95) };
+}
+
+function pyramid() {
+  const job = { task: 'pyramid', base: 40, warmUp: 60, steps: 240 };
+  say(`\nPyramid of 820 boxes, awake: ${ROUNDS} × ${job.steps} steps each, 8 velocity iterations`);
+  say(columns('', 'median', 'p95', 'worst sag', 'phys2d is'));
+  const names = ['phys2d', 'planck', 'planck, discrete'];
+  const runs = interleave(names.map((engine) => ({ ...job, engine })));
+  const engines = {};
+  for (const [i, name] of names.entries()) {
+    const { median, p95 } = summary(runs[i]);
+    const sag = Math.max(...runs[i].map((run) => run.sag));
+    const ratio = (i === 0 ? median : engines.phys2d.median) / median;
+    engines[name] = { median, p95, sag, ratio };
+    say(columns(name, ms(median), ms(p95), `${(1000 * sag).toFixed(1)} mm`, i === 0 ? '' : `× ${ratio.toFixed(3)}`));
+  }
+  const { ratio } = engines.planck;
+  say(target('phys2d / planck', ratio.toFixed(3), 0.12));
+  return { engines, ratio, target: 0.12 };
+}
+
+function crowd() {
+  const job = { task: 'crowd', warmUp: 300, steps: 1200 };
+  say(`\n50 awake boxes: ${ROUNDS} × ${job.steps} steps each`);
+  const [aloneRuns, amidRuns] = interleave([
+    { ...job, idle: 0 },
+    { ...job, idle: 10_000 },
+  ]);
+  for (const { awake } of [...aloneRuns, ...amidRuns]) {
+    if (awake !== 50) {
+      throw new Error(`bench: 50 boxes should be awake, not ${awake}`);
+    }
+  }
+  const alone = summary(aloneRuns);
+  const amid = summary(amidRuns);
+  const ratio = amid.median / alone.median;
+  say(columns('', 'median', 'p95'));
+  say(columns('alone', ms(alone.median), ms(alone.p95)));
+  say(columns('with 10,000 idle', ms(amid.median), ms(amid.p95)));
+  say(target('with / alone', ratio.toFixed(2), 1.5));
+  return { alone, amid, ratio, target: 1.5 };
+}
+
+function garbage() {
+  const job = { task: 'garbage', base: 15, warmUp: 1000, steps: 1000 };
+  say(`\nGarbage, 120 awake boxes: ${job.steps} steps after ${job.warmUp}`);
+  const kB = {};
+  for (const engine of ['phys2d', 'planck']) {
+    kB[engine] = measure({ ...job, engine }, GC_FLAGS).bytesPerStep / 1000;
+    say(columns(engine, `${kB[engine].toFixed(2)} kB/step`));
+  }
+  say(target('phys2d', `${kB.phys2d.toFixed(2)} kB`, '1 kB'));
+  return { kB, target: 1 };
+}
+
+function hash() {
+  const job = { task: 'hash', base: 40, steps: 600 };
+  say(`\nState hash of the pyramid of 820 boxes, awake, after ${job.steps} steps`);
+  const hashes = measure(job);
+  const equal = new Set(Object.values(hashes)).size === 1;
+  say(columns('box tree', hashes.boxTree));
+  say(columns('sweep and prune', hashes.sweepAndPrune));
+  say(columns('in a second world', hashes.secondWorld));
+  say(equal ? '  equal' : '  NOT EQUAL');
+  return { ...hashes, equal };
+}
+
+function columns(name, ...values) {
+  return `  ${name.padEnd(18)}${values.map((value) => value.padStart(14)).join('')}`.trimEnd();
+}
+
+function target(name, value, limit) {
+  return `${columns(name, value)}   (target: at most ${limit})`;
+}
+
+function ms(value) {
+  return `${value.toFixed(3)} ms`;
+}

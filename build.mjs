@@ -1,0 +1,105 @@
+// Builds into dist/ what is published, and the examples: node build.mjs
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { build } from 'esbuild';
+
+const root = fileURLToPath(new URL('.', import.meta.url));
+const dist = join(root, 'dist');
+const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true };
+
+rmSync(dist, { recursive: true, force: true });
+await Promise.all([buildEsm(false), buildEsm(true), buildUmd(false), buildUmd(true), buildExamples()]);
+copyFileSync(join(dist, 'phys2d.umd.cjs'), join(dist, 'phys2d.umd.js'));
+buildTypes();
+printSizes();
+
+function buildEsm(minify) {
+  const outfile = minify ? 'dist/phys2d.min.js' : 'dist/phys2d.js';
+  return build({ ...common, entryPoints: ['src/index.ts'], outfile, format: 'esm', minify });
+}
+
+/** One file for CommonJS, AMD and the script tag. esbuild does not know UMD: the bundle is a function's body here. */
+function buildUmd(minify) {
+  const outfile = minify ? 'dist/phys2d.umd.min.js' : 'dist/phys2d.umd.cjs';
+  const head = `(function (root, factory) {
+  if (typeof module === 'object' && module.exports) module.exports = factory();
+  else if (typeof define === 'function' && define.amd) define([], factory);
+  else root.phys2D = factory();
+})(typeof globalThis === 'object' ? globalThis : this, function () {`;
+  return build({
+    ...common,
+    entryPoints: ['src/umd.ts'],
+    outfile,
+    format: 'iife',
+    globalName: 'bundle',
+    banner: { js: minify ? head.replace(/\s*\n\s*/g, ' ') : head },
+    footer: { js: 'return bundle.default;\n});' },
+    minify,
+  });
+}
+
+/** The examples, as a user's programs: what they import from 'phys2d' comes from the built bundle beside them. */
+function buildExamples() {
+  const phys2d = {
+    name: 'phys2d',
+    setup: ({ onResolve }) => onResolve({ filter: /^phys2d$/ }, () => ({ path: '../phys2d.js', external: true })),
+  };
+  const entryPoints = readdirSync(join(root, 'examples'))
+    .filter((name) => name.endsWith('.ts'))
+    .map((name) => `examples/${name}`);
+  return build({ ...common, entryPoints, outdir: 'dist/examples', format: 'esm', platform: 'node', plugins: [phys2d] });
+}
+
+/** Declarations of the public names: `index.d.ts` and the files it leads to, and `umd.d.cts` for `require`. */
+function buildTypes() {
+  const all = join(dist, 'types');
+  const options = '--ignoreConfig --target es2022 --lib es2022 --module nodenext --strict --exactOptionalPropertyTypes';
+  const output = `--declaration --emitDeclarationOnly --stripInternal --rootDir src --outDir ${relative(root, all)}`;
+  const command = `node_modules/typescript/bin/tsc src/index.ts ${options} ${output}`;
+  execFileSync(process.execPath, command.split(' '), { cwd: root, stdio: 'inherit' });
+
+  const wanted = new Set(['index.d.ts']);
+  for (const name of wanted) {
+    const text = readFileSync(join(all, name), 'utf8');
+    for (const [, target] of text.matchAll(/\b(?:from |import\()'(\.[^']*)\.js'/g)) {
+      wanted.add(join(dirname(name), `${target}.d.ts`));
+    }
+    mkdirSync(dirname(join(dist, name)), { recursive: true });
+    writeFileSync(join(dist, name), text);
+  }
+  rmSync(all, { recursive: true });
+
+  const index = readFileSync(join(dist, 'index.d.ts'), 'utf8');
+  const names = [...index.matchAll(/\{([^}]*)\}/g)].flatMap(([, list]) => list.split(',').map((name) => name.trim()));
+  const types = names.filter((name) => /^[A-Z]\w*[a-z]/.test(name)).sort();
+  writeFileSync(
+    join(dist, 'umd.d.cts'),
+    `import type * as names from './index.js' with { 'resolution-mode': 'import' };
+
+/** A device that is ready to use, with every public class as a property. */
+declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'>;
+declare namespace phys2D {
+${types.map((name) => `  type ${name} = names.${name};`).join('\n')}
+}
+export = phys2D;
+export as namespace phys2D;
+`,
+  );
+}
+
+function printSizes() {
+  const kB = (bytes) => `${(bytes / 1000).toFixed(1)} kB`.padStart(10);
+  const size = (text) => `${kB(text.length)}${kB(gzipSync(text, { level: 9 }).length)}`;
+  console.log(
+    `${'dist/'.padEnd(18)}${['size', 'gzip', 'minified', 'gzip'].map((title) => title.padStart(10)).join('')}`,
+  );
+  for (const [name, minified] of [
+    ['phys2d.js', 'phys2d.min.js'],
+    ['phys2d.umd.cjs', 'phys2d.umd.min.js'],
+  ]) {
+    console.log(`${name.padEnd(18)}${size(readFileSync(join(dist, name)))}${size(readFileSync(join(dist, minified)))}`);
+  }
+}

@@ -1,0 +1,281 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { type Context, createContext, runInContext } from 'node:vm';
+import { gzipSync } from 'node:zlib';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import * as source from '../../src/index.js';
+import { stateHash } from '../scenes/hash.js';
+import { buildPyramid } from '../scenes/pyramid.js';
+
+// The bundles as built, loaded in every way that users load them.
+
+const root = join(import.meta.dirname, '../..');
+const dist = join(root, 'dist');
+const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
+const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
+const ESM = ['phys2d.js', 'phys2d.min.js'];
+const GZIP_LIMIT = 25_000;
+
+const { default: _, ...names }: Record<string, unknown> = source;
+
+/** Public classes that a script tag user reaches as `phys2D.World` and so on. */
+const CLASSES = Object.entries(names)
+  .filter(([name, value]) => typeof value === 'function' && /^[A-Z]/.test(name))
+  .map(([name]) => name);
+
+type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'>;
+
+const DROP = `
+  const world = phys2D.createWorld({ gravity: [0, 10] });
+  const body = phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 0.5 })] });
+  world.addRigidBody(body);
+  for (let i = 0; i < 60; i += 1) world.step(1 / 60);
+  body.getPosition()[1];
+`;
+
+/** State after a pyramid has settled for a while. */
+function simulate(phys2D: source.Physics2DDevice): string {
+  const world = phys2D.createWorld({ velocityIterations: 8 });
+  buildPyramid(phys2D, world, 6);
+  for (let i = 0; i < 120; i += 1) {
+    world.step(1 / 60);
+  }
+  return stateHash(world);
+}
+
+/** Runs a bundle as a script tag does: in a context that has the language and nothing else. */
+function runAsScript(name: string, globals: object = {}): Context {
+  const context = createContext(Object.assign(Object.create(null), globals));
+  runInContext(read(name), context, { filename: name });
+  return context;
+}
+
+async function importBundle(name: string): Promise<typeof source> {
+  return (await import(/* @vite-ignore */ pathToFileURL(join(dist, name)).href)) as typeof source;
+}
+
+beforeAll(() => {
+  if (!existsSync(join(dist, 'umd.d.cts'))) {
+    throw new Error('dist is not complete: run `npm run build` first (`npm test` does)');
+  }
+});
+
+describe.each(UMD)('%s as a script', (name) => {
+  it('sets exactly one global, phys2D', () => {
+    const globals = 'Object.getOwnPropertyNames(globalThis)';
+    const before: string[] = runInContext(globals, createContext(Object.create(null)));
+    const after: string[] = runInContext(globals, runAsScript(name));
+    expect(after.filter((key) => !before.includes(key))).toEqual(['phys2D']);
+  });
+
+  it('works without console, timers or any other API of a host', () => {
+    const fallen: number = runInContext(DROP, runAsScript(name));
+    expect(fallen).toBeGreaterThan(4.7);
+    expect(fallen).toBeLessThan(5.1);
+  });
+
+  it('has every public name', () => {
+    const phys2D = runAsScript(name).phys2D as Record<string, unknown>;
+    expect(CLASSES).toContain('Physics2DDevice');
+    for (const [key, value] of Object.entries(names)) {
+      expect(typeof phys2D[key], key).toBe(typeof value);
+    }
+    const works = runInContext('phys2D.createWorld() instanceof phys2D.World', runAsScript(name));
+    expect(works).toBe(true);
+  });
+
+  it('is an anonymous AMD module where there is a loader, and sets no global then', () => {
+    const calls: unknown[][] = [];
+    const define = Object.assign((...args: unknown[]) => void calls.push(args), { amd: {} });
+    const context = runAsScript(name, { define });
+    expect(context.phys2D).toBeUndefined();
+    expect(calls).toHaveLength(1);
+    const [dependencies, factory] = calls[0] as [string[], () => Phys2D];
+    expect([...dependencies]).toEqual([]);
+    expect(typeof factory().createWorld).toBe('function');
+  });
+});
+
+describe('the UMD bundle as a CommonJS module', () => {
+  const phys2D = createRequire(import.meta.url)(join(dist, 'phys2d.umd.cjs')) as Phys2D;
+
+  it('exports the ready device with every public class', () => {
+    expect(phys2D.createWorld()).toBeInstanceOf(phys2D.World);
+    expect(phys2D).toBeInstanceOf(phys2D.Physics2DDevice);
+    expect(Object.keys(phys2D)).toEqual(expect.arrayContaining(CLASSES));
+  });
+
+  it('sets no global', () => {
+    expect('phys2D' in globalThis).toBe(false);
+  });
+
+  it('is served under the name for script tags too', () => {
+    expect(read('phys2d.umd.js')).toBe(read('phys2d.umd.cjs'));
+  });
+});
+
+describe.each(ESM)('%s as a module', (name) => {
+  it('exports what the source exports, by name and by default', async () => {
+    const bundle = await importBundle(name);
+    expect(Object.keys(bundle).sort()).toEqual(Object.keys(source).sort());
+    expect(bundle.default).toBe(bundle.phys2D);
+    expect(bundle.phys2D).toBeInstanceOf(bundle.Physics2DDevice);
+  });
+});
+
+describe('one simulation', () => {
+  const expected = simulate(source.phys2D);
+
+  it.each(ESM)('has the same bits with %s', async (name) => {
+    expect(simulate((await importBundle(name)).phys2D)).toBe(expected);
+  });
+
+  it.each(UMD)('has the same bits with %s', (name) => {
+    expect(simulate(runAsScript(name).phys2D as Phys2D)).toBe(expected);
+  });
+});
+
+describe('size and maps', () => {
+  it(`phys2d.min.js is at most ${GZIP_LIMIT} bytes gzipped`, () => {
+    const size = gzipSync(read('phys2d.min.js'), { level: 9 }).length;
+    console.log(`phys2d.min.js: ${(size / 1000).toFixed(1)} kB gzipped`);
+    expect(size).toBeLessThanOrEqual(GZIP_LIMIT);
+  });
+
+  it.each([...UMD, ...ESM])('%s has a source map that holds the sources', (name) => {
+    const link = /\/\/# sourceMappingURL=(\S+)\s*$/.exec(read(name))?.[1];
+    const map = JSON.parse(read(link!)) as { sources: string[]; sourcesContent: string[]; mappings: string };
+    expect(map.sources).toContain('../src/world.ts');
+    expect(map.sourcesContent[map.sources.indexOf('../src/world.ts')]).toContain('class World');
+    expect(map.mappings.length).toBeGreaterThan(1000);
+  });
+});
+
+describe('the type declarations', () => {
+  const files = readdirSync(dist, { recursive: true, encoding: 'utf8' }).filter((name) => /\.d\.c?ts$/.test(name));
+
+  it('cover the public names', () => {
+    expect(files).toContain('index.d.ts');
+    expect(read('world.d.ts')).toMatch(/\bstep\(deltaTime: number\): void/);
+    for (const name of CLASSES) {
+      expect(read('umd.d.cts'), name).toContain(`type ${name} = names.${name};`);
+    }
+  });
+
+  it('show nothing internal', () => {
+    expect(files.filter((name) => read(name).includes('@internal'))).toEqual([]);
+    expect(files.filter((name) => /^solver\b/.test(name))).toEqual([]);
+    const modifiers = '(?:(?:readonly|static|abstract|get|set) )*';
+    const marked = new RegExp(`@internal.*\\*\\/\\n\\s*${modifiers}(\\w+)[?:;( ]`, 'g');
+    let checked = 0;
+    for (const name of files.filter((name) => /declare (?:abstract )?class/.test(read(name)))) {
+      const [, classes] = read(name).split(/^export declare (?:abstract )?class/m, 2);
+      for (const [, member] of readFileSync(join(root, 'src', name.replace('.d.ts', '.ts')), 'utf8').matchAll(marked)) {
+        expect(classes, name).not.toMatch(new RegExp(`^\\s+${modifiers}${member}[?:;(]`, 'm'));
+        checked += 1;
+      }
+    }
+    expect(checked).toBeGreaterThan(50);
+  });
+});
+
+describe('the package, packed and installed', () => {
+  const consumer = mkdtempSync(join(tmpdir(), 'phys2d-consumer-'));
+  const home = join(consumer, 'node_modules/phys2d');
+
+  const node = (file: string, code: string): string => {
+    writeFileSync(join(consumer, file), code);
+    return execFileSync(process.execPath, [join(consumer, file)], { encoding: 'utf8' }).trim();
+  };
+
+  beforeAll(() => {
+    const options = { cwd: root, encoding: 'utf8', shell: process.platform === 'win32' } as const;
+    const [packed] = JSON.parse(
+      execFileSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', consumer], options),
+    ) as [{ filename: string }];
+    mkdirSync(home, { recursive: true });
+    execFileSync('tar', ['-xzf', packed.filename, '--strip-components=1', '-C', 'node_modules/phys2d'], {
+      cwd: consumer,
+    });
+  });
+
+  afterAll(() => rmSync(consumer, { recursive: true, force: true }));
+
+  it('has the bundles, types, licence and readme, and neither sources nor examples', () => {
+    const files = readdirSync(home, { recursive: true, encoding: 'utf8' }).map((name) => name.replaceAll('\\', '/'));
+    expect(files).toEqual(
+      expect.arrayContaining([
+        'README.md',
+        'LICENSE',
+        'package.json',
+        ...[...UMD, ...ESM].map((name) => `dist/${name}`),
+      ]),
+    );
+    expect(files.filter((name) => /^(src|test|examples|bench)\b|^dist\/examples/.test(name))).toEqual([]);
+  });
+
+  it('depends on nothing', () => {
+    const manifest = JSON.parse(readFileSync(join(home, 'package.json'), 'utf8')) as Record<string, unknown>;
+    expect(manifest.dependencies).toBeUndefined();
+    expect(manifest.peerDependencies).toBeUndefined();
+  });
+
+  it('is imported by name', () => {
+    const code = "import phys2D, { World } from 'phys2d'; console.log(phys2D.createWorld() instanceof World);";
+    expect(node('main.mjs', code)).toBe('true');
+  });
+
+  it('is required by name', () => {
+    const code = "const phys2D = require('phys2d'); console.log(phys2D.createWorld() instanceof phys2D.World);";
+    expect(node('main.cjs', code)).toBe('true');
+  });
+
+  it('type-checks for users of import and of require', () => {
+    const use = `
+const world: World = phys2D.createWorld({ gravity: [0, 10], substeps: 2 });
+const box: Polygon = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) });
+const body: RigidBody = phys2D.createRigidBody({ shapes: [box], position: new Float32Array(2) });
+const added: boolean = world.addRigidBody(body);
+const place: [number, number] = body.getPosition();
+const into: Float64Array = body.getPosition(new Float64Array(2));
+const params: WorldParams = { velocityIterations: 4 };
+// @ts-expect-error unknown option
+phys2D.createWorld({ grvity: [0, 10] });
+// @ts-expect-error internal member
+world.stepping;
+export const used = [added, place, into, params];
+`;
+    const names = 'Polygon, RigidBody, World, WorldParams';
+    const aliases = names.split(', ').map((name) => `type ${name} = phys2D.${name};`);
+    const files: Record<string, string> = {
+      'import.mts': `import phys2D, { Physics2DDevice, type ${names.replaceAll(', ', ', type ')} } from 'phys2d';
+${use}export const device: Physics2DDevice = new Physics2DDevice();`,
+      'require.cts': `import phys2D = require('phys2d');\n${aliases.join('\n')}
+${use.replace('export const used', 'const used')}const device = new phys2D.Physics2DDevice();
+export = [used, device, phys2D.phys2D];`,
+      'default.cts': `import phys2D, { type ${names.replaceAll(', ', ', type ')} } from 'phys2d';\n${use}`,
+      'script.ts': 'const world: phys2D.World = phys2D.createWorld();\nworld.step(1 / 60);\n',
+    };
+    for (const [name, code] of Object.entries(files)) {
+      writeFileSync(join(consumer, name), code);
+    }
+    const tsc = (...args: string[]): string => {
+      const options = '--noEmit --strict --target es2022 --lib es2022 --esModuleInterop --ignoreConfig'.split(' ');
+      try {
+        const command = [join(root, 'node_modules/typescript/bin/tsc'), ...options, ...args];
+        return execFileSync(process.execPath, command, { cwd: consumer, encoding: 'utf8' });
+      } catch (error) {
+        return (error as { stdout: string }).stdout;
+      }
+    };
+    expect(tsc('--module', 'nodenext', 'import.mts', 'require.cts', 'default.cts')).toBe('');
+    expect(tsc('--module', 'esnext', '--moduleResolution', 'bundler', 'import.mts')).toBe('');
+    expect(
+      tsc('--module', 'nodenext', '--moduleDetection', 'legacy', 'script.ts', 'node_modules/phys2d/dist/umd.d.cts'),
+    ).toBe('');
+  });
+});
