@@ -8,7 +8,8 @@ import { build } from 'esbuild';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const dist = join(root, 'dist');
-const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true };
+// minifySyntax puts the numbers of named constants into the hot loops (a sixth of a step), and leaves the names readable.
+const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true, minifySyntax: true };
 
 rmSync(dist, { recursive: true, force: true });
 await Promise.all([buildEsm(false), buildEsm(true), buildUmd(false), buildUmd(true), buildExamples()]);

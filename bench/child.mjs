@@ -35,12 +35,12 @@ function repeat(count, action) {
 async function pyramid({ engine, base, warmUp, steps }) {
   const device = await engines[engine]();
   const world = device.createWorld({ allowSleeping: false, velocityIterations: 8 });
-  buildPyramid(device, world, base);
-  const before = world.rigidBodies.map((body) => body.getPosition()[1]);
+  const boxes = buildPyramid(device, world, base);
+  const before = boxes.map((body) => body.getPosition()[1]);
   const step = () => world.step(DT);
   repeat(warmUp, step);
   const times = time(steps, step);
-  const sags = world.rigidBodies.map((body, i) => body.getPosition()[1] - before[i]);
+  const sags = boxes.map((body, i) => body.getPosition()[1] - before[i]);
   return { times, sag: Math.max(...sags) };
 }
 
@@ -76,20 +76,27 @@ function crowd({ idle, warmUp, steps }) {
   return { times: time(steps, step), awake: world.liveDynamics.length, bodies: world.rigidBodies.length };
 }
 
-/** Bytes allocated per step. Each part of the run starts with a clean heap, and is too short for a collection of its own. */
+/**
+ * Bytes allocated per step. A run begins with a clean heap; it is cut into parts that are too short for a collection of their
+ * own, where an engine allocates so much that this is needed.
+ */
 async function garbage({ engine, base, warmUp, steps }) {
-  const PART = 100;
+  const ROOM = 32e6;
   const device = await engines[engine]();
   const world = device.createWorld({ allowSleeping: false });
   buildPyramid(device, world, base);
   const step = () => world.step(DT);
-  repeat(warmUp, step);
-  let bytes = 0;
-  for (let done = 0; done < steps; done += PART) {
+  const growth = (count) => {
     globalThis.gc();
     const before = process.memoryUsage().heapUsed;
-    repeat(PART, step);
-    bytes += process.memoryUsage().heapUsed - before;
+    repeat(count, step);
+    return process.memoryUsage().heapUsed - before;
+  };
+  repeat(warmUp, step);
+  const part = Math.min(steps, Math.ceil((ROOM * 50) / Math.max(1, growth(50))));
+  let bytes = 0;
+  for (let done = 0; done < steps; done += part) {
+    bytes += growth(Math.min(part, steps - done));
   }
   return { bytesPerStep: bytes / steps };
 }

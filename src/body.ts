@@ -442,7 +442,7 @@ export class RigidBody extends BodyState {
   moved(): void {
     if (!this.placeStale) {
       this.placeStale = true;
-      this.owner?.stale.push(this);
+      this.owner?.noteStale(this);
     }
   }
 

@@ -58,8 +58,10 @@ export class World {
   gravityY: number;
   /** @internal from the first line of `step` until its events are delivered */
   stepping = false;
-  /** @internal bodies whose geometry has to be refreshed */
+  /** @internal bodies whose geometry has to be refreshed; what lies beyond the count is old */
   readonly stale: RigidBody[] = [];
+  /** @internal */
+  staleCount = 0;
   /** @internal sleeping bodies hit in this step */
   readonly hit: RigidBody[] = [];
   /** @internal */
@@ -261,6 +263,7 @@ export class World {
     this.dynamicArbiters.length = 0;
     this.staticArbiters.length = 0;
     this.stale.length = 0;
+    this.staleCount = 0;
     this.pairs.clear();
     this.events.clear();
   }
@@ -278,6 +281,12 @@ export class World {
   /** @internal */
   changeKind(body: RigidBody, kind: number): void {
     changeKind(this, body, kind);
+  }
+
+  /** @internal */
+  noteStale(body: RigidBody): void {
+    this.stale[this.staleCount] = body;
+    this.staleCount += 1;
   }
 
   /** @internal a shape was attached to a body of this world */

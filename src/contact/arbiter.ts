@@ -34,7 +34,7 @@ export class Arbiter {
   /** @internal */
   readonly manifold = new Manifold();
   /** @internal the objects `contacts` is filled with; B's end of two comes second */
-  readonly points: [Contact, Contact] = [new Contact(), new Contact()];
+  readonly points: readonly [Contact, Contact] = [new Contact(this, 0), new Contact(this, 1)];
   /** @internal the last step in which the shapes interacted */
   lastInteraction = -1;
   /** @internal the last step in which the broadphase reported the pair */
@@ -117,7 +117,8 @@ export class Arbiter {
       const jy = sign * (ny * contact.stepNormal + nx * contact.stepTangent);
       x += jx;
       y += jy;
-      w += (contact.x - body.x) * jy - (contact.y - body.y) * jx;
+      const [px, py] = contact.getPosition();
+      w += (px - body.x) * jy - (py - body.y) * jx;
     }
     return vec3(x, y, w, dst);
   }

@@ -132,7 +132,9 @@ function interact(world: World, pair: Arbiter): void {
   }
   pair.lastInteraction = stamp;
   pair.active = true;
-  showManifold(pair);
+  for (const point of pair.contacts) {
+    point.active = true;
+  }
   world.events.interaction(begins ? 'begin' : 'progress', pair, IN_STEP);
   const a = pair.bodyA;
   const b = pair.bodyB;
@@ -149,24 +151,6 @@ function interact(world: World, pair: Arbiter): void {
     if (b.asleep && b.kind === DYNAMIC) {
       world.hit.push(b);
     }
-  }
-}
-
-/** What a `preSolve` handler may read: points and depths of this step. */
-function showManifold(pair: Arbiter): void {
-  const m = pair.manifold;
-  const body = pair.bodyA;
-  const p0 = pair.points[0];
-  p0.active = true;
-  p0.x = body.x + m.x0;
-  p0.y = body.y + m.y0;
-  p0.penetration = -m.separation0;
-  if (m.count === 2) {
-    const p1 = pair.points[1];
-    p1.active = true;
-    p1.x = body.x + m.x1;
-    p1.y = body.y + m.y1;
-    p1.penetration = -m.separation1;
   }
 }
 

@@ -17,7 +17,7 @@ export function widened(shape: Shape): Float64Array {
 /** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped. */
 export function refreshMoved(world: World): void {
   const { stale, broadphase } = world;
-  for (let i = 0; i < stale.length; i += 1) {
+  for (let i = 0; i < world.staleCount; i += 1) {
     const body = stale[i]!;
     if (body.owner !== world || !body.placeStale) {
       continue;
@@ -28,5 +28,5 @@ export function refreshMoved(world: World): void {
       broadphase.update(shape.handle!, widened(shape), body.asleep);
     }
   }
-  stale.length = 0;
+  world.staleCount = 0;
 }

@@ -33,6 +33,9 @@ export function quieten(world: World, body: RigidBody): void {
   }
   body.liveIndex = -1;
   body.slot = 0;
+  body.lastDx = 0;
+  body.lastDy = 0;
+  body.lastTurn = 0;
   body.asleep = true;
   world.setHandlesStatic(body, true);
 }

@@ -52,11 +52,11 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     const at = k * batch.stride;
     const pair = batch.arbiters[k]!;
     if (two) {
-      storePoint(data, batch, k, 0, 0);
-      storePoint(data, batch, k, d.SECOND, 1);
+      storePoint(batch, k, 0, 0);
+      storePoint(batch, k, d.SECOND, 1);
     } else {
       const index = batch.point[k]!;
-      storePoint(data, batch, k, 0, index);
+      storePoint(batch, k, 0, index);
       pair.rolling = r[at + d.ROLL]!;
       pair.stepRolling = r[at + d.ROLL_SUM]! + pair.rolling;
       if (pair.manifold.count === 2) {
@@ -108,51 +108,22 @@ export function leaveOutAll(pair: Arbiter): void {
   }
 }
 
-/** Placement, depth and impulses of point 0 or 1 at the end of the step. */
-function storePoint(data: SolverData, batch: ContactBatch, index: number, shift: number, which: number): void {
+/** The impulses of point 0 or 1. */
+function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
   const r = batch.records;
-  const { motion: q, spin } = data;
-  const base = index * batch.stride;
-  const i = base + shift;
+  const i = index * batch.stride + shift;
   const pair = batch.arbiters[index]!;
   const point = pair.points[which]!;
-  const start = which === 0 ? pair.manifold.separation0 : pair.manifold.separation1;
-  const nx = r[base + d.NX]!;
-  const ny = r[base + d.NY]!;
-  const a = batch.bodies[2 * index]!;
-  const b = batch.bodies[2 * index + 1]!;
-  const sa = (a >> 3) * d.SPIN_STRIDE;
-  const sb = (b >> 3) * d.SPIN_STRIDE;
-  const cA = spin[sa + d.COS_LESS_ONE]!;
-  const sinA = spin[sa + d.SIN]!;
-  const cB = spin[sb + d.COS_LESS_ONE]!;
-  const sinB = spin[sb + d.SIN]!;
-  const rnA = r[i + d.RN_A1]!;
-  const rtA = r[i + d.RT_A1]!;
-  const rnB = r[i + d.RN_B1]!;
-  const rtB = r[i + d.RT_B1]!;
-  point.penetration = -(
-    start +
-    nx * (q[b + d.DX]! - q[a + d.DX]!) +
-    ny * (q[b + d.DY]! - q[a + d.DY]!) +
-    cB * rtB +
-    sinB * rnB -
-    cA * rtA -
-    sinA * rnA
-  );
-  const bodyA = pair.bodyA;
-  const along = rtA + cA * rtA + sinA * rnA;
-  const across = -rnA - cA * rnA + sinA * rtA;
-  const half = 0.5 * (point.penetration + start);
-  point.x = bodyA.x + nx * (along - half) - ny * across;
-  point.y = bodyA.y + ny * (along - half) + nx * across;
+  const apart = (which === 0 ? pair.manifold.separation0 : pair.manifold.separation1) > 0;
   const normal = r[i + d.NORMAL1]!;
   const tangent = r[i + d.TANGENT1]!;
+  const total = r[i + d.NORMAL_SUM1]! + normal;
   point.normal = normal;
   point.tangent = tangent;
-  point.stepNormal = r[i + d.NORMAL_SUM1]! + normal;
+  point.stepNormal = total;
   point.stepTangent = r[i + d.TANGENT_SUM1]! + tangent;
   const wasVirtual = point.virtual;
-  point.virtual = start > 0 && point.stepNormal === 0;
-  point.fresh = wasVirtual && !point.virtual;
+  const isVirtual = apart && total === 0;
+  point.virtual = isVirtual;
+  point.fresh = wasVirtual && !isVirtual;
 }
