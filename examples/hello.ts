@@ -1,6 +1,7 @@
 // The main job: a pyramid is hit by a heavy ball, then it rains circles and polygons.
 import { type Material, phys2D, type Shape, type World } from 'phys2d';
 import { stateHash } from '../test/scenes/hash.js';
+import { generator } from '../test/scenes/mixed.js';
 import { buildPyramid } from '../test/scenes/pyramid.js';
 
 const STEPS = 600;
@@ -8,15 +9,6 @@ const DT = 1 / 60;
 const FIRST_DROP = 120;
 const DROPS = 60;
 const STEPS_PER_DROP = 4;
-
-/** Numbers in [0, 1), the same on every run: a linear congruential generator. */
-function generator(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
 
 /** Side walls, so that nothing rolls out of the picture. */
 function addWalls(world: World): void {

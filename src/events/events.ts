@@ -1,4 +1,4 @@
-import type { BodyEventType, BodyHandler, RigidBody } from '../body.js';
+import type { BodyEventType, RigidBody } from '../body.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Shape, ShapeEventType, ShapeHandler } from '../shape/shape.js';
 import type { Listener, Listeners } from './listeners.js';
@@ -19,22 +19,13 @@ export const IN_STEP = 1;
 /** … and those before what the solver found out. */
 export const FOUND_LATE = 2;
 
-/** An event as it was queued, with the handlers that its objects had then. */
+/** One handler to be called for an event; noted when the event is, so that later changes of the listeners do not touch it. */
 interface QueuedEvent {
   readonly group: number;
   readonly type: ShapeEventType | BodyEventType;
   readonly idA: number;
   readonly idB: number;
   readonly call: () => void;
-}
-
-function listens<H>(list: Listeners<H>, type: string): boolean {
-  for (const entry of list) {
-    if (entry.type === type) {
-      return true;
-    }
-  }
-  return false;
 }
 
 function meets(entry: Listener<ShapeHandler>, type: string, other: Shape): boolean {
@@ -59,32 +50,40 @@ export class EventQueue {
     const { shapeA, shapeB } = arbiter;
     const a = shapeA.listeners;
     const b = shapeB.listeners;
-    if (a.length === 0 && b.length === 0) {
-      return;
+    if (a.length > 0) {
+      this.note(type, arbiter, group, a, shapeA, shapeB);
     }
-    if (!listens(a, type) && !listens(b, type)) {
-      return;
+    if (b.length > 0) {
+      this.note(type, arbiter, group, b, shapeB, shapeA);
     }
-    this.queue.push({
-      group,
-      type,
-      idA: shapeA.id,
-      idB: shapeB.id,
-      call: () => {
-        callShape(a, type, arbiter, shapeA, shapeB);
-        callShape(b, type, arbiter, shapeB, shapeA);
-      },
-    });
+  }
+
+  private note(
+    type: 'begin' | 'progress' | 'end',
+    arbiter: Arbiter,
+    group: number,
+    list: Listeners<ShapeHandler>,
+    own: Shape,
+    other: Shape,
+  ): void {
+    const { id: idA } = arbiter.shapeA;
+    const { id: idB } = arbiter.shapeB;
+    for (const entry of list) {
+      if (meets(entry, type, other)) {
+        const call = () => entry.handler.call(own, arbiter, other);
+        this.queue.push({ group, type, idA, idB, call });
+      }
+    }
   }
 
   /** Notes `wake` or `sleep` of a body. */
   body(type: BodyEventType, body: RigidBody): void {
-    const list = body.listeners;
-    if (!listens(list, type)) {
-      return;
-    }
     const id = body.shapes.length > 0 ? body.shapes[0]!.id : -1;
-    this.queue.push({ group: IN_STEP, type, idA: id, idB: -1, call: () => callBody(list, type, body) });
+    for (const { type: wanted, handler } of body.listeners) {
+      if (wanted === type) {
+        this.queue.push({ group: IN_STEP, type, idA: id, idB: -1, call: () => handler.call(body) });
+      }
+    }
   }
 
   /**
@@ -103,19 +102,17 @@ export class EventQueue {
       if (this.delivering !== events) {
         break;
       }
-      try {
-        event.call();
-      } catch (error) {
-        this.fail(error);
-      }
+      this.attempt(event.call);
     }
     this.delivering = null;
   }
 
-  /** Keeps the first exception of a handler for `rethrow`. */
-  fail(error: unknown): void {
-    if (this.failure === null) {
-      this.failure = { error };
+  /** Calls a handler; the first exception is kept for `rethrow`. */
+  attempt(call: () => void): void {
+    try {
+      call();
+    } catch (error) {
+      this.failure ??= { error };
     }
   }
 
@@ -132,22 +129,6 @@ export class EventQueue {
   clear(): void {
     this.queue = [];
     this.delivering = null;
-  }
-}
-
-function callShape(list: Listeners<ShapeHandler>, type: string, arbiter: Arbiter, own: Shape, other: Shape): void {
-  for (const entry of list) {
-    if (meets(entry, type, other)) {
-      entry.handler.call(own, arbiter, other);
-    }
-  }
-}
-
-function callBody(list: Listeners<BodyHandler>, type: string, body: RigidBody): void {
-  for (const entry of list) {
-    if (entry.type === type) {
-      entry.handler.call(body);
-    }
   }
 }
 
@@ -177,15 +158,17 @@ export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
   if (a.length === 0 && b.length === 0) {
     return false;
   }
-  const unsteady = [
-    ...a.filter((entry) => meets(entry, 'preSolve', shapeB)),
-    ...b.filter((entry) => meets(entry, 'preSolve', shapeA)),
-  ].some((entry) => !entry.deterministic);
-  try {
-    callShape(a, 'preSolve', arbiter, shapeA, shapeB);
-    callShape(b, 'preSolve', arbiter, shapeB, shapeA);
-  } catch (error) {
-    events.fail(error);
+  let unsteady = false;
+  for (const [list, own, other] of [
+    [a, shapeA, shapeB],
+    [b, shapeB, shapeA],
+  ] as const) {
+    for (const entry of list) {
+      if (meets(entry, 'preSolve', other)) {
+        unsteady ||= !entry.deterministic;
+        events.attempt(() => entry.handler.call(own, arbiter, other));
+      }
+    }
   }
   return unsteady && !arbiter.persistent;
 }

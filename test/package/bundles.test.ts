@@ -193,7 +193,7 @@ describe('the package, packed and installed', () => {
   };
 
   beforeAll(() => {
-    const options = { cwd: root, encoding: 'utf8', shell: process.platform === 'win32' } as const;
+    const options = { cwd: root, encoding: 'utf8', shell: process.platform === 'win32', stdio: 'pipe' } as const;
     const [packed] = JSON.parse(
       execFileSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', consumer], options),
     ) as [{ filename: string }];

@@ -1,0 +1,249 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { add, addFloor, box, boxBody, disc, heavy, plainBody, steps, weightless } from './setting.js';
+
+// The statements about constraints (C-161 to C-164) come with the constraints.
+
+/** Counts the `wake` and `sleep` events of a body. */
+function count(body: RigidBody): { wake: number; sleep: number } {
+  const seen = { wake: 0, sleep: 0 };
+  body.addEventListener('wake', () => {
+    seen.wake += 1;
+  });
+  body.addEventListener('sleep', () => {
+    seen.sleep += 1;
+  });
+  return seen;
+}
+
+/** A plain body that has fallen asleep in a world without gravity. */
+function sleeper(): { world: World; body: RigidBody; seen: { wake: number; sleep: number } } {
+  const world = weightless();
+  const body = plainBody();
+  const seen = count(body);
+  add(world, body);
+  steps(world, 62);
+  expect(body.sleeping).toBe(true);
+  return { world, body, seen };
+}
+
+/** A box that has fallen asleep on a body with its top at y = 0.5. */
+function resting(ground: RigidBody): { world: World; body: RigidBody; seen: { wake: number; sleep: number } } {
+  const world = heavy();
+  add(world, ground);
+  const body = boxBody(1, 1);
+  const seen = count(body);
+  add(world, body);
+  steps(world, 150);
+  expect(body.sleeping).toBe(true);
+  return { world, body, seen };
+}
+
+const ground = (type: 'static' | 'kinematic') =>
+  phys2D.createRigidBody({ type, position: [0, 1], shapes: [box(20, 1)] });
+
+describe('sleeping and waking', () => {
+  it('C-147 a body at rest is awake after step 61 and asleep after step 62', () => {
+    const world = weightless();
+    const body = plainBody();
+    const seen = count(body);
+    add(world, body);
+    steps(world, 61);
+    expect(body.sleeping).toBe(false);
+    steps(world, 1);
+    expect(body.sleeping).toBe(true);
+    steps(world, 10);
+    expect(seen).toEqual({ wake: 0, sleep: 1 });
+  });
+
+  it('C-148 falling asleep ends all motion', () => {
+    const { world, body } = resting(ground('static'));
+    expect(body.getVelocity()).toEqual([0, 0]);
+    expect(body.getAngularVelocity()).toBe(0);
+    expect(world.liveDynamics).toEqual([]);
+  });
+
+  it('C-149 wake() is silent, a change of velocity is not', () => {
+    const { world, body, seen } = sleeper();
+    body.wake();
+    expect(world.liveDynamics).toEqual([body]);
+    steps(world, 1);
+    expect(seen.wake).toBe(0);
+    const other = sleeper();
+    other.body.setVelocity([1, 0]);
+    steps(other.world, 1);
+    expect(other.seen.wake).toBe(1);
+    steps(other.world, 5);
+    expect(other.seen.wake).toBe(1);
+  });
+
+  it('C-150 equal values do not wake, new ones do', () => {
+    const { body } = sleeper();
+    body.setVelocity([0, 0]);
+    body.setPosition([0, 0]);
+    body.setForce([0, 0]);
+    body.setRotation(0);
+    expect(body.sleeping).toBe(true);
+    for (const change of [
+      (b: RigidBody) => b.setVelocity([1, 0]),
+      (b: RigidBody) => b.setPosition([1, 0]),
+      (b: RigidBody) => b.setForce([1, 0]),
+      (b: RigidBody) => b.setRotation(1),
+    ]) {
+      const { body: other } = sleeper();
+      change(other);
+      expect(other.sleeping).toBe(false);
+    }
+  });
+
+  it('C-151 some calls always wake, others never', () => {
+    for (const call of [
+      (b: RigidBody) => b.shapes[0]!.setGroup(1),
+      (b: RigidBody) => b.shapes[0]!.setMask(0xffffffff),
+      (b: RigidBody) => b.setSurfaceVelocity([0, 0]),
+      (b: RigidBody) => b.setLinearDrag(0),
+      (b: RigidBody) => b.applyImpulse([0, 0]),
+      (b: RigidBody) => b.integrate(0),
+      (b: RigidBody) => b.shapes[0]!.translate([0, 0]),
+    ]) {
+      const { body } = sleeper();
+      call(body);
+      expect(body.sleeping, String(call)).toBe(false);
+    }
+    const { body } = sleeper();
+    body.getPosition();
+    body.getMass();
+    body.computeWorldBounds();
+    body.bullet = true;
+    expect(body.sleeping).toBe(true);
+  });
+
+  it('C-152 a stack wakes as a whole', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [boxBody(1, 1), boxBody(1, 1, { position: [0, -1] })];
+    const seen = bodies.map(count);
+    add(world, ...bodies);
+    steps(world, 200);
+    expect(bodies.map((body) => body.sleeping)).toEqual([true, true]);
+    bodies[1]!.applyImpulse([0, -1]);
+    steps(world, 1);
+    expect(bodies.map((body) => body.sleeping)).toEqual([false, false]);
+    expect(seen.map((events) => events.wake)).toEqual([1, 1]);
+  });
+
+  it('C-153 a body falls when its support is removed', () => {
+    const floor = ground('static');
+    const { world, body } = resting(floor);
+    const [, y] = body.getPosition();
+    world.removeRigidBody(floor);
+    expect(body.sleeping).toBe(false);
+    steps(world, 30);
+    expect(body.getPosition()[1]).toBeGreaterThan(y + 0.5);
+  });
+
+  it('C-154 a platform that starts wakes what stands on it', () => {
+    const platform = ground('kinematic');
+    const { body } = resting(platform);
+    expect(platform.sleeping).toBe(true);
+    platform.setVelocity([0, -1]);
+    expect(body.sleeping).toBe(false);
+  });
+
+  it('C-155 a belt that starts wakes what lies on it', () => {
+    const floor = ground('static');
+    const { world, body } = resting(floor);
+    floor.setSurfaceVelocity([2, 0]);
+    expect(body.sleeping).toBe(false);
+    expect(floor.sleeping).toBe(true);
+    steps(world, 60);
+    expect(body.getVelocity()[0]).toBeGreaterThan(1.9);
+  });
+
+  it('C-156 a sleeping body that is hit wakes in that step', () => {
+    const { world, body, seen } = sleeper();
+    const other = plainBody({ position: [-1.2, 0], velocity: [3, 0] });
+    add(world, other);
+    let hitAt = 0;
+    for (let i = 1; i <= 20 && hitAt === 0; i += 1) {
+      steps(world, 1);
+      hitAt = world.dynamicArbiters.some((arbiter) => arbiter.active) ? i : 0;
+    }
+    expect(hitAt).toBeGreaterThan(0);
+    expect(body.sleeping).toBe(false);
+    expect(body.getVelocity()[0]).toBeGreaterThan(1);
+    expect(seen.wake).toBe(1);
+  });
+
+  it('C-157 a sensor does not wake what it enters', () => {
+    const { world, body, seen } = sleeper();
+    add(world, plainBody({ shapes: [disc(0.5, { sensor: true })], position: [-1, 0], velocity: [1, 0] }));
+    steps(world, 60);
+    expect(body.sleeping).toBe(true);
+    expect(seen.wake).toBe(0);
+  });
+
+  it('C-158 a kinematic body sleeps after one step without motion', () => {
+    const world = weightless();
+    const body = plainBody({ type: 'kinematic' });
+    const seen = count(body);
+    add(world, body);
+    steps(world, 1);
+    expect(body.sleeping).toBe(true);
+    expect(world.liveKinematics).toEqual([]);
+    body.setVelocity([1, 0]);
+    expect(world.liveKinematics).toEqual([body]);
+    steps(world, 1);
+    expect(seen).toEqual({ wake: 0, sleep: 0 });
+  });
+
+  it('C-159 sleep() has no effect on a kinematic body', () => {
+    const world = weightless();
+    const body = plainBody({ type: 'kinematic', velocity: [1, 0] });
+    add(world, body);
+    body.sleep();
+    expect(body.sleeping).toBe(false);
+    expect(world.liveKinematics).toEqual([body]);
+  });
+
+  it('C-160 sleep() keeps the velocity', () => {
+    const world = weightless();
+    const body = plainBody({ velocity: [1, 0] });
+    add(world, body);
+    body.sleep();
+    steps(world, 30);
+    expect(body.sleeping).toBe(true);
+    expect(body.getPosition()).toEqual([0, 0]);
+    body.wake();
+    steps(world, 30);
+    expect(body.getVelocity()).toEqual([1, 0]);
+    expect(body.getPosition()[0]).toBeCloseTo(0.5, 9);
+  });
+
+  it('C-165 a removed body is awake', () => {
+    const { world, body } = sleeper();
+    const floor = addFloor(world, { position: [0, 5] });
+    world.removeRigidBody(body);
+    world.removeRigidBody(floor);
+    expect([body.sleeping, floor.sleeping]).toEqual([false, false]);
+  });
+
+  it('C-166 adding a listener wakes silently', () => {
+    const { world, body, seen } = sleeper();
+    body.addEventListener('sleep', () => {});
+    expect(body.sleeping).toBe(false);
+    steps(world, 1);
+    expect(seen.wake).toBe(0);
+  });
+
+  it('allowSleeping: false keeps everything awake, and wakes what slept', () => {
+    const { world, body } = sleeper();
+    world.allowSleeping = false;
+    expect(body.sleeping).toBe(false);
+    steps(world, 200);
+    expect(body.sleeping).toBe(false);
+    world.allowSleeping = true;
+    steps(world, 1);
+    expect(body.sleeping).toBe(true);
+  });
+});
