@@ -1,7 +1,17 @@
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { Vec2Like } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
-import { boolean, finite, instance, nonNegative, options, positiveOrInfinite, typeError, vector } from './validate.js';
+import {
+  boolean,
+  finite,
+  instance,
+  nonNegative,
+  optional,
+  options,
+  positiveOrInfinite,
+  typeError,
+  vector,
+} from './validate.js';
 
 export type BodyType = 'dynamic' | 'kinematic' | 'static';
 
@@ -48,26 +58,26 @@ const ZERO: Vec2Like = [0, 0];
 export function checkedParams(params: RigidBodyParams | undefined) {
   const where = 'createRigidBody';
   const given = options(where, params, false);
-  const type = given.type ?? 'dynamic';
+  const type = optional(given.type, 'dynamic');
   if (typeof type !== 'string' || !Object.hasOwn(KINDS, type)) {
     throw typeError(where, 'type', "'dynamic', 'kinematic' or 'static'", type);
   }
   return {
     kind: KINDS[type]!,
     shapes: checkedShapes(where, given.shapes),
-    position: vector(where, 'position', given.position ?? ZERO, 2),
-    rotation: finite(where, 'rotation', given.rotation ?? 0),
-    velocity: vector(where, 'velocity', given.velocity ?? ZERO, 2),
-    angularVelocity: finite(where, 'angularVelocity', given.angularVelocity ?? 0),
-    force: vector(where, 'force', given.force ?? ZERO, 2),
-    torque: finite(where, 'torque', given.torque ?? 0),
-    linearDrag: nonNegative(where, 'linearDrag', given.linearDrag ?? 0.05),
-    angularDrag: nonNegative(where, 'angularDrag', given.angularDrag ?? 0.05),
-    surfaceVelocity: vector(where, 'surfaceVelocity', given.surfaceVelocity ?? ZERO, 2),
+    position: vector(where, 'position', optional(given.position, ZERO), 2),
+    rotation: finite(where, 'rotation', optional(given.rotation, 0)),
+    velocity: vector(where, 'velocity', optional(given.velocity, ZERO), 2),
+    angularVelocity: finite(where, 'angularVelocity', optional(given.angularVelocity, 0)),
+    force: vector(where, 'force', optional(given.force, ZERO), 2),
+    torque: finite(where, 'torque', optional(given.torque, 0)),
+    linearDrag: nonNegative(where, 'linearDrag', optional(given.linearDrag, 0.05)),
+    angularDrag: nonNegative(where, 'angularDrag', optional(given.angularDrag, 0.05)),
+    surfaceVelocity: vector(where, 'surfaceVelocity', optional(given.surfaceVelocity, ZERO), 2),
     mass: given.mass === undefined ? -1 : positiveOrInfinite(where, 'mass', given.mass),
     inertia: given.inertia === undefined ? -1 : positiveOrInfinite(where, 'inertia', given.inertia),
-    sleeping: boolean(where, 'sleeping', given.sleeping ?? false),
-    bullet: boolean(where, 'bullet', given.bullet ?? false),
+    sleeping: boolean(where, 'sleeping', optional(given.sleeping, false)),
+    bullet: boolean(where, 'bullet', optional(given.bullet, false)),
     userData: given.userData === undefined ? null : given.userData,
   };
 }

@@ -1,4 +1,4 @@
-import { nonNegative, notNaN, options } from './validate.js';
+import { nonNegative, notNaN, optional, options } from './validate.js';
 
 /** Options of `createMaterial`. */
 export interface MaterialParams {
@@ -41,11 +41,11 @@ export class Material {
   constructor(params: MaterialParams = {}) {
     const where = 'createMaterial';
     const given = options(where, params, false);
-    this.elasticity = notNaN(where, 'elasticity', given.elasticity ?? 0);
-    this.staticFriction = nonNegative(where, 'staticFriction', given.staticFriction ?? 2);
-    this.dynamicFriction = nonNegative(where, 'dynamicFriction', given.dynamicFriction ?? 1);
-    this.rollingFriction = nonNegative(where, 'rollingFriction', given.rollingFriction ?? 0.005);
-    this.density = nonNegative(where, 'density', given.density ?? 1);
+    this.elasticity = notNaN(where, 'elasticity', optional(given.elasticity, 0));
+    this.staticFriction = nonNegative(where, 'staticFriction', optional(given.staticFriction, 2));
+    this.dynamicFriction = nonNegative(where, 'dynamicFriction', optional(given.dynamicFriction, 1));
+    this.rollingFriction = nonNegative(where, 'rollingFriction', optional(given.rollingFriction, 0.005));
+    this.density = nonNegative(where, 'density', optional(given.density, 1));
     this.userData = given.userData === undefined ? null : given.userData;
   }
 

@@ -134,6 +134,11 @@ export function sink(where: string, name: string, value: unknown): void {
   }
 }
 
+/** The default of an option that is left out or `undefined`; `null` is a value like any other, and mostly a wrong one. */
+export function optional<T>(value: T | undefined, fallback: T): T {
+  return value === undefined ? fallback : value;
+}
+
 /** The options object of a factory; `undefined` counts as "no options" unless the factory needs one. */
 export function options<T extends object>(where: string, value: T | undefined, required: boolean): Partial<T> {
   if (value === undefined && !required) {

@@ -14,7 +14,7 @@ import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, wakeBody } from './solver/sleep.js';
 import { step } from './solver/step.js';
-import { boolean, instance, integer, options, positive, typeError, vector } from './validate.js';
+import { boolean, instance, integer, optional, options, positive, typeError, vector } from './validate.js';
 
 /** Options of `createWorld`. */
 export interface WorldParams {
@@ -88,10 +88,20 @@ export class World {
     const gravity = given.gravity === undefined ? [0, 10] : vector(where, 'gravity', given.gravity, 2);
     this.gravityX = gravity[0]!;
     this.gravityY = gravity[1]!;
-    this.velocityTotal = integer(where, 'velocityIterations', given.velocityIterations ?? DEFAULT_ITERATIONS, 1);
-    this.positionTotal = integer(where, 'positionIterations', given.positionIterations ?? DEFAULT_ITERATIONS, 1);
-    this.parts = integer(where, 'substeps', given.substeps ?? DEFAULT_SUBSTEPS, 1);
-    this.mayRest = boolean(where, 'allowSleeping', given.allowSleeping ?? true);
+    this.velocityTotal = integer(
+      where,
+      'velocityIterations',
+      optional(given.velocityIterations, DEFAULT_ITERATIONS),
+      1,
+    );
+    this.positionTotal = integer(
+      where,
+      'positionIterations',
+      optional(given.positionIterations, DEFAULT_ITERATIONS),
+      1,
+    );
+    this.parts = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
+    this.mayRest = boolean(where, 'allowSleeping', optional(given.allowSleeping, true));
     this.broadphase =
       given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
   }

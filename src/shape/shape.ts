@@ -5,7 +5,7 @@ import { type Listeners, NO_LISTENERS, withListener, withoutListener } from '../
 import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
-import { bits, boolean, callable, finite, instance, vector } from '../validate.js';
+import { bits, boolean, callable, finite, instance, optional, vector } from '../validate.js';
 
 export type ShapeEventType = 'begin' | 'progress' | 'end' | 'preSolve';
 
@@ -67,13 +67,13 @@ export abstract class Shape {
 
   /** @internal */
   constructor(where: string, params: Partial<ShapeParams>) {
-    this.sensor = boolean(where, 'sensor', params.sensor ?? false);
+    this.sensor = boolean(where, 'sensor', optional(params.sensor, false));
     this.material =
       params.material === undefined
         ? DEFAULT_MATERIAL
         : instance(where, 'material', params.material, Material, 'a Material');
-    this.group = bits(where, 'group', params.group ?? 1);
-    this.mask = bits(where, 'mask', params.mask ?? 0xffffffff);
+    this.group = bits(where, 'group', optional(params.group, 1));
+    this.mask = bits(where, 'mask', optional(params.mask, 0xffffffff));
     this.userData = params.userData === undefined ? null : params.userData;
     this.id = nextId;
     nextId += 1;
