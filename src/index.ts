@@ -1,6 +1,7 @@
 export type { BodyEventType, BodyHandler } from './body.js';
 export { RigidBody } from './body.js';
 export type { BodyType, RigidBodyParams } from './body-params.js';
+export type { BoxTreeExternalNode, BoxTreeRayResult } from './broadphase/box-tree.js';
 export { BoxTree, BoxTreeNode } from './broadphase/box-tree.js';
 export { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 export type { Broadphase, BroadphaseHandle } from './broadphase/broadphase.js';

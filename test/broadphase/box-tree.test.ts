@@ -1,0 +1,156 @@
+import { describe, expect, it } from 'vitest';
+import { PackedTree } from '../../src/broadphase/packed-tree.js';
+import { BoxTree, type BoxTreeExternalNode, type Rect } from '../../src/index.js';
+import { generator } from '../scenes/mixed.js';
+import { overlap } from './model.js';
+
+interface Item extends BoxTreeExternalNode {
+  id: number;
+}
+
+const ids = (items: readonly Item[]): number[] => items.map((item) => item.id).sort((a, b) => a - b);
+
+function randomTree(count: number, seed: number): { tree: BoxTree<Item>; items: Item[]; boxes: Rect[] } {
+  const random = generator(seed);
+  const tree = BoxTree.create<Item>(true);
+  const items: Item[] = [];
+  const boxes: Rect[] = [];
+  for (let id = 0; id < count; id += 1) {
+    const [x, y] = [10 * random(), 10 * random()];
+    boxes.push([x, y, x + random(), y + random()]);
+    items.push({ id });
+    tree.add(items[id]!, boxes[id]!);
+  }
+  tree.finalize();
+  return { tree, items, boxes };
+}
+
+describe('box tree', () => {
+  it('shows its nodes depth first, with the way out of each subtree', () => {
+    const { tree } = randomTree(40, 1);
+    const nodes = tree.getNodes();
+    expect(nodes).toHaveLength(79);
+    expect(tree.getEndNodeIndex()).toBe(79);
+    expect(tree.getRootNode()).toBe(nodes[0]);
+    expect(nodes[0]!.escapeNodeOffset).toBe(79);
+    nodes.forEach((node, i) => {
+      const subtree = nodes.slice(i, i + node.escapeNodeOffset);
+      expect(subtree.filter((n) => n.isLeaf())).toHaveLength((node.escapeNodeOffset + 1) / 2);
+      for (const inner of subtree) {
+        expect(
+          inner.minX >= node.minX && inner.maxX <= node.maxX && inner.minY >= node.minY && inner.maxY <= node.maxY,
+        ).toBe(true);
+      }
+    });
+  });
+
+  it('writes and clears the index of its objects', () => {
+    const tree = BoxTree.create<Item>(false);
+    const item: Item = { id: 1 };
+    expect(tree.getOverlappingNodes([0, 0, 9, 9], [])).toBe(0);
+    expect([tree.needsFinalize(), tree.getRootNode()]).toEqual([false, undefined]);
+    tree.update(item, [0, 0, 1, 1]);
+    expect(item.boxTreeIndex).toBeTypeOf('number');
+    expect(tree.needsFinalize()).toBe(true);
+    tree.finalize();
+    expect(tree.needsFinalize()).toBe(false);
+    expect(() => tree.add(item, [0, 0, 1, 1])).toThrow(TypeError);
+    tree.update(item, [5, 5, 6, 6]);
+    tree.finalize();
+    const found: Item[] = [item];
+    expect(tree.getOverlappingNodes([6, 6, 7, 7], found)).toBe(1);
+    expect(found).toEqual([item, item]);
+    tree.remove(item);
+    expect(item.boxTreeIndex).toBe(undefined);
+    tree.remove(item);
+    tree.add(item, [0, 0, 1, 1]);
+    tree.clear();
+    expect(item.boxTreeIndex).toBe(undefined);
+    expect(tree.getNodes()).toEqual([]);
+  });
+
+  it('finds what lies inside planes', () => {
+    const { tree, items, boxes } = randomTree(60, 2);
+    const planes = [
+      [1, 0, 3],
+      [-0.6, -0.8, -9],
+    ];
+    const expected = items.filter((_, i) =>
+      planes.every(([nx, ny, d]) => {
+        const [x0, y0, x1, y1] = boxes[i]!;
+        return (nx! > 0 ? x1 : x0) * nx! + (ny! > 0 ? y1 : y0) * ny! >= d!;
+      }),
+    );
+    const found: Item[] = [items[0]!];
+    expect(tree.getVisibleNodes(planes, found, 1)).toBe(expected.length);
+    expect(ids(found.slice(1))).toEqual(ids(expected));
+    expect(expected.length).toBeGreaterThan(5);
+  });
+
+  it('meets rays along an axis, without end, from inside', () => {
+    const tree = BoxTree.create<Item>(true);
+    const items = [0, 1, 2].map((id) => ({ id }) as Item);
+    items.forEach((item, i) => {
+      tree.add(item, [10 * i, 0, 10 * i + 1, 1]);
+    });
+    tree.finalize();
+    const met: [number, number][] = [];
+    const ray = { origin: [0.5, 0.5], direction: [2, 0], maxFactor: Infinity };
+    const result = BoxTree.rayTest([tree], ray, (_tree, item, _ray, distance) => {
+      met.push([item.id, distance]);
+      return item.id === 2 ? { factor: distance } : null;
+    });
+    expect(met).toEqual([
+      [0, 0],
+      [1, 4.75],
+      [2, 9.75],
+    ]);
+    expect(result).toEqual({ factor: 9.75 });
+    const upward = { origin: [5, 0], direction: [0, 1], maxFactor: Infinity };
+    expect(BoxTree.rayTest([tree], upward, () => ({ factor: 1 }))).toBe(null);
+  });
+
+  it('refuses bad arguments', () => {
+    const tree = BoxTree.create<Item>(true);
+    expect(() => tree.add({ id: 0 }, [1, 0, 0, 1])).toThrow('BoxTree.add: bounds[2] must be >= bounds[0] = 1, got 0');
+    expect(() => tree.add(null as never, [0, 0, 1, 1])).toThrow(
+      'BoxTree.add: externalNode must be an object, got null',
+    );
+    expect(() => tree.update({ id: 0, boxTreeIndex: 3 }, [0, 0, 1, 1])).toThrow('must be an object of this tree');
+    expect(() => tree.getCircleOverlappingNodes([0, 0], -1, [])).toThrow('radius must be a finite number >= 0, got -1');
+  });
+});
+
+describe('packed tree', () => {
+  const inOrder: [string, (i: number) => Rect][] = [
+    ['a row', (i) => [i, 0, i + 1, 1]],
+    ['a grid', (i) => [i % 64, i >> 6, (i % 64) + 1, (i >> 6) + 1]],
+    ['a pile of equal boxes', () => [0, 0, 1, 1]],
+  ];
+  it.each(inOrder)('stays low for %s', (_, box) => {
+    const tree = new PackedTree<number>();
+    const leaves: number[] = [];
+    for (let i = 0; i < 4096; i += 1) {
+      leaves.push(tree.insert(i, box(i), 0));
+    }
+    expect(tree.height).toBeLessThanOrEqual(2 * Math.log2(4096));
+    leaves.forEach((leaf, i) => {
+      const [x0, y0, x1, y1] = box(i);
+      tree.move(leaf, [x0 + 0.5, y0, x1 + 0.5, y1], 0.1);
+    });
+    expect(tree.height).toBeLessThanOrEqual(2 * Math.log2(4096));
+    for (const leaf of leaves.slice(0, 4000)) {
+      tree.remove(leaf);
+    }
+    expect(tree.height).toBeLessThanOrEqual(2 * Math.log2(96));
+    const out: number[] = [];
+    expect(tree.query([-1e9, -1e9, 1e9, 1e9], out, 0)).toBe(96);
+  });
+});
+
+describe('overlap of a model', () => {
+  it('is inclusive', () => {
+    expect(overlap([0, 0, 1, 1], [1, 1, 2, 2])).toBe(true);
+    expect(overlap([0, 0, 1, 1], [1.1, 1, 2, 2])).toBe(false);
+  });
+});
