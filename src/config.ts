@@ -18,6 +18,12 @@ export const TOUCH_DEPTH = 1e-4;
 /** m. Two faces whose depths differ by less count as equally deep and shape A's is taken; stops noise from flipping it. */
 export const FACE_TIE = 1e-6;
 
+/** m. While two polygons move less than this against each other, the edges that face each other are not chosen anew. */
+export const FACE_MOTION = 0.002;
+
+/** rad. The same for the turn of either. */
+export const FACE_TURN = 0.002;
+
 /** Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. More than 0.3 makes towers sway. */
 export const PUSH_SHARE_DYNAMIC = 0.15;
 

@@ -73,34 +73,51 @@ function opposedEdge(q: Polygon, nx: number, ny: number): number {
 /**
  * Two polygons. Separating axes over all edge normals; the shallowest one
  * becomes the reference edge (ties go to A), and the opposed edge of the other polygon is clipped to its width (Catto,
- * "Contact Manifolds", GDC 2007). The last separating axis is tried first.
+ * "Contact Manifolds", GDC 2007). The last separating axis is tried first, and the choice of edges is kept while it can hardly change.
  */
 export function collidePolygons(a: Polygon, b: Polygon, m: Manifold): void {
   m.count = 0;
-  if (isStillApart(a, b, m)) {
-    return;
+  const stamp = a.geometryStamp + b.geometryStamp;
+  if (!m.keepsFace(stamp)) {
+    m.face = -1;
+    if (isStillApart(a, b, m) || !chooseFace(a, b, m)) {
+      return;
+    }
+    m.setFace(m.face, stamp);
   }
+  if (m.face === 0) {
+    clip(a, m.edgeA, b, m, 1);
+  } else {
+    clip(b, m.edgeB, a, m, -1);
+    if (m.count > 0) turnRound(m);
+  }
+}
+
+/** Finds the edge that the other polygon is clipped to. @returns whether the shapes are near each other. */
+function chooseFace(a: Polygon, b: Polygon, m: Manifold): boolean {
   best.separation = -Infinity;
   deepestEdge(a, b, m, 1, m.edgeA);
-  const edgeA = best.edge;
   if (best.separation > SPECULATIVE_MARGIN) {
-    m.axis = 2 * edgeA;
-    return;
+    m.axis = 2 * best.edge;
+    return false;
   }
+  const edgeA = best.edge;
   best.separation += FACE_TIE;
   best.edge = -1;
   deepestEdge(b, a, m, -1, m.edgeB);
   const edgeB = best.edge;
-  if (edgeB >= 0 && best.separation > SPECULATIVE_MARGIN) {
+  if (edgeB < 0) {
+    m.face = 0;
+    m.edgeA = edgeA;
+    return true;
+  }
+  if (best.separation > SPECULATIVE_MARGIN) {
     m.axis = 2 * edgeB + 1;
-    return;
+    return false;
   }
-  if (edgeB >= 0) {
-    clip(b, edgeB, a, m, -1);
-    if (m.count > 0) turnRound(m);
-  } else {
-    clip(a, edgeA, b, m, 1);
-  }
+  m.face = 1;
+  m.edgeB = edgeB;
+  return true;
 }
 
 /** The axis that separated the shapes last time does so again. */
@@ -162,13 +179,16 @@ function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): voi
   m.separation1 = highDepth;
   m.id0 = low > 0 ? 2 * i : 2 * after + 1;
   m.id1 = high < 1 ? 2 * next : 2 * j + 1;
-  m.edgeA = i;
-  m.edgeB = j;
+  if (side > 0) {
+    m.edgeB = j;
+  } else {
+    m.edgeA = j;
+  }
 }
 
-/** Makes a manifold found with the roles exchanged one of A and B: the normal turns and with it the order of the ends. */
+/** Makes a manifold clipped to B's edge one of A and B: the normal turns and with it the order of the ends. */
 function turnRound(m: Manifold): void {
-  const { dx, dy, x0, y0, separation0, id0, edgeA } = m;
+  const { dx, dy, x0, y0, separation0, id0 } = m;
   m.nx = -m.nx;
   m.ny = -m.ny;
   m.x0 = m.x1 + dx;
@@ -179,6 +199,4 @@ function turnRound(m: Manifold): void {
   m.y1 = y0 + dy;
   m.separation1 = separation0;
   m.id1 = id0 ^ 1;
-  m.edgeA = m.edgeB;
-  m.edgeB = edgeA;
 }

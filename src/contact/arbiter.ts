@@ -229,10 +229,7 @@ export class Arbiter {
     this.shapeB = shapeB;
     this.active = false;
     this.sleeping = false;
-    this.manifold.count = 0;
-    this.manifold.axis = -1;
-    this.manifold.edgeA = -1;
-    this.manifold.edgeB = -1;
+    this.manifold.reset();
     this.lastInteraction = -1;
     this.seen = -1;
     this.listed = false;

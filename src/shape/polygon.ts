@@ -32,6 +32,9 @@ export class Polygon extends Shape {
   /** @internal n · p of each edge; a turn does not change it */
   offsets: Float64Array;
 
+  /** @internal grows with every change of the geometry */
+  geometryStamp = 0;
+
   /** @internal use `createPolygonShape` */
   constructor(params: PolygonParams) {
     const where = 'createPolygonShape';
@@ -146,6 +149,7 @@ export class Polygon extends Shape {
   }
 
   private refreshEdges(): void {
+    this.geometryStamp += 1;
     const vertices = this.vertices;
     const length = vertices.length;
     for (let i = 0; i < length; i += 2) {

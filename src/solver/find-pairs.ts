@@ -83,6 +83,8 @@ function touch(pair: Arbiter): boolean {
   const bodyB = b.owner!;
   m.dx = bodyB.x - bodyA.x;
   m.dy = bodyB.y - bodyA.y;
+  m.angleA = bodyA.angle;
+  m.angleB = bodyB.angle;
   collide(a, b, m);
   if (m.count === 0) {
     return false;
