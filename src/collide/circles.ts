@@ -2,23 +2,25 @@ import { COINCIDENT, SPECULATIVE_MARGIN } from '../config.js';
 import type { Circle } from '../shape/circle.js';
 import { EDGE_STRIDE } from '../shape/layout.js';
 import type { Polygon } from '../shape/polygon.js';
+import * as g from './layout.js';
 import type { Manifold } from './manifold.js';
 
 /** Stores the single point half-way between two surfaces that face each other at `(x, y)` + n · distance. */
 function setPoint(m: Manifold, nx: number, ny: number, x: number, y: number, separation: number): void {
   m.count = 1;
-  m.nx = nx;
-  m.ny = ny;
-  m.x0 = x + nx * separation * 0.5;
-  m.y0 = y + ny * separation * 0.5;
-  m.separation0 = separation;
+  const n = m.numbers;
+  n[g.NX] = nx;
+  n[g.NY] = ny;
+  n[g.X0] = x + nx * separation * 0.5;
+  n[g.Y0] = y + ny * separation * 0.5;
+  n[g.S0] = separation;
   m.id0 = 0;
 }
 
 /** Two circles. Centres that coincide are pushed apart along x. */
 export function collideCircles(a: Circle, b: Circle, m: Manifold): void {
-  const cx = m.dx + b.centreX - a.centreX;
-  const cy = m.dy + b.centreY - a.centreY;
+  const cx = m.numbers[g.DX]! + b.centreX - a.centreX;
+  const cy = m.numbers[g.DY]! + b.centreY - a.centreY;
   const reach = a.radius + b.radius;
   const limit = reach + SPECULATIVE_MARGIN;
   const squared = cx * cx + cy * cy;
@@ -35,25 +37,26 @@ export function collideCircles(a: Circle, b: Circle, m: Manifold): void {
 
 /** A polygon and a circle. */
 export function collidePolygonCircle(a: Polygon, b: Circle, m: Manifold): void {
-  faceCircle(a, b, m.dx, m.dy, m);
+  faceCircle(a, b, m, 1);
 }
 
 /** A circle and a polygon: the polygon's view of it, turned round. */
 export function collideCirclePolygon(a: Circle, b: Polygon, m: Manifold): void {
-  faceCircle(b, a, -m.dx, -m.dy, m);
-  m.nx = -m.nx;
-  m.ny = -m.ny;
-  m.x0 += m.dx;
-  m.y0 += m.dy;
+  faceCircle(b, a, m, -1);
+  const n = m.numbers;
+  n[g.NX] = -n[g.NX]!;
+  n[g.NY] = -n[g.NY]!;
+  n[g.X0] = n[g.X0]! + n[g.DX]!;
+  n[g.Y0] = n[g.Y0]! + n[g.DY]!;
 }
 
 /**
- * The circle as the polygon sees it; `(dx, dy)` leads from the polygon's body origin to the circle's. The edge farthest from the
+ * The circle as the polygon sees it; `side` is 1 if the polygon is A, else −1. The edge farthest from the
  * centre decides; beyond its ends the nearer corner does (Ericson, Real-Time Collision Detection, 5.1).
  */
-function faceCircle(a: Polygon, b: Circle, dx: number, dy: number, m: Manifold): void {
-  const cx = dx + b.centreX;
-  const cy = dy + b.centreY;
+function faceCircle(a: Polygon, b: Circle, m: Manifold, side: number): void {
+  const cx = side * m.numbers[g.DX]! + b.centreX;
+  const cy = side * m.numbers[g.DY]! + b.centreY;
   const edges = a.edges;
   const offsets = a.offsets;
   const limit = b.radius + SPECULATIVE_MARGIN;

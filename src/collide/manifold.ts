@@ -1,29 +1,16 @@
 import { FACE_MOTION, FACE_TURN } from '../config.js';
+import * as g from './layout.js';
 
 /**
- * What a collision kernel found: how two shapes overlap, or face each other within the speculative margin. Points are given relative to the origin of body A, so that
- * nothing is lost far from the world's origin. Lives in its pair from step to step: a kernel starts from the last axis.
+ * What a collision kernel found: how two shapes overlap, or face each other within the speculative margin. Points are given relative to
+ * the origin of body A, so that nothing is lost far from the world's origin. Lives in its pair from step to step: a kernel starts from
+ * what it found last time.
  */
 export class Manifold {
-  /** Input: from body A's origin to body B's. A field, because numbers handed over as arguments would be boxed. */
-  dx = 0;
-  dy = 0;
-  /** Input: the rotations of both bodies. */
-  angleA = 0;
-  angleB = 0;
-  /** Number of points, 0 to 2. */
+  /** See `layout.ts`. */
+  readonly numbers = new Float64Array(g.PAIR_NUMBERS);
+  /** Number of points, 0 to 2. With two, the first lies lower along the tangent (−ny, nx). */
   count = 0;
-  /** Unit normal from A to B. */
-  nx = 0;
-  ny = 0;
-  /** Points half-way into the overlap. With two, the first lies lower along the tangent (−ny, nx). */
-  x0 = 0;
-  y0 = 0;
-  x1 = 0;
-  y1 = 0;
-  /** m; negative where the surfaces overlap. */
-  separation0 = 0;
-  separation1 = 0;
   /** The corner that limits the overlap at this end: 2 · index, + 1 for a corner of B. */
   id0 = 0;
   id1 = 0;
@@ -32,22 +19,23 @@ export class Manifold {
   edgeB = -1;
   /** Where to look first for a separating axis: 2 · edge, + 1 for an edge of B; −1: nowhere. */
   axis = -1;
-
-  /** Whose edge the other's was clipped to: 0 A's, 1 B's, −1: there was no such choice … */
+  /** Whose edge the other's was clipped to: 0 A's, 1 B's, −1: there was no such choice; and for which shapes. */
   face = -1;
-  /** … for this placement and these shapes. */
-  faceDx = 0;
-  faceDy = 0;
-  faceAngleA = 0;
-  faceAngleB = 0;
   faceStamp = 0;
+
+  /** Some point is in contact. Circles that touch collide, polygons that touch do not. */
+  overlaps(): boolean {
+    const n = this.numbers;
+    return this.count === 2 ? n[g.S0]! < 0 || n[g.S1]! < 0 : this.count === 1 && n[g.S0]! <= 0;
+  }
 
   /** The bodies have hardly moved since the choice of edges, and the shapes are the same: `stamp` is the sum of theirs. */
   keepsFace(stamp: number): boolean {
-    const x = this.dx - this.faceDx;
-    const y = this.dy - this.faceDy;
-    const a = this.angleA - this.faceAngleA;
-    const b = this.angleB - this.faceAngleB;
+    const n = this.numbers;
+    const x = n[g.DX]! - n[g.FACE_DX]!;
+    const y = n[g.DY]! - n[g.FACE_DY]!;
+    const a = n[g.ANGLE_A]! - n[g.FACE_ANGLE_A]!;
+    const b = n[g.ANGLE_B]! - n[g.FACE_ANGLE_B]!;
     return (
       this.face >= 0 &&
       this.faceStamp === stamp &&
@@ -57,14 +45,14 @@ export class Manifold {
     );
   }
 
-  /** Remembers the choice. */
-  setFace(face: number, stamp: number): void {
-    this.face = face;
+  /** Remembers for what the edges were chosen. */
+  faceChosen(stamp: number): void {
+    const n = this.numbers;
     this.faceStamp = stamp;
-    this.faceDx = this.dx;
-    this.faceDy = this.dy;
-    this.faceAngleA = this.angleA;
-    this.faceAngleB = this.angleB;
+    n[g.FACE_DX] = n[g.DX]!;
+    n[g.FACE_DY] = n[g.DY]!;
+    n[g.FACE_ANGLE_A] = n[g.ANGLE_A]!;
+    n[g.FACE_ANGLE_B] = n[g.ANGLE_B]!;
   }
 
   /** Forgets what was found for another pair. */
@@ -74,10 +62,5 @@ export class Manifold {
     this.edgeB = -1;
     this.axis = -1;
     this.face = -1;
-  }
-
-  /** Some point is in contact. Circles that touch collide, polygons that touch do not. */
-  overlaps(): boolean {
-    return this.count === 2 ? this.separation0 < 0 || this.separation1 < 0 : this.count === 1 && this.separation0 <= 0;
   }
 }

@@ -1,13 +1,16 @@
 import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
 import { EDGE_STRIDE } from '../shape/layout.js';
 import type { Polygon } from '../shape/polygon.js';
+import * as g from './layout.js';
 import type { Manifold } from './manifold.js';
 
 /** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
 const best = { separation: -Infinity, edge: 0 };
 
-/** How far Q lies beyond edge `i` of P: min over Q's corners q of n · q − offset. `(ox, oy)` leads from P's origin to Q's. */
-function edgeSeparation(p: Polygon, i: number, q: Polygon, ox: number, oy: number): number {
+/** How far Q lies beyond edge `i` of P: min over Q's corners q of n · q − offset. `side` is 1 if P is A, else −1. */
+function edgeSeparation(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): number {
+  const ox = side * m.numbers[g.DX]!;
+  const oy = side * m.numbers[g.DY]!;
   const edges = q.edges;
   const nx = p.edges[EDGE_STRIDE * i + 2]!;
   const ny = p.edges[EDGE_STRIDE * i + 3]!;
@@ -29,8 +32,8 @@ function deepestEdge(p: Polygon, q: Polygon, m: Manifold, side: number, likely: 
   const offsets = p.offsets;
   const count = offsets.length;
   const end = qe.length;
-  const ox = side * m.dx;
-  const oy = side * m.dy;
+  const ox = side * m.numbers[g.DX]!;
+  const oy = side * m.numbers[g.DY]!;
   let deepest = best.separation;
   let i = likely >= 0 && likely < count ? likely : 0;
   for (let tried = 0; tried < count; tried += 1) {
@@ -83,7 +86,7 @@ export function collidePolygons(a: Polygon, b: Polygon, m: Manifold): void {
     if (isStillApart(a, b, m) || !chooseFace(a, b, m)) {
       return;
     }
-    m.setFace(m.face, stamp);
+    m.faceChosen(stamp);
   }
   if (m.face === 0) {
     clip(a, m.edgeA, b, m, 1);
@@ -127,8 +130,8 @@ function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
     return false;
   }
   return (m.axis & 1) === 0
-    ? edge < a.offsets.length && edgeSeparation(a, edge, b, m.dx, m.dy) > SPECULATIVE_MARGIN
-    : edge < b.offsets.length && edgeSeparation(b, edge, a, -m.dx, -m.dy) > SPECULATIVE_MARGIN;
+    ? edge < a.offsets.length && edgeSeparation(a, edge, b, m, 1) > SPECULATIVE_MARGIN
+    : edge < b.offsets.length && edgeSeparation(b, edge, a, m, -1) > SPECULATIVE_MARGIN;
 }
 
 /**
@@ -140,8 +143,8 @@ function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
  *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
  */
 function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): void {
-  const ox = side * m.dx;
-  const oy = side * m.dy;
+  const ox = side * m.numbers[g.DX]!;
+  const oy = side * m.numbers[g.DY]!;
   const pe = p.edges;
   const qe = q.edges;
   const next = i + 1 === p.offsets.length ? 0 : i + 1;
@@ -168,15 +171,16 @@ function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): voi
   const high = v2 < w1 && v2 > w2 ? (v2 - w2) * scale : 1;
   const lowDepth = d2 + (d1 - d2) * low;
   const highDepth = d2 + (d1 - d2) * high;
+  const n = m.numbers;
   m.count = 2;
-  m.nx = nx;
-  m.ny = ny;
-  m.x0 = x2 + (x1 - x2) * low - nx * lowDepth * 0.5;
-  m.y0 = y2 + (y1 - y2) * low - ny * lowDepth * 0.5;
-  m.x1 = x2 + (x1 - x2) * high - nx * highDepth * 0.5;
-  m.y1 = y2 + (y1 - y2) * high - ny * highDepth * 0.5;
-  m.separation0 = lowDepth;
-  m.separation1 = highDepth;
+  n[g.NX] = nx;
+  n[g.NY] = ny;
+  n[g.X0] = x2 + (x1 - x2) * low - nx * lowDepth * 0.5;
+  n[g.Y0] = y2 + (y1 - y2) * low - ny * lowDepth * 0.5;
+  n[g.S0] = lowDepth;
+  n[g.X1] = x2 + (x1 - x2) * high - nx * highDepth * 0.5;
+  n[g.Y1] = y2 + (y1 - y2) * high - ny * highDepth * 0.5;
+  n[g.S1] = highDepth;
   m.id0 = low > 0 ? 2 * i : 2 * after + 1;
   m.id1 = high < 1 ? 2 * next : 2 * j + 1;
   if (side > 0) {
@@ -188,15 +192,19 @@ function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): voi
 
 /** Makes a manifold clipped to B's edge one of A and B: the normal turns and with it the order of the ends. */
 function turnRound(m: Manifold): void {
-  const { dx, dy, x0, y0, separation0, id0 } = m;
-  m.nx = -m.nx;
-  m.ny = -m.ny;
-  m.x0 = m.x1 + dx;
-  m.y0 = m.y1 + dy;
-  m.separation0 = m.separation1;
+  const n = m.numbers;
+  const x0 = n[g.X0]!;
+  const y0 = n[g.Y0]!;
+  const s0 = n[g.S0]!;
+  const id0 = m.id0;
+  n[g.NX] = -n[g.NX]!;
+  n[g.NY] = -n[g.NY]!;
+  n[g.X0] = n[g.X1]! + n[g.DX]!;
+  n[g.Y0] = n[g.Y1]! + n[g.DY]!;
+  n[g.S0] = n[g.S1]!;
+  n[g.X1] = x0 + n[g.DX]!;
+  n[g.Y1] = y0 + n[g.DY]!;
+  n[g.S1] = s0;
   m.id0 = m.id1 ^ 1;
-  m.x1 = x0 + dx;
-  m.y1 = y0 + dy;
-  m.separation1 = separation0;
   m.id1 = id0 ^ 1;
 }

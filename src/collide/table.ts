@@ -5,7 +5,7 @@ import { collideCirclePolygon, collideCircles, collidePolygonCircle } from './ci
 import type { Manifold } from './manifold.js';
 import { collidePolygons } from './polygons.js';
 
-/** Reads `dx`, `dy` of the manifold and writes the rest; `count` 0 means that the shapes are apart. */
+/** Reads the placement from the manifold and writes the rest; `count` 0 means that the shapes are apart. */
 type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, m: Manifold) => void;
 
 const KINDS = 2;
@@ -18,7 +18,7 @@ const KERNELS: readonly [
   Kernel<Polygon, Polygon>,
 ] = [collideCircles, collideCirclePolygon, collidePolygonCircle, collidePolygons];
 
-/** Collides two placed shapes, whose bodies lie `m.dx`, `m.dy` apart. */
+/** Collides two placed shapes; the manifold says how their bodies lie to each other. */
 export function collide(a: Shape, b: Shape, m: Manifold): void {
   (KERNELS[a.kind * KINDS + b.kind] as Kernel<Shape, Shape>)(a, b, m);
 }

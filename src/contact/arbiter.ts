@@ -1,10 +1,12 @@
 import type { RigidBody } from '../body.js';
+import * as g from '../collide/layout.js';
 import { Manifold } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { boolean, nonNegative, notNaN } from '../validate.js';
 import { Contact } from './contact.js';
+import * as c from './layout.js';
 
 /** @internal which of the mixed values were set by hand */
 const FIXED_ELASTICITY = 1;
@@ -59,18 +61,10 @@ export class Arbiter {
   accepted = true;
   /** @internal */
   persistent = false;
-  /** @internal rolling impulse of the last sub-step */
-  rolling = 0;
-  /** @internal rolling impulse of the whole step */
-  stepRolling = 0;
-  /** @internal */
-  elasticity = 0;
-  /** @internal */
-  staticFriction = 0;
-  /** @internal */
-  dynamicFriction = 0;
-  /** @internal */
-  rollingFriction = 0;
+  /** @internal bit 0 and 1: the velocity solver used the point when it was last there */
+  usedPoints = 0;
+  /** @internal … for the first time in the latest step */
+  freshPoints = 0;
   /** @internal */
   fixed = 0;
 
@@ -92,12 +86,13 @@ export class Arbiter {
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.manifold.nx, this.manifold.ny, dst);
+    const n = this.manifold.numbers;
+    return vec2(n[g.NX]!, n[g.NY]!, dst);
   }
 
   /** N·m·s of the latest step; 0 unless a circle is involved. */
   getRollingImpulse(): number {
-    return this.stepRolling;
+    return this.manifold.numbers[c.STEP_ROLL]!;
   }
 
   /** `[jx, jy, jw]` given to a body in the latest step, jw about its origin; zeros for a stranger. */
@@ -108,13 +103,13 @@ export class Arbiter {
     if (sign === 0 || !this.active) {
       return vec3(0, 0, 0, dst);
     }
-    const { nx, ny } = this.manifold;
+    const [nx, ny] = this.getNormal();
     let x = 0;
     let y = 0;
-    let w = sign * this.stepRolling;
+    let w = sign * this.getRollingImpulse();
     for (const contact of this.contacts) {
-      const jx = sign * (nx * contact.stepNormal - ny * contact.stepTangent);
-      const jy = sign * (ny * contact.stepNormal + nx * contact.stepTangent);
+      const jx = sign * (nx * contact.getNormalImpulse() - ny * contact.getTangentImpulse());
+      const jy = sign * (ny * contact.getNormalImpulse() + nx * contact.getTangentImpulse());
       x += jx;
       y += jy;
       const [px, py] = contact.getPosition();
@@ -124,42 +119,42 @@ export class Arbiter {
   }
 
   getElasticity(): number | undefined {
-    return this.elasticity;
+    return this.manifold.numbers[c.ELASTICITY];
   }
 
   getStaticFriction(): number | undefined {
-    return this.staticFriction;
+    return this.manifold.numbers[c.STATIC_FRICTION];
   }
 
   getDynamicFriction(): number | undefined {
-    return this.dynamicFriction;
+    return this.manifold.numbers[c.DYNAMIC_FRICTION];
   }
 
   getRollingFriction(): number | undefined {
-    return this.rollingFriction;
+    return this.manifold.numbers[c.ROLLING_FRICTION];
   }
 
   /** Fixes the combined elasticity for the life of the arbiter. Outside a step wakes both bodies silently. */
   setElasticity(elasticity: number): void {
-    this.elasticity = notNaN('Arbiter.setElasticity', 'elasticity', elasticity);
+    this.manifold.numbers[c.ELASTICITY] = notNaN('Arbiter.setElasticity', 'elasticity', elasticity);
     this.fix(FIXED_ELASTICITY);
   }
 
   /** As `setElasticity`, >= 0. */
   setStaticFriction(friction: number): void {
-    this.staticFriction = nonNegative('Arbiter.setStaticFriction', 'friction', friction);
+    this.manifold.numbers[c.STATIC_FRICTION] = nonNegative('Arbiter.setStaticFriction', 'friction', friction);
     this.fix(FIXED_STATIC);
   }
 
   /** As `setElasticity`, >= 0. */
   setDynamicFriction(friction: number): void {
-    this.dynamicFriction = nonNegative('Arbiter.setDynamicFriction', 'friction', friction);
+    this.manifold.numbers[c.DYNAMIC_FRICTION] = nonNegative('Arbiter.setDynamicFriction', 'friction', friction);
     this.fix(FIXED_DYNAMIC);
   }
 
   /** As `setElasticity`, m, >= 0. */
   setRollingFriction(friction: number): void {
-    this.rollingFriction = nonNegative('Arbiter.setRollingFriction', 'friction', friction);
+    this.manifold.numbers[c.ROLLING_FRICTION] = nonNegative('Arbiter.setRollingFriction', 'friction', friction);
     this.fix(FIXED_ROLLING);
   }
 
@@ -206,11 +201,12 @@ export class Arbiter {
   mixMaterials(): void {
     const a = this.shapeA.material;
     const b = this.shapeB.material;
+    const n = this.manifold.numbers;
     const fixed = this.fixed;
-    if ((fixed & FIXED_ELASTICITY) === 0) this.elasticity = mixElasticity(a.elasticity, b.elasticity);
-    if ((fixed & FIXED_STATIC) === 0) this.staticFriction = mixFriction(a.staticFriction, b.staticFriction);
-    if ((fixed & FIXED_DYNAMIC) === 0) this.dynamicFriction = mixFriction(a.dynamicFriction, b.dynamicFriction);
-    if ((fixed & FIXED_ROLLING) === 0) this.rollingFriction = mixFriction(a.rollingFriction, b.rollingFriction);
+    if ((fixed & FIXED_ELASTICITY) === 0) n[c.ELASTICITY] = mixElasticity(a.elasticity, b.elasticity);
+    if ((fixed & FIXED_STATIC) === 0) n[c.STATIC_FRICTION] = mixFriction(a.staticFriction, b.staticFriction);
+    if ((fixed & FIXED_DYNAMIC) === 0) n[c.DYNAMIC_FRICTION] = mixFriction(a.dynamicFriction, b.dynamicFriction);
+    if ((fixed & FIXED_ROLLING) === 0) n[c.ROLLING_FRICTION] = mixFriction(a.rollingFriction, b.rollingFriction);
   }
 
   /** @internal joins islands */
@@ -242,13 +238,44 @@ export class Arbiter {
   /** @internal drops what is only kept while an interaction runs or is cached */
   forget(): void {
     this.contacts.length = 0;
-    this.points[0].reset();
-    this.points[1].reset();
+    this.dropPoints();
     this.accepted = true;
     this.persistent = false;
-    this.rolling = 0;
-    this.stepRolling = 0;
     this.fixed = 0;
+  }
+
+  /** @internal new points: nothing is kept of the impulses of old ones */
+  dropPoints(): void {
+    this.manifold.numbers.fill(0, c.NORMAL, c.ELASTICITY);
+    this.usedPoints = 0;
+    this.freshPoints = 0;
+  }
+
+  /** @internal the point `which` is a new one */
+  dropPoint(which: 0 | 1): void {
+    const from = c.NORMAL + c.IMPULSES * which;
+    this.manifold.numbers.fill(0, from, from + c.IMPULSES);
+    this.usedPoints &= ~(1 << which);
+  }
+
+  /** @internal the point `which` is the one that was the other */
+  takePoint(which: 0 | 1): void {
+    const to = c.NORMAL + c.IMPULSES * which;
+    const from = c.NORMAL + c.IMPULSES * (1 - which);
+    this.manifold.numbers.copyWithin(to, from, from + c.IMPULSES);
+    this.usedPoints = which === 0 ? this.usedPoints >> 1 : this.usedPoints << 1;
+    this.dropPoint(which === 0 ? 1 : 0);
+  }
+
+  /** @internal the points gave no impulse in this step; what is kept for the next one stays */
+  idle(): void {
+    const n = this.manifold.numbers;
+    n[c.STEP_NORMAL] = 0;
+    n[c.STEP_TANGENT] = 0;
+    n[c.STEP_NORMAL + c.IMPULSES] = 0;
+    n[c.STEP_TANGENT + c.IMPULSES] = 0;
+    n[c.STEP_ROLL] = 0;
+    this.freshPoints = 0;
   }
 
   private fix(value: number): void {

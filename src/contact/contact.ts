@@ -1,32 +1,33 @@
+import * as g from '../collide/layout.js';
 import { cos, sin } from '../math/trig.js';
 import { type NumberSink, type Vec2, vec2 } from '../math/vectors.js';
 import type { Arbiter } from './arbiter.js';
+import * as c from './layout.js';
 
 /** One point of a collision. Recycled by the engine: do not keep it beyond the next step. */
 export class Contact {
   static readonly version = 1;
-
-  /** Belongs to the latest step; an inactive contact is a cache and has to be skipped. */
-  active = false;
-  /** Found but not used by the velocity solver, because the surfaces are apart here. */
-  virtual = false;
-  /** This is the first step in which the velocity solver uses the point. */
-  fresh = false;
-
-  /** @internal N·s of the whole step */
-  stepNormal = 0;
-  /** @internal */
-  stepTangent = 0;
-  /** @internal N·s of the last sub-step, where the next one starts from */
-  normal = 0;
-  /** @internal */
-  tangent = 0;
 
   /** @internal */
   constructor(
     private readonly arbiter: Arbiter,
     private readonly which: 0 | 1,
   ) {}
+
+  /** Belongs to the latest step; an inactive contact is a cache and has to be skipped. */
+  get active(): boolean {
+    return this.arbiter.active && this.which < this.arbiter.manifold.count;
+  }
+
+  /** Found but not used by the velocity solver, because the surfaces are apart here. */
+  get virtual(): boolean {
+    return (this.arbiter.usedPoints & (1 << this.which)) === 0;
+  }
+
+  /** This is the first step in which the velocity solver uses the point. */
+  get fresh(): boolean {
+    return (this.arbiter.freshPoints & (1 << this.which)) !== 0;
+  }
 
   /** World point half-way into the overlap, at the end of the step, m. */
   getPosition(): Vec2;
@@ -44,30 +45,12 @@ export class Contact {
 
   /** N·s along the arbiter's normal that body B got in the latest step, >= 0; body A got the opposite. */
   getNormalImpulse(): number {
-    return this.stepNormal;
+    return this.arbiter.manifold.numbers[c.STEP_NORMAL + c.IMPULSES * this.which]!;
   }
 
   /** N·s along the tangent (−n.y, n.x) that body B got in the latest step. */
   getTangentImpulse(): number {
-    return this.stepTangent;
-  }
-
-  /** @internal a new point: nothing is kept from before */
-  reset(): void {
-    this.active = false;
-    this.virtual = true;
-    this.fresh = false;
-    this.stepNormal = 0;
-    this.stepTangent = 0;
-    this.normal = 0;
-    this.tangent = 0;
-  }
-
-  /** @internal this is the point that `other` was */
-  take(other: Contact): void {
-    this.normal = other.normal;
-    this.tangent = other.tangent;
-    this.virtual = other.virtual;
+    return this.arbiter.manifold.numbers[c.STEP_TANGENT + c.IMPULSES * this.which]!;
   }
 }
 
@@ -79,12 +62,12 @@ const end = { x: 0.5, y: 0.5, penetration: 0.5 };
  * motion, because most contacts are never asked; inside a step the bodies have not moved yet.
  */
 function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
-  const m = arbiter.manifold;
+  const n = arbiter.manifold.numbers;
   const a = arbiter.bodyA;
   const b = arbiter.bodyB;
-  const x = which === 0 ? m.x0 : m.x1;
-  const y = which === 0 ? m.y0 : m.y1;
-  const separation = which === 0 ? m.separation0 : m.separation1;
+  const x = n[g.X0 + g.POINT * which]!;
+  const y = n[g.Y0 + g.POINT * which]!;
+  const separation = n[g.S0 + g.POINT * which]!;
   if (arbiter.sleeping || a.owner?.stepping || b.owner?.stepping) {
     end.x = a.x + x;
     end.y = a.y + y;
@@ -95,16 +78,15 @@ function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
   const sA = sin(a.lastTurn);
   const cB = cos(b.lastTurn);
   const sB = sin(b.lastTurn);
-  const half = 0.5 * separation;
-  const ax = x - m.nx * half;
-  const ay = y - m.ny * half;
-  const bx = x + m.nx * half - m.dx;
-  const by = y + m.ny * half - m.dy;
-  const onAx = a.x + cA * ax - sA * ay;
-  const onAy = a.y + sA * ax + cA * ay;
-  const onBx = b.x + cB * bx - sB * by;
-  const onBy = b.y + sB * bx + cB * by;
-  end.x = 0.5 * (onAx + onBx);
-  end.y = 0.5 * (onAy + onBy);
-  end.penetration = -(m.nx * (onBx - onAx) + m.ny * (onBy - onAy));
+  const halfX = 0.5 * separation * n[g.NX]!;
+  const halfY = 0.5 * separation * n[g.NY]!;
+  const ax = x - halfX;
+  const ay = y - halfY;
+  const bx = x + halfX - n[g.DX]!;
+  const by = y + halfY - n[g.DY]!;
+  const gapX = b.x - a.x + (cB * bx - sB * by) - (cA * ax - sA * ay);
+  const gapY = b.y - a.y + (sB * bx + cB * by) - (sA * ax + cA * ay);
+  end.x = a.x + (cA * ax - sA * ay) + 0.5 * gapX;
+  end.y = a.y + (sA * ax + cA * ay) + 0.5 * gapY;
+  end.penetration = -(n[g.NX]! * gapX + n[g.NY]! * gapY);
 }

@@ -33,8 +33,10 @@ export const GAIN_Y = 1;
 export const GAIN_W = 2;
 export const KEEP_LINEAR = 3;
 export const KEEP_ANGULAR = 4;
-/** Square of the radius of gyration times REST_SPIN_WEIGHT; negative for bodies that rest damping leaves alone. */
+/** Square of the radius of gyration times REST_SPIN_WEIGHT; negative for bodies that rest damping leaves alone … */
 export const REST_RADIUS = 5;
+/** … as it does with those that have no contact: 1 if the body has one. */
+export const TOUCHED = 6;
 
 /** `spin`: cosine − 1 and sine of the turn since the start of the step. */
 export const COS_LESS_ONE = 0;

@@ -1,12 +1,12 @@
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import * as g from '../collide/layout.js';
 import { collide } from '../collide/table.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { asksFirst, IN_STEP, preSolve } from '../events/events.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { wakeBody } from './sleep.js';
-import { leaveOutAll } from './store.js';
 
 /** Filters, and what makes an interaction possible at all. Sensors are left out: nothing reports them yet. */
 function mayInteract(a: Shape, b: Shape): boolean {
@@ -76,28 +76,28 @@ export function findPairs(world: World): void {
 /** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
 function touch(pair: Arbiter): boolean {
   const m = pair.manifold;
-  const { id0, id1, edgeA, edgeB } = m;
+  const { numbers, id0, id1, edgeA, edgeB } = m;
   const a = pair.shapeA;
   const b = pair.shapeB;
   const bodyA = a.owner!;
   const bodyB = b.owner!;
-  m.dx = bodyB.x - bodyA.x;
-  m.dy = bodyB.y - bodyA.y;
-  m.angleA = bodyA.angle;
-  m.angleB = bodyB.angle;
+  numbers[g.DX] = bodyB.x - bodyA.x;
+  numbers[g.DY] = bodyB.y - bodyA.y;
+  numbers[g.ANGLE_A] = bodyA.angle;
+  numbers[g.ANGLE_B] = bodyB.angle;
   collide(a, b, m);
+  const { contacts } = pair;
   if (m.count === 0) {
+    if (!pair.listed && contacts.length > 0) {
+      pair.forget();
+    }
     return false;
   }
-  const known = pair.contacts.length;
-  if (known !== m.count) {
-    pair.contacts.length = 0;
-    for (let i = 0; i < m.count; i += 1) {
-      const point = pair.points[i]!;
-      point.reset();
-      pair.contacts.push(point);
-    }
-  } else if (known === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
+  if (contacts.length !== m.count) {
+    pair.dropPoints();
+    contacts.length = 0;
+    contacts.push(...pair.points.slice(0, m.count));
+  } else if (m.count === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
     matchPoints(pair, id0, id1);
   }
   return m.overlaps();
@@ -106,19 +106,16 @@ function touch(pair: Arbiter): boolean {
 /** Other edges than in the last step: points are recognised by the corner that limits them. */
 function matchPoints(pair: Arbiter, oldId0: number, oldId1: number): void {
   const { id0, id1 } = pair.manifold;
-  const [p0, p1] = pair.points;
   if (id0 === oldId1) {
-    p0.take(p1);
-    p1.reset();
+    pair.takePoint(0);
   } else if (id1 === oldId0) {
-    p1.take(p0);
-    p0.reset();
+    pair.takePoint(1);
   } else {
     if (id0 !== oldId0) {
-      p0.reset();
+      pair.dropPoint(0);
     }
     if (id1 !== oldId1) {
-      p1.reset();
+      pair.dropPoint(1);
     }
   }
 }
@@ -134,9 +131,6 @@ function interact(world: World, pair: Arbiter): void {
   }
   pair.lastInteraction = stamp;
   pair.active = true;
-  for (const point of pair.contacts) {
-    point.active = true;
-  }
   world.events.interaction(begins ? 'begin' : 'progress', pair, IN_STEP);
   const a = pair.bodyA;
   const b = pair.bodyB;
@@ -145,7 +139,7 @@ function interact(world: World, pair: Arbiter): void {
     wakeBody(world, b, true);
   }
   if (!pair.accepted) {
-    leaveOutAll(pair);
+    pair.dropPoints();
   } else {
     if (a.asleep && a.kind === DYNAMIC) {
       world.hit.push(a);
@@ -174,12 +168,7 @@ function approach(pair: Arbiter): void {
 function part(world: World, pair: Arbiter): void {
   if (pair.active) {
     pair.active = false;
-    pair.stepRolling = 0;
-    for (const point of pair.contacts) {
-      point.active = false;
-      point.stepNormal = 0;
-      point.stepTangent = 0;
-    }
+    pair.idle();
     world.events.interaction('end', pair, IN_STEP);
   }
   if (world.pairs.isExpired(pair, world.timeStamp)) {

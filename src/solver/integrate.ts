@@ -25,7 +25,7 @@ export function integratePositions(data: SolverData, h: number): void {
     let vy = v[i + d.VY]!;
     let w = v[i + d.W]!;
     const radius = f[i + d.REST_RADIUS]!;
-    if (radius >= 0) {
+    if (radius >= 0 && f[i + d.TOUCHED] === 1) {
       const share = (vx * vx + vy * vy + radius * w * w) * inverseSquare;
       if (share < 1) {
         const keep = 1 - REST_DAMPING * h * (1 - share);

@@ -1,13 +1,14 @@
+import * as g from '../collide/layout.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_STATIC,
-  REST_SPIN_WEIGHT,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import * as c from '../contact/layout.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -51,15 +52,15 @@ function packContact(data: SolverData, pair: Arbiter): void {
 
 /** Both points are near enough to matter. */
 function hasTwoPoints(pair: Arbiter): boolean {
-  const m = pair.manifold;
-  return m.count === 2 && m.separation0 <= SPECULATIVE_MARGIN && m.separation1 <= SPECULATIVE_MARGIN;
+  const { count, numbers: n } = pair.manifold;
+  return count === 2 && n[g.S0]! <= SPECULATIVE_MARGIN && n[g.S1]! <= SPECULATIVE_MARGIN;
 }
 
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
   const at = index * d.TWO_STRIDE;
   const pair = batch.arbiters[index]!;
-  const m = pair.manifold;
+  const n = pair.manifold.numbers;
   const records = batch.records;
   packPair(data, batch, index, pair);
   packPoint(data, batch, index, 0, 0);
@@ -79,14 +80,15 @@ function packTwo(data: SolverData, index: number): void {
     records[at + d.K12] = k12;
     records[at + d.INV_DET] = 1 / det;
   } else {
-    const shallow = m.separation0 <= m.separation1 ? d.SECOND : 0;
+    const shallow = n[g.S0]! <= n[g.S1]! ? d.SECOND : 0;
     records[at + shallow + d.START1] = d.NEVER;
     records[at + d.K12] = 0;
     records[at + d.INV_DET] = 1 / (k11 * k22);
   }
-  if (pair.elasticity > 0) {
-    data.bounces.add(true, at, 0, pair.elasticity);
-    data.bounces.add(true, at, d.SECOND, pair.elasticity);
+  const elasticity = n[c.ELASTICITY]!;
+  if (elasticity > 0) {
+    data.bounces.add(true, at, 0, elasticity);
+    data.bounces.add(true, at, d.SECOND, elasticity);
   }
 }
 
@@ -94,9 +96,9 @@ function packOne(data: SolverData, index: number): void {
   const batch = data.one;
   const at = index * d.ONE_STRIDE;
   const pair = batch.arbiters[index]!;
-  const m = pair.manifold;
+  const { count, numbers: n } = pair.manifold;
   const records = batch.records;
-  const second = m.count === 2 && m.separation1 < m.separation0;
+  const second = count === 2 && n[g.S1]! < n[g.S0]!;
   batch.point[index] = second ? 1 : 0;
   packPair(data, batch, index, pair);
   packPoint(data, batch, index, 0, second ? 1 : 0);
@@ -104,13 +106,14 @@ function packOne(data: SolverData, index: number): void {
   const a = batch.bodies[2 * index]!;
   const b = batch.bodies[2 * index + 1]!;
   const k = velocity[a + d.INV_INERTIA]! + velocity[b + d.INV_INERTIA]!;
-  const rolls = m.count === 1 && k > MIN_INVERSE_MASS;
+  const rolls = count === 1 && k > MIN_INVERSE_MASS;
   records[at + d.ROLL_MASS] = rolls ? 1 / k : 0;
-  records[at + d.ROLL_FRICTION] = rolls ? pair.rollingFriction : 0;
-  records[at + d.ROLL] = pair.rolling * data.impulseScale;
+  records[at + d.ROLL_FRICTION] = rolls ? n[c.ROLLING_FRICTION]! : 0;
+  records[at + d.ROLL] = n[c.ROLL]! * data.impulseScale;
   records[at + d.ROLL_SUM] = 0;
-  if (pair.elasticity > 0) {
-    data.bounces.add(false, at, 0, pair.elasticity);
+  const elasticity = n[c.ELASTICITY]!;
+  if (elasticity > 0) {
+    data.bounces.add(false, at, 0, elasticity);
   }
 }
 
@@ -124,23 +127,15 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   const b = bodyB.slot * d.BODY_STRIDE;
   batch.bodies[2 * index] = a;
   batch.bodies[2 * index + 1] = b;
-  records[at + d.NX] = pair.manifold.nx;
-  records[at + d.NY] = pair.manifold.ny;
+  const n = pair.manifold.numbers;
+  records[at + d.NX] = n[g.NX]!;
+  records[at + d.NY] = n[g.NY]!;
   const bothMove = data.velocity[a + d.INV_MASS]! > 0 && data.velocity[b + d.INV_MASS]! > 0;
   records[at + d.SHARE] = bothMove ? PUSH_SHARE_DYNAMIC : PUSH_SHARE_STATIC;
   records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
-  damp(data, a);
-  damp(data, b);
-}
-
-/** A body with a contact is subject to rest damping; a body that nothing moves is not. */
-function damp(data: SolverData, at: number): void {
-  const invMass = data.velocity[at + d.INV_MASS]!;
-  const invInertia = data.velocity[at + d.INV_INERTIA]!;
-  if (invMass > 0 || invInertia > 0) {
-    data.drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
-  }
+  data.drive[a + d.TOUCHED] = 1;
+  data.drive[b + d.TOUCHED] = 1;
 }
 
 /** Arms, masses, friction and kept impulses of point 0 or 1 of a manifold. */
@@ -154,11 +149,11 @@ function packPoint(data: SolverData, batch: ContactBatch, index: number, shift: 
   const b = batch.bodies[2 * index + 1]!;
   const nx = records[base + d.NX]!;
   const ny = records[base + d.NY]!;
-  const m = pair.manifold;
-  const x = which === 0 ? m.x0 : m.x1;
-  const y = which === 0 ? m.y0 : m.y1;
-  const bx = x - m.dx;
-  const by = y - m.dy;
+  const n = pair.manifold.numbers;
+  const x = n[g.X0 + g.POINT * which]!;
+  const y = n[g.Y0 + g.POINT * which]!;
+  const bx = x - n[g.DX]!;
+  const by = y - n[g.DY]!;
   const rnA = x * ny - y * nx;
   const rtA = x * nx + y * ny;
   const rnB = bx * ny - by * nx;
@@ -179,11 +174,10 @@ function packPoint(data: SolverData, batch: ContactBatch, index: number, shift: 
     ny * (velocity[b + d.VX]! - velocity[a + d.VX]!) +
     rtB * velocity[b + d.W]! -
     rtA * velocity[a + d.W]!;
-  records[at + d.FRICTION1] = vt * vt > STATIC_FRICTION_SPEED_SQUARED ? pair.dynamicFriction : pair.staticFriction;
-  records[at + d.START1] = which === 0 ? m.separation0 : m.separation1;
+  records[at + d.FRICTION1] = vt * vt > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!;
+  records[at + d.START1] = n[g.S0 + g.POINT * which]!;
   records[at + d.NORMAL_SUM1] = 0;
   records[at + d.TANGENT_SUM1] = 0;
-  const point = pair.points[which]!;
-  records[at + d.NORMAL1] = point.normal * data.impulseScale;
-  records[at + d.TANGENT1] = point.tangent * data.impulseScale;
+  records[at + d.NORMAL1] = n[c.NORMAL + c.IMPULSES * which]! * data.impulseScale;
+  records[at + d.TANGENT1] = n[c.TANGENT + c.IMPULSES * which]! * data.impulseScale;
 }

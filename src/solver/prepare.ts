@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { REST_SPIN_WEIGHT } from '../config.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
@@ -35,6 +36,7 @@ function packBodies(world: World, h: number): void {
     drive[at + d.GAIN_X] = invMass === 0 ? 0 : (body.fx * invMass + world.gravityX) * h;
     drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (body.fy * invMass + world.gravityY) * h;
     drive[at + d.GAIN_W] = body.appliedTorque * invInertia * h;
+    drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
     drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : keep;
     drive[at + d.KEEP_ANGULAR] =
       invInertia === 0 ? 1 : body.angularDrag === drag ? keep : keepAfter(body.angularDrag, h);
@@ -69,5 +71,5 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   velocity[at + d.INV_INERTIA] = invInertia;
   motion[at + d.INV_MASS] = invMass;
   motion[at + d.INV_INERTIA] = invInertia;
-  data.drive[at + d.REST_RADIUS] = -1;
+  data.drive[at + d.TOUCHED] = 0;
 }

@@ -1,7 +1,8 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
+import * as g from '../collide/layout.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import type { Contact } from '../contact/contact.js';
+import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
@@ -46,32 +47,60 @@ function storeBody(data: SolverData, body: RigidBody): void {
 }
 
 function storeContacts(world: World, data: SolverData, batch: ContactBatch): void {
-  const r = batch.records;
   const two = batch === data.two;
   for (let k = 0; k < batch.count; k += 1) {
-    const at = k * batch.stride;
     const pair = batch.arbiters[k]!;
+    const used = pair.usedPoints;
     if (two) {
       storePoint(batch, k, 0, 0);
       storePoint(batch, k, d.SECOND, 1);
     } else {
-      const index = batch.point[k]!;
-      storePoint(batch, k, 0, index);
-      pair.rolling = r[at + d.ROLL]!;
-      pair.stepRolling = r[at + d.ROLL_SUM]! + pair.rolling;
-      if (pair.manifold.count === 2) {
-        leaveOut(pair.points[1 - index]!);
-      }
+      storeOne(batch, k);
     }
+    pair.freshPoints = pair.usedPoints & ~used;
     if (pair.near) {
       meet(world, pair);
     }
   }
 }
 
+/** A contact of one point; a second point that the solver did not see has no impulse. */
+function storeOne(batch: ContactBatch, index: number): void {
+  const pair = batch.arbiters[index]!;
+  const n = pair.manifold.numbers;
+  const at = index * batch.stride;
+  const which = batch.point[index]!;
+  if (pair.manifold.count === 2) {
+    pair.dropPoint(which === 0 ? 1 : 0);
+  }
+  storePoint(batch, index, 0, which);
+  const roll = batch.records[at + d.ROLL]!;
+  n[c.ROLL] = roll;
+  n[c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
+}
+
+/** The impulses of point 0 or 1. A point that was apart from the start and met nothing was not used. */
+function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
+  const r = batch.records;
+  const i = index * batch.stride + shift;
+  const pair = batch.arbiters[index]!;
+  const n = pair.manifold.numbers;
+  const to = c.IMPULSES * which;
+  const normal = r[i + d.NORMAL1]!;
+  const tangent = r[i + d.TANGENT1]!;
+  const total = r[i + d.NORMAL_SUM1]! + normal;
+  n[c.NORMAL + to] = normal;
+  n[c.TANGENT + to] = tangent;
+  n[c.STEP_NORMAL + to] = total;
+  n[c.STEP_TANGENT + to] = r[i + d.TANGENT_SUM1]! + tangent;
+  const bit = 1 << which;
+  pair.usedPoints = n[g.S0 + g.POINT * which]! > 0 && total === 0 ? pair.usedPoints & ~bit : pair.usedPoints | bit;
+}
+
 /** Surfaces that were apart when the step began and met during it: the interaction begins late in the step. */
 function meet(world: World, pair: Arbiter): void {
-  if (!pair.contacts.some((point) => point.stepNormal > 0)) {
+  const n = pair.manifold.numbers;
+  if (n[c.STEP_NORMAL] === 0 && (pair.manifold.count === 1 || n[c.STEP_NORMAL + c.IMPULSES] === 0)) {
     return;
   }
   if (!pair.listed) {
@@ -79,51 +108,9 @@ function meet(world: World, pair: Arbiter): void {
     const dynamic = pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC;
     pair.listIndex = (dynamic ? world.dynamicArbiters : world.staticArbiters).push(pair) - 1;
   }
-  for (const point of pair.contacts) {
-    point.active = true;
-  }
   pair.persistent = false;
   pair.accepted = true;
   pair.active = true;
   pair.lastInteraction = world.timeStamp;
   world.events.interaction('begin', pair, FOUND_LATE);
-}
-
-/** A point that the solver did not see. */
-function leaveOut(point: Contact): void {
-  point.virtual = true;
-  point.fresh = false;
-  point.normal = 0;
-  point.tangent = 0;
-  point.stepNormal = 0;
-  point.stepTangent = 0;
-}
-
-/** A collision that a handler has rejected: its contacts are listed, and do nothing. */
-export function leaveOutAll(pair: Arbiter): void {
-  pair.rolling = 0;
-  pair.stepRolling = 0;
-  for (const point of pair.contacts) {
-    leaveOut(point);
-  }
-}
-
-/** The impulses of point 0 or 1. */
-function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
-  const r = batch.records;
-  const i = index * batch.stride + shift;
-  const pair = batch.arbiters[index]!;
-  const point = pair.points[which]!;
-  const apart = (which === 0 ? pair.manifold.separation0 : pair.manifold.separation1) > 0;
-  const normal = r[i + d.NORMAL1]!;
-  const tangent = r[i + d.TANGENT1]!;
-  const total = r[i + d.NORMAL_SUM1]! + normal;
-  point.normal = normal;
-  point.tangent = tangent;
-  point.stepNormal = total;
-  point.stepTangent = r[i + d.TANGENT_SUM1]! + tangent;
-  const wasVirtual = point.virtual;
-  const isVirtual = apart && total === 0;
-  point.virtual = isVirtual;
-  point.fresh = wasVirtual && !isVirtual;
 }
