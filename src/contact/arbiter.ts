@@ -41,8 +41,6 @@ export class Arbiter {
   lastInteraction = -1;
   /** @internal the last step in which the broadphase reported the pair */
   seen = -1;
-  /** @internal the step in which it fell asleep */
-  sleptAt = -1;
   /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
   listed = false;
   /** @internal taken out of everything; dropped from the sorted list when that is next walked */

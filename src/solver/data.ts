@@ -98,8 +98,11 @@ export const NORMAL_SUM2 = NORMAL_SUM1 + SECOND;
 export const TANGENT_SUM2 = TANGENT_SUM1 + SECOND;
 export const K22 = K11 + SECOND;
 export const K12 = 33;
-export const INV_DET = 34;
-export const TWO_STRIDE = 36;
+/** K⁻¹. */
+export const I11 = 34;
+export const I12 = 35;
+export const I22 = 36;
+export const TWO_STRIDE = 40;
 
 /** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
 export const WINDOW = 128;

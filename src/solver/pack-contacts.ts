@@ -56,35 +56,88 @@ function hasTwoPoints(pair: Arbiter): boolean {
   return count === 2 && n[g.S0]! <= SPECULATIVE_MARGIN && n[g.S1]! <= SPECULATIVE_MARGIN;
 }
 
+/** Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. */
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
   const at = index * d.TWO_STRIDE;
   const pair = batch.arbiters[index]!;
   const n = pair.manifold.numbers;
-  const records = batch.records;
+  const r = batch.records;
+  const v = data.velocity;
   packPair(data, batch, index, pair);
-  packPoint(data, batch, index, 0, 0);
-  packPoint(data, batch, index, d.SECOND, 1);
-  const { velocity } = data;
   const a = batch.bodies[2 * index]!;
   const b = batch.bodies[2 * index + 1]!;
-  const k11 = records[at + d.K11]!;
-  const k22 = records[at + d.K22]!;
-  const k12 =
-    velocity[a + d.INV_MASS]! +
-    velocity[b + d.INV_MASS]! +
-    velocity[a + d.INV_INERTIA]! * records[at + d.RN_A1]! * records[at + d.RN_A2]! +
-    velocity[b + d.INV_INERTIA]! * records[at + d.RN_B1]! * records[at + d.RN_B2]!;
+  const nx = n[g.NX]!;
+  const ny = n[g.NY]!;
+  const x1 = n[g.X0]!;
+  const y1 = n[g.Y0]!;
+  const x2 = n[g.X1]!;
+  const y2 = n[g.Y1]!;
+  const dn = n[g.DX]! * nx + n[g.DY]! * ny;
+  const dc = n[g.DX]! * ny - n[g.DY]! * nx;
+  const rnA1 = x1 * ny - y1 * nx;
+  const rtA1 = x1 * nx + y1 * ny;
+  const rnA2 = x2 * ny - y2 * nx;
+  const rtA2 = x2 * nx + y2 * ny;
+  const rnB1 = rnA1 - dc;
+  const rtB1 = rtA1 - dn;
+  const rnB2 = rnA2 - dc;
+  const rtB2 = rtA2 - dn;
+  r[at + d.RN_A1] = rnA1;
+  r[at + d.RN_B1] = rnB1;
+  r[at + d.RT_A1] = rtA1;
+  r[at + d.RT_B1] = rtB1;
+  r[at + d.RN_A2] = rnA2;
+  r[at + d.RN_B2] = rnB2;
+  r[at + d.RT_A2] = rtA2;
+  r[at + d.RT_B2] = rtB2;
+
+  const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
+  const iA = v[a + d.INV_INERTIA]!;
+  const iB = v[b + d.INV_INERTIA]!;
+  const kt1 = mass + iA * rtA1 * rtA1 + iB * rtB1 * rtB1;
+  const kt2 = mass + iA * rtA2 * rtA2 + iB * rtB2 * rtB2;
+  r[at + d.TANGENT_MASS1] = kt1 > MIN_INVERSE_MASS ? 1 / kt1 : 0;
+  r[at + d.TANGENT_MASS2] = kt2 > MIN_INVERSE_MASS ? 1 / kt2 : 0;
+  const kn1 = mass + iA * rnA1 * rnA1 + iB * rnB1 * rnB1;
+  const kn2 = mass + iA * rnA2 * rnA2 + iB * rnB2 * rnB2;
+  const k11 = kn1 > MIN_INVERSE_MASS ? kn1 : d.IMMOVABLE;
+  const k22 = kn2 > MIN_INVERSE_MASS ? kn2 : d.IMMOVABLE;
+  const k12 = mass + iA * rnA1 * rnA2 + iB * rnB1 * rnB2;
   const det = k11 * k22 - k12 * k12;
-  if (k11 * k11 < MAX_CONDITION * det) {
-    records[at + d.K12] = k12;
-    records[at + d.INV_DET] = 1 / det;
-  } else {
-    const shallow = n[g.S0]! <= n[g.S1]! ? d.SECOND : 0;
-    records[at + shallow + d.START1] = d.NEVER;
-    records[at + d.K12] = 0;
-    records[at + d.INV_DET] = 1 / (k11 * k22);
-  }
+  const together = k11 * k11 < MAX_CONDITION * det;
+  const inverse = together ? 1 / det : 1 / (k11 * k22);
+  r[at + d.K11] = k11;
+  r[at + d.K22] = k22;
+  r[at + d.K12] = together ? k12 : 0;
+  r[at + d.I11] = k22 * inverse;
+  r[at + d.I12] = together ? -k12 * inverse : 0;
+  r[at + d.I22] = k11 * inverse;
+
+  const s1 = n[g.S0]!;
+  const s2 = n[g.S1]!;
+  r[at + d.START1] = together || s1 <= s2 ? s1 : d.NEVER;
+  r[at + d.START2] = together || s2 < s1 ? s2 : d.NEVER;
+
+  const wA = v[a + d.W]!;
+  const wB = v[b + d.W]!;
+  const slide = nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!);
+  const slide1 = slide + rtB1 * wB - rtA1 * wA;
+  const slide2 = slide + rtB2 * wB - rtA2 * wA;
+  const hold = n[c.STATIC_FRICTION]!;
+  const rub = n[c.DYNAMIC_FRICTION]!;
+  r[at + d.FRICTION1] = slide1 * slide1 > STATIC_FRICTION_SPEED_SQUARED ? rub : hold;
+  r[at + d.FRICTION2] = slide2 * slide2 > STATIC_FRICTION_SPEED_SQUARED ? rub : hold;
+
+  const scale = data.impulseScale;
+  r[at + d.NORMAL1] = n[c.NORMAL]! * scale;
+  r[at + d.TANGENT1] = n[c.TANGENT]! * scale;
+  r[at + d.NORMAL2] = n[c.NORMAL + c.IMPULSES]! * scale;
+  r[at + d.TANGENT2] = n[c.TANGENT + c.IMPULSES]! * scale;
+  r[at + d.NORMAL_SUM1] = 0;
+  r[at + d.TANGENT_SUM1] = 0;
+  r[at + d.NORMAL_SUM2] = 0;
+  r[at + d.TANGENT_SUM2] = 0;
   const elasticity = n[c.ELASTICITY]!;
   if (elasticity > 0) {
     data.bounces.add(true, at, 0, elasticity);
@@ -92,25 +145,58 @@ function packTwo(data: SolverData, index: number): void {
   }
 }
 
+/** The same for a contact of one point; of two points the deeper one. */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
   const at = index * d.ONE_STRIDE;
   const pair = batch.arbiters[index]!;
   const { count, numbers: n } = pair.manifold;
-  const records = batch.records;
-  const second = count === 2 && n[g.S1]! < n[g.S0]!;
-  batch.point[index] = second ? 1 : 0;
+  const r = batch.records;
+  const v = data.velocity;
+  const which = count === 2 && n[g.S1]! < n[g.S0]! ? 1 : 0;
+  batch.point[index] = which;
   packPair(data, batch, index, pair);
-  packPoint(data, batch, index, 0, second ? 1 : 0);
-  const { velocity } = data;
   const a = batch.bodies[2 * index]!;
   const b = batch.bodies[2 * index + 1]!;
-  const k = velocity[a + d.INV_INERTIA]! + velocity[b + d.INV_INERTIA]!;
-  const rolls = count === 1 && k > MIN_INVERSE_MASS;
-  records[at + d.ROLL_MASS] = rolls ? 1 / k : 0;
-  records[at + d.ROLL_FRICTION] = rolls ? n[c.ROLLING_FRICTION]! : 0;
-  records[at + d.ROLL] = n[c.ROLL]! * data.impulseScale;
-  records[at + d.ROLL_SUM] = 0;
+  const nx = n[g.NX]!;
+  const ny = n[g.NY]!;
+  const ax = n[g.X0 + g.POINT * which]!;
+  const ay = n[g.Y0 + g.POINT * which]!;
+  const bx = ax - n[g.DX]!;
+  const by = ay - n[g.DY]!;
+  const rnA = ax * ny - ay * nx;
+  const rtA = ax * nx + ay * ny;
+  const rnB = bx * ny - by * nx;
+  const rtB = bx * nx + by * ny;
+  r[at + d.RN_A1] = rnA;
+  r[at + d.RN_B1] = rnB;
+  r[at + d.RT_A1] = rtA;
+  r[at + d.RT_B1] = rtB;
+
+  const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
+  const iA = v[a + d.INV_INERTIA]!;
+  const iB = v[b + d.INV_INERTIA]!;
+  const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
+  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
+  const rolls = count === 1 && iA + iB > MIN_INVERSE_MASS;
+  r[at + d.K11] = kn > MIN_INVERSE_MASS ? kn : d.IMMOVABLE;
+  r[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
+  r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
+  r[at + d.ROLL_FRICTION] = rolls ? n[c.ROLLING_FRICTION]! : 0;
+  r[at + d.START1] = n[g.S0 + g.POINT * which]!;
+
+  const slide =
+    nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
+  const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
+  r[at + d.FRICTION1] = slides ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!;
+
+  const scale = data.impulseScale;
+  r[at + d.NORMAL1] = n[c.NORMAL + c.IMPULSES * which]! * scale;
+  r[at + d.TANGENT1] = n[c.TANGENT + c.IMPULSES * which]! * scale;
+  r[at + d.ROLL] = n[c.ROLL]! * scale;
+  r[at + d.NORMAL_SUM1] = 0;
+  r[at + d.TANGENT_SUM1] = 0;
+  r[at + d.ROLL_SUM] = 0;
   const elasticity = n[c.ELASTICITY]!;
   if (elasticity > 0) {
     data.bounces.add(false, at, 0, elasticity);
@@ -136,48 +222,4 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   data.drive[a + d.TOUCHED] = 1;
   data.drive[b + d.TOUCHED] = 1;
-}
-
-/** Arms, masses, friction and kept impulses of point 0 or 1 of a manifold. */
-function packPoint(data: SolverData, batch: ContactBatch, index: number, shift: number, which: number): void {
-  const { velocity } = data;
-  const records = batch.records;
-  const pair = batch.arbiters[index]!;
-  const base = index * batch.stride;
-  const at = base + shift;
-  const a = batch.bodies[2 * index]!;
-  const b = batch.bodies[2 * index + 1]!;
-  const nx = records[base + d.NX]!;
-  const ny = records[base + d.NY]!;
-  const n = pair.manifold.numbers;
-  const x = n[g.X0 + g.POINT * which]!;
-  const y = n[g.Y0 + g.POINT * which]!;
-  const bx = x - n[g.DX]!;
-  const by = y - n[g.DY]!;
-  const rnA = x * ny - y * nx;
-  const rtA = x * nx + y * ny;
-  const rnB = bx * ny - by * nx;
-  const rtB = bx * nx + by * ny;
-  records[at + d.RN_A1] = rnA;
-  records[at + d.RN_B1] = rnB;
-  records[at + d.RT_A1] = rtA;
-  records[at + d.RT_B1] = rtB;
-  const mass = velocity[a + d.INV_MASS]! + velocity[b + d.INV_MASS]!;
-  const iA = velocity[a + d.INV_INERTIA]!;
-  const iB = velocity[b + d.INV_INERTIA]!;
-  const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
-  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
-  records[at + d.K11] = kn > MIN_INVERSE_MASS ? kn : d.IMMOVABLE;
-  records[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
-  const vt =
-    nx * (velocity[b + d.VY]! - velocity[a + d.VY]!) -
-    ny * (velocity[b + d.VX]! - velocity[a + d.VX]!) +
-    rtB * velocity[b + d.W]! -
-    rtA * velocity[a + d.W]!;
-  records[at + d.FRICTION1] = vt * vt > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!;
-  records[at + d.START1] = n[g.S0 + g.POINT * which]!;
-  records[at + d.NORMAL_SUM1] = 0;
-  records[at + d.TANGENT_SUM1] = 0;
-  records[at + d.NORMAL1] = n[c.NORMAL + c.IMPULSES * which]! * data.impulseScale;
-  records[at + d.TANGENT1] = n[c.TANGENT + c.IMPULSES * which]! * data.impulseScale;
 }

@@ -111,7 +111,7 @@ function wakePair(world: World, pair: Arbiter): void {
 export function sleepBody(world: World, body: RigidBody): void {
   if (body.kind === DYNAMIC && !body.asleep) {
     quieten(world, body);
-    sleepPairs(world, body);
+    sleepPairs(body);
   }
 }
 
@@ -127,18 +127,17 @@ export function sleepIsland(world: World, bodies: RigidBody[]): void {
     world.events.body('sleep', body);
   }
   for (const body of bodies) {
-    sleepPairs(world, body);
+    sleepPairs(body);
   }
 }
 
 /** Running interactions with something that sleeps as well stop costing anything. */
-export function sleepPairs(world: World, body: RigidBody): void {
+export function sleepPairs(body: RigidBody): void {
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
       if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
         pair.sleeping = true;
         pair.active = false;
-        pair.sleptAt = world.timeStamp;
       }
     }
   }
@@ -151,7 +150,7 @@ export function sleepKinematics(world: World): void {
     const body = live[i]!;
     if (body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
-      sleepPairs(world, body);
+      sleepPairs(body);
     }
   }
 }

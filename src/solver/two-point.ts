@@ -66,7 +66,7 @@ export function warmStartTwo(data: SolverData, h: number, first: boolean): void 
 /**
  * One velocity iteration. Friction of each point, within ± μ · normal impulse; then both normals as one linear
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
- * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · (impulse so far).
+ * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
  */
 export function solveVelocityTwo(data: SolverData): void {
   const { records: r, bodies, count } = data.two;
@@ -120,15 +120,17 @@ export function solveVelocityTwo(data: SolverData): void {
     const rnB1 = r[i + d.RN_B1]!;
     const rnA2 = r[i + d.RN_A2]!;
     const rnB2 = r[i + d.RN_B2]!;
-    const k11 = r[i + d.K11]!;
-    const k12 = r[i + d.K12]!;
-    const k22 = r[i + d.K22]!;
-    const b1 = vn + rnB1 * wB - rnA1 * wA + r[i + d.BIAS1]! - k11 * p1 - k12 * p2;
-    const b2 = vn + rnB2 * wB - rnA2 * wA + r[i + d.BIAS2]! - k12 * p1 - k22 * p2;
-    const inverse = r[i + d.INV_DET]!;
-    let x1 = (k12 * b2 - k22 * b1) * inverse;
-    let x2 = (k12 * b1 - k11 * b2) * inverse;
+    const c1 = vn + rnB1 * wB - rnA1 * wA + r[i + d.BIAS1]!;
+    const c2 = vn + rnB2 * wB - rnA2 * wA + r[i + d.BIAS2]!;
+    const i12 = r[i + d.I12]!;
+    let x1 = p1 - (r[i + d.I11]! * c1 + i12 * c2);
+    let x2 = p2 - (i12 * c1 + r[i + d.I22]! * c2);
     if (!(x1 >= 0 && x2 >= 0)) {
+      const k11 = r[i + d.K11]!;
+      const k12 = r[i + d.K12]!;
+      const k22 = r[i + d.K22]!;
+      const b1 = c1 - k11 * p1 - k12 * p2;
+      const b2 = c2 - k12 * p1 - k22 * p2;
       x1 = -b1 / k11;
       x2 = 0;
       if (!(x1 >= 0 && k12 * x1 + b2 >= 0)) {
@@ -197,16 +199,13 @@ export function solvePositionTwo(data: SolverData): number {
     const share = r[i + d.SHARE]!;
     const e1 = c1 < 0 ? Math.max(share * c1, -MAX_PUSH) : 0;
     const e2 = c2 < 0 ? Math.max(share * c2, -MAX_PUSH) : 0;
-    const k11 = r[i + d.K11]!;
-    const k12 = r[i + d.K12]!;
-    const k22 = r[i + d.K22]!;
-    const inverse = r[i + d.INV_DET]!;
-    let x1 = (k12 * e2 - k22 * e1) * inverse;
-    let x2 = (k12 * e1 - k11 * e2) * inverse;
+    const i12 = r[i + d.I12]!;
+    let x1 = -(r[i + d.I11]! * e1 + i12 * e2);
+    let x2 = -(i12 * e1 + r[i + d.I22]! * e2);
     if (x1 < 0 || x2 < 0) {
       const firstDeeper = c1 < c2;
-      x1 = firstDeeper ? -e1 / k11 : 0;
-      x2 = firstDeeper ? 0 : -e2 / k22;
+      x1 = firstDeeper ? -e1 / r[i + d.K11]! : 0;
+      x2 = firstDeeper ? 0 : -e2 / r[i + d.K22]!;
     }
     const x = x1 + x2;
     const mA = q[a + d.INV_MASS]! * x;
