@@ -104,6 +104,12 @@ export const I12 = 35;
 export const I22 = 36;
 export const TWO_STRIDE = 40;
 
+/**
+ * Offsets pass through this mask in the hot loops. It changes none, as no array is that long, but tells the compiler that they are small,
+ * so that adding a field to one needs no check for overflow: a twentieth of a step.
+ */
+export const OFFSET = 0xfffffff;
+
 /** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
 export const WINDOW = 128;
 export const RUN = 32;

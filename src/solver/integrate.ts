@@ -6,8 +6,9 @@ import * as d from './data.js';
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function integrateVelocities(data: SolverData): void {
   const { velocity: v, drive: f } = data;
-  const end = data.bodyCount * d.BODY_STRIDE;
-  for (let i = d.BODY_STRIDE; i < end; i += d.BODY_STRIDE) {
+  const { bodyCount } = data;
+  for (let k = 1; k < bodyCount; k += 1) {
+    const i = (k * d.BODY_STRIDE) & d.OFFSET;
     const keep = f[i + d.KEEP_LINEAR]!;
     v[i + d.VX] = (v[i + d.VX]! + f[i + d.GAIN_X]!) * keep;
     v[i + d.VY] = (v[i + d.VY]! + f[i + d.GAIN_Y]!) * keep;
@@ -18,9 +19,10 @@ export function integrateVelocities(data: SolverData): void {
 /** The motion of one sub-step, q = v·h, after rest damping of slow bodies in contact. */
 export function integratePositions(data: SolverData, h: number): void {
   const { velocity: v, motion: q, drive: f } = data;
-  const end = data.bodyCount * d.BODY_STRIDE;
+  const { bodyCount } = data;
   const inverseSquare = 1 / (REST_SPEED * REST_SPEED);
-  for (let i = d.BODY_STRIDE; i < end; i += d.BODY_STRIDE) {
+  for (let k = 1; k < bodyCount; k += 1) {
+    const i = (k * d.BODY_STRIDE) & d.OFFSET;
     let vx = v[i + d.VX]!;
     let vy = v[i + d.VY]!;
     let w = v[i + d.W]!;
@@ -46,13 +48,14 @@ export function integratePositions(data: SolverData, h: number): void {
 /** Adds the motion of the sub-step, pushes included, to that of the step. */
 export function advance(data: SolverData): void {
   const { motion: q, spin } = data;
-  const count = data.bodyCount;
-  for (let k = 1, i = d.BODY_STRIDE; k < count; k += 1, i += d.BODY_STRIDE) {
+  const { bodyCount } = data;
+  for (let k = 1; k < bodyCount; k += 1) {
+    const i = (k * d.BODY_STRIDE) & d.OFFSET;
     q[i + d.DX] = q[i + d.DX]! + q[i + d.QX]!;
     q[i + d.DY] = q[i + d.DY]! + q[i + d.QY]!;
     const turn = q[i + d.DW]! + q[i + d.QW]!;
     q[i + d.DW] = turn;
-    const at = k * d.SPIN_STRIDE;
+    const at = (k * d.SPIN_STRIDE) & d.OFFSET;
     if (turn < d.SMALL_TURN && turn > -d.SMALL_TURN) {
       const s = turn * turn;
       spin[at + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));

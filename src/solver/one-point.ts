@@ -8,9 +8,10 @@ export function warmStartOne(data: SolverData, h: number, first: boolean): void 
   const { velocity: v, motion: q, spin } = data;
   const keep = first ? 0 : 1;
   const inverseH = 1 / h;
-  for (let k = 0, i = 0; k < count; k += 1, i += d.ONE_STRIDE) {
-    const a = bodies[2 * k]!;
-    const b = bodies[2 * k + 1]!;
+  for (let k = 0; k < count; k += 1) {
+    const i = (k * d.ONE_STRIDE) & d.OFFSET;
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
     const sa = (a >> 3) * d.SPIN_STRIDE;
     const sb = (b >> 3) * d.SPIN_STRIDE;
     const nx = r[i + d.NX]!;
@@ -53,9 +54,10 @@ export function warmStartOne(data: SolverData, h: number, first: boolean): void 
 export function solveVelocityOne(data: SolverData): void {
   const { records: r, bodies, count } = data.one;
   const v = data.velocity;
-  for (let k = 0, i = 0; k < count; k += 1, i += d.ONE_STRIDE) {
-    const a = bodies[2 * k]!;
-    const b = bodies[2 * k + 1]!;
+  for (let k = 0; k < count; k += 1) {
+    const i = (k * d.ONE_STRIDE) & d.OFFSET;
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;
     const ny = r[i + d.NY]!;
     const mA = v[a + d.INV_MASS]!;
@@ -114,9 +116,10 @@ export function solvePositionOne(data: SolverData): number {
   const { records: r, bodies, count } = data.one;
   const q = data.motion;
   let worst = 0;
-  for (let k = 0, i = 0; k < count; k += 1, i += d.ONE_STRIDE) {
-    const a = bodies[2 * k]!;
-    const b = bodies[2 * k + 1]!;
+  for (let k = 0; k < count; k += 1) {
+    const i = (k * d.ONE_STRIDE) & d.OFFSET;
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;
     const ny = r[i + d.NY]!;
     const rnA = r[i + d.RN_A1]!;

@@ -59,14 +59,14 @@ function hasTwoPoints(pair: Arbiter): boolean {
 /** Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. */
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
-  const at = index * d.TWO_STRIDE;
+  const at = (index * d.TWO_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const n = pair.manifold.numbers;
   const r = batch.records;
   const v = data.velocity;
   packPair(data, batch, index, pair);
-  const a = batch.bodies[2 * index]!;
-  const b = batch.bodies[2 * index + 1]!;
+  const a = batch.bodies[2 * index]! & d.OFFSET;
+  const b = batch.bodies[2 * index + 1]! & d.OFFSET;
   const nx = n[g.NX]!;
   const ny = n[g.NY]!;
   const x1 = n[g.X0]!;
@@ -148,7 +148,7 @@ function packTwo(data: SolverData, index: number): void {
 /** The same for a contact of one point; of two points the deeper one. */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
-  const at = index * d.ONE_STRIDE;
+  const at = (index * d.ONE_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { count, numbers: n } = pair.manifold;
   const r = batch.records;
@@ -156,8 +156,8 @@ function packOne(data: SolverData, index: number): void {
   const which = count === 2 && n[g.S1]! < n[g.S0]! ? 1 : 0;
   batch.point[index] = which;
   packPair(data, batch, index, pair);
-  const a = batch.bodies[2 * index]!;
-  const b = batch.bodies[2 * index + 1]!;
+  const a = batch.bodies[2 * index]! & d.OFFSET;
+  const b = batch.bodies[2 * index + 1]! & d.OFFSET;
   const nx = n[g.NX]!;
   const ny = n[g.NY]!;
   const ax = n[g.X0 + g.POINT * which]!;

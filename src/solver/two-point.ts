@@ -13,9 +13,10 @@ export function warmStartTwo(data: SolverData, h: number, first: boolean): void 
   const { velocity: v, motion: q, spin } = data;
   const keep = first ? 0 : 1;
   const inverseH = 1 / h;
-  for (let k = 0, i = 0; k < count; k += 1, i += d.TWO_STRIDE) {
-    const a = bodies[2 * k]!;
-    const b = bodies[2 * k + 1]!;
+  for (let k = 0; k < count; k += 1) {
+    const i = (k * d.TWO_STRIDE) & d.OFFSET;
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
     const sa = (a >> 3) * d.SPIN_STRIDE;
     const sb = (b >> 3) * d.SPIN_STRIDE;
     const nx = r[i + d.NX]!;
@@ -71,9 +72,10 @@ export function warmStartTwo(data: SolverData, h: number, first: boolean): void 
 export function solveVelocityTwo(data: SolverData): void {
   const { records: r, bodies, count } = data.two;
   const v = data.velocity;
-  for (let k = 0, i = 0; k < count; k += 1, i += d.TWO_STRIDE) {
-    const a = bodies[2 * k]!;
-    const b = bodies[2 * k + 1]!;
+  for (let k = 0; k < count; k += 1) {
+    const i = (k * d.TWO_STRIDE) & d.OFFSET;
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;
     const ny = r[i + d.NY]!;
     const mA = v[a + d.INV_MASS]!;
@@ -173,9 +175,10 @@ export function solvePositionTwo(data: SolverData): number {
   const { records: r, bodies, count } = data.two;
   const q = data.motion;
   let worst = 0;
-  for (let k = 0, i = 0; k < count; k += 1, i += d.TWO_STRIDE) {
-    const a = bodies[2 * k]!;
-    const b = bodies[2 * k + 1]!;
+  for (let k = 0; k < count; k += 1) {
+    const i = (k * d.TWO_STRIDE) & d.OFFSET;
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;
     const ny = r[i + d.NY]!;
     const rnA1 = r[i + d.RN_A1]!;
