@@ -40,7 +40,6 @@ function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle):
  */
 export function findPairs(world: World): void {
   const pairs = world.pairs;
-  const stamp = world.timeStamp;
   pairs.recycle();
   world.broadphase.perform(report, world);
   pairs.merge();
@@ -48,29 +47,38 @@ export function findPairs(world: World): void {
   let kept = 0;
   for (let i = 0; i < sorted.length; i += 1) {
     const pair = sorted[i]!;
-    if (pair.dead || pair.sleeping) {
+    if (pair.dead || pair.sleeping || !renew(world, pair)) {
       pair.awake = false;
       continue;
-    }
-    pair.near = false;
-    if (pair.seen === stamp && touch(pair)) {
-      interact(world, pair);
-    } else {
-      part(world, pair);
-      if (pair.seen === stamp && pair.manifold.count > 0) {
-        approach(pair);
-      }
-      if (pair.seen !== stamp && !pair.listed) {
-        pair.awake = false;
-        pairs.retire(pair);
-        continue;
-      }
     }
     sorted[kept] = pair;
     kept += 1;
   }
   sorted.length = kept;
   wakeHit(world);
+}
+
+/** Works out what a pair does in this step. @returns whether there is still something to it. */
+function renew(world: World, pair: Arbiter): boolean {
+  pair.near = false;
+  if (pair.lastInteraction === world.timeStamp) {
+    // Woken by a handler a moment ago: it goes on with the manifold it fell asleep with.
+    return true;
+  }
+  const isReported = pair.seen === world.timeStamp;
+  if (isReported && touch(pair)) {
+    interact(world, pair);
+    return true;
+  }
+  part(world, pair);
+  if (isReported && pair.manifold.count > 0) {
+    approach(pair);
+  }
+  if (!isReported && !pair.listed) {
+    world.pairs.retire(pair);
+    return false;
+  }
+  return true;
 }
 
 /** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
@@ -135,8 +143,8 @@ function interact(world: World, pair: Arbiter): void {
   const a = pair.bodyA;
   const b = pair.bodyB;
   if (preSolve(world.events, pair)) {
-    wakeBody(world, a, true);
-    wakeBody(world, b, true);
+    a.wakeTime = stamp;
+    b.wakeTime = stamp;
   }
   if (!pair.accepted) {
     pair.dropPoints();

@@ -4,7 +4,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { BEFORE_STEP } from '../events/events.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { enliven, quieten, wakeBody } from './sleep.js';
+import { enliven, leaveLists, quieten, wakeBody } from './sleep.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {
@@ -33,21 +33,8 @@ function cutPair(world: World, pair: Arbiter): void {
   if (pair.active || pair.sleeping) {
     world.events.interaction('end', pair, BEFORE_STEP);
   }
-  removeFrom(world.dynamicArbiters, pair);
-  removeFrom(world.staticArbiters, pair);
+  leaveLists(world, pair);
   world.pairs.cutOff(pair);
-}
-
-function removeFrom(list: Arbiter[], pair: Arbiter): void {
-  const at = pair.listIndex;
-  if (list[at] !== pair) {
-    return;
-  }
-  const last = list.pop()!;
-  if (last !== pair) {
-    list[at] = last;
-    last.listIndex = at;
-  }
 }
 
 /** Changes the type of a body in this world, outside a step. Interactions that the new type cannot have end. */

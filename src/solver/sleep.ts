@@ -104,6 +104,8 @@ function wakePair(world: World, pair: Arbiter): void {
   if (world.stepping) {
     pair.seen = world.timeStamp;
     world.events.interaction('progress', pair, IN_STEP);
+  } else {
+    joinLists(world, pair);
   }
 }
 
@@ -111,7 +113,7 @@ function wakePair(world: World, pair: Arbiter): void {
 export function sleepBody(world: World, body: RigidBody): void {
   if (body.kind === DYNAMIC && !body.asleep) {
     quieten(world, body);
-    sleepPairs(body);
+    sleepPairs(world, body);
   }
 }
 
@@ -127,17 +129,18 @@ export function sleepIsland(world: World, bodies: RigidBody[]): void {
     world.events.body('sleep', body);
   }
   for (const body of bodies) {
-    sleepPairs(body);
+    sleepPairs(world, body);
   }
 }
 
 /** Running interactions with something that sleeps as well stop costing anything. */
-export function sleepPairs(body: RigidBody): void {
+export function sleepPairs(world: World, body: RigidBody): void {
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
       if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
         pair.sleeping = true;
         pair.active = false;
+        leaveLists(world, pair);
       }
     }
   }
@@ -150,7 +153,31 @@ export function sleepKinematics(world: World): void {
     const body = live[i]!;
     if (body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
-      sleepPairs(body);
+      sleepPairs(world, body);
     }
+  }
+}
+
+/** Puts an arbiter into the world's list that it belongs to. */
+export function joinLists(world: World, pair: Arbiter): void {
+  const dynamic = pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC;
+  pair.listIndex = (dynamic ? world.dynamicArbiters : world.staticArbiters).push(pair) - 1;
+}
+
+/** Takes an arbiter out of the world's list that it is in. */
+export function leaveLists(world: World, pair: Arbiter): void {
+  removeFrom(world.dynamicArbiters, pair);
+  removeFrom(world.staticArbiters, pair);
+}
+
+function removeFrom(list: Arbiter[], pair: Arbiter): void {
+  const at = pair.listIndex;
+  if (list[at] !== pair) {
+    return;
+  }
+  const last = list.pop()!;
+  if (last !== pair) {
+    list[at] = last;
+    last.listIndex = at;
   }
 }

@@ -7,6 +7,7 @@ import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
+import { joinLists } from './sleep.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {
@@ -105,9 +106,9 @@ function meet(world: World, pair: Arbiter): void {
   }
   if (!pair.listed) {
     world.pairs.list(pair);
-    const dynamic = pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC;
-    pair.listIndex = (dynamic ? world.dynamicArbiters : world.staticArbiters).push(pair) - 1;
+    joinLists(world, pair);
   }
+  pair.near = false;
   pair.persistent = false;
   pair.accepted = true;
   pair.active = true;
