@@ -12,14 +12,37 @@ const dist = join(root, 'dist');
 const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true, minifySyntax: true };
 
 rmSync(dist, { recursive: true, force: true });
+buildTypes();
+const internal = internalNames();
 await Promise.all([buildEsm(false), buildEsm(true), buildUmd(false), buildUmd(true), buildExamples()]);
 copyFileSync(join(dist, 'phys2d.umd.cjs'), join(dist, 'phys2d.umd.js'));
-buildTypes();
 printSizes();
 
 function buildEsm(minify) {
   const outfile = minify ? 'dist/phys2d.min.js' : 'dist/phys2d.js';
-  return build({ ...common, entryPoints: ['src/index.ts'], outfile, format: 'esm', minify });
+  return build({ ...common, entryPoints: ['src/index.ts'], outfile, format: 'esm', ...minified(minify) });
+}
+
+/** Minified bundles have short names for internal members too. */
+function minified(minify) {
+  return minify ? { minify, mangleProps: new RegExp(`^(${internal.join('|')})$`) } : {};
+}
+
+/** Members marked internal or private whose names appear neither in the published types nor in the language's own objects. */
+function internalNames() {
+  const files = (folder, ending) =>
+    readdirSync(folder, { recursive: true })
+      .filter((name) => name.endsWith(ending))
+      .map((name) => readFileSync(join(folder, name), 'utf8'));
+  const published = new Set(files(dist, '.d.ts').join('\n').match(/\w+/g));
+  const language = [Object, Function, Array, Float64Array, Int32Array, Map, Set, Math, Number, String, RegExp, DataView]
+    .flatMap((type) => [type, type.prototype, Object.getPrototypeOf(type.prototype ?? {})])
+    .flatMap((object) => (object ? Object.getOwnPropertyNames(object) : []));
+  const members =
+    /(?:@internal(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
+  const marked = [...files(join(root, 'src'), '.ts').join('\n').matchAll(members)].map(([, name]) => name);
+  const kept = new Set([...published, ...language, 'export', 'constructor']);
+  return [...new Set(marked)].filter((name) => !kept.has(name));
 }
 
 /** One file for CommonJS, AMD and the script tag. esbuild does not know UMD: the bundle is a function's body here. */
@@ -38,7 +61,7 @@ function buildUmd(minify) {
     globalName: 'bundle',
     banner: { js: minify ? head.replace(/\s*\n\s*/g, ' ') : head },
     footer: { js: 'return bundle.default;\n});' },
-    minify,
+    ...minified(minify),
   });
 }
 
