@@ -143,14 +143,14 @@ export class World {
     this.parts = integer('World', 'substeps', value, 1);
   }
 
-  /** Whether bodies at rest fall asleep by themselves; setting it to `false` wakes everything. */
+  /** Whether bodies at rest fall asleep by themselves. Setting it wakes everything: their delay begins anew. */
   get allowSleeping(): boolean {
     return this.mayRest;
   }
 
   set allowSleeping(value: boolean) {
-    this.mayRest = boolean('World', 'allowSleeping', value);
-    if (!value) {
+    if (boolean('World', 'allowSleeping', value) !== this.mayRest) {
+      this.mayRest = value;
       this.wakeAll();
     }
   }

@@ -180,7 +180,7 @@ function powerOfTwo(k: number): number {
   return word.getFloat64(0);
 }
 
-/** Natural logarithm of a positive finite number, as value + tail in `logarithm`. */
+/** Natural logarithm of a positive finite number, as value + tail in `logarithm`; the tail is but the rounding of the value. */
 const logarithm = { value: 0.5, tail: 0.5 };
 
 /**
@@ -209,18 +209,17 @@ function log(x: number): void {
   const z = s * s;
   const series = 2 * s * z * atanhSeries(z);
   const lead = k * LN2_1;
-  const value = lead + 2 * sHigh;
+  const most = lead + 2 * sHigh;
+  const left = lead - most + 2 * sHigh + (2 * rest + series + k * LN2_2);
+  const value = most + left;
   logarithm.value = value;
-  logarithm.tail = lead - value + 2 * sHigh + (2 * rest + series + k * LN2_2);
+  logarithm.tail = left - (value - most);
 }
 
 /** (atanh(s)/s − 1)/s² as a series in z = s² ≤ 0.0295. */
 function atanhSeries(z: number): number {
-  let sum = 0;
-  for (let n = 25; n >= 3; n -= 2) {
-    sum = 1 / n + z * sum;
-  }
-  return sum;
+  const z8 = 1 / 17 + z * (1 / 19 + z * (1 / 21 + z * (1 / 23 + z * (1 / 25))));
+  return 1 / 3 + z * (1 / 5 + z * (1 / 7 + z * (1 / 9 + z * (1 / 11 + z * (1 / 13 + z * (1 / 15 + z * z8))))));
 }
 
 /** The upper 26 bits of a number. */
@@ -239,11 +238,9 @@ function exp(x: number, tail: number): number {
   }
   const k = Math.round(x / Math.LN2);
   const r = x - k * LN2_1 - k * LN2_2 + tail;
-  let sum = 0;
-  for (let n = 14; n >= 2; n -= 1) {
-    sum = (1 + sum) * (r / n);
-  }
-  const value = 1 + (r + r * sum);
+  const r10 = 1 / 3628800 + r * (1 / 39916800 + r * (1 / 479001600 + r * (1 / 6227020800 + r * (1 / 87178291200))));
+  const r5 = 1 / 120 + r * (1 / 720 + r * (1 / 5040 + r * (1 / 40320 + r * (1 / 362880 + r * r10))));
+  const value = 1 + (r + r * r * (1 / 2 + r * (1 / 6 + r * (1 / 24 + r * r5))));
   const half = k >> 1;
   return value * powerOfTwo(half) * powerOfTwo(k - half);
 }
@@ -252,14 +249,17 @@ function exp(x: number, tail: number): number {
  * base to the power of exponent, for base ≥ 0 and finite exponents; NaN for a negative base.
  *
  * e^(exponent · ln base), the logarithm and the product each carried with what rounding left of it (Dekker 1971). Relative error below
- * 2e-16 while |exponent · ln base| ≤ 8; too large gives Infinity, too small 0.
+ * 2e-16 while |exponent · ln base| ≤ 8, 1e-14 up to the ends of the doubles; too large gives Infinity, too small 0.
  */
 export function pow(base: number, exponent: number): number {
-  if (exponent === 0 || base === 1) {
+  if (exponent === 0) {
     return 1;
   }
   if (!(base >= 0) || Number.isNaN(exponent)) {
     return NaN;
+  }
+  if (base === 1) {
+    return 1;
   }
   if (base === 0 || base === Infinity) {
     return exponent > 0 === (base === 0) ? 0 : Infinity;

@@ -65,14 +65,14 @@ export function sleepIslands(world: World, dt: number): void {
   const live = world.liveDynamics;
   const count = live.length;
   const stamp = world.timeStamp;
+  if (!world.allowSleeping || count === 0) {
+    return;
+  }
   for (const body of live) {
     body.refreshMass();
     if (!isAtRest(body, dt)) {
       body.wakeTime = stamp;
     }
-  }
-  if (!world.allowSleeping || count === 0) {
-    return;
   }
   const work = world.islandWork;
   work.ensure(count);

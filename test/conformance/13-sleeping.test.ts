@@ -243,6 +243,8 @@ describe('sleeping and waking', () => {
     steps(world, 200);
     expect(body.sleeping).toBe(false);
     world.allowSleeping = true;
+    steps(world, 61);
+    expect(body.sleeping).toBe(false);
     steps(world, 1);
     expect(body.sleeping).toBe(true);
   });
