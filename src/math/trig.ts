@@ -40,7 +40,7 @@ function cosineOf(r: number, tail: number): number {
  * The angle is taken modulo π/2 with a remainder r, |r| ≤ π/4, and the rounding of r in a tail (Cody & Waite, Software Manual for the
  * Elementary Functions, 1980); then the Taylor series of both. Relative error below 2.4e-16 for angles up to 1e6, measured at the
  * doubles next to all multiples of π/2 too. Beyond, the angle counts modulo 2π rounded to a double: an absolute error of about
- * 4e-17 times the angle, so at 1e15 only the range [−1, 1] is left. Not-finite angles give NaN.
+ * 4e-17 times the angle, so from 1e17 on only the range [−1, 1] is left. Not-finite angles give NaN.
  */
 export function cosSin(turn: Float64Array): void {
   const angle = turn[0]!;
@@ -129,7 +129,7 @@ function arcSeries(s: number): number {
  * The angle of the vector (x, y) in radians, in [−π, π], with the signs of zero and infinity that ECMAScript gives `Math.atan2`.
  *
  * The smaller coordinate over the larger, next to a table of atan(j/8) in two parts each (Muller, Elementary Functions, 2016), then put
- * into its quadrant with π in two parts. Relative error below 3.2e-16 unless the result is subnormal.
+ * into its quadrant with π in two parts. Relative error below 4.5e-16 unless the result is subnormal.
  */
 export function atan2(y: number, x: number): number {
   if (Number.isNaN(x) || Number.isNaN(y)) {

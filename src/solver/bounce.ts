@@ -20,21 +20,19 @@ function normalVelocity(data: SolverData, batch: ContactBatch, record: number, s
 /** The separation of a point for the present placement; see `warmStartTwo`. */
 function separation(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
   const r = batch.records;
-  const { motion: q, spin } = data;
+  const { velocity: v, motion: q } = data;
   const k = record / batch.stride;
   const a = batch.bodies[2 * k]!;
   const b = batch.bodies[2 * k + 1]!;
-  const sa = (a / d.BODY_STRIDE) * d.SPIN_STRIDE;
-  const sb = (b / d.BODY_STRIDE) * d.SPIN_STRIDE;
   const i = record + shift;
   return (
     r[i + d.START1]! +
     r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
     r[record + d.NY]! * (q[b + d.DY]! - q[a + d.DY]!) +
-    spin[sb + d.COS_LESS_ONE]! * r[i + d.RT_B1]! +
-    spin[sb + d.SIN]! * r[i + d.RN_B1]! -
-    spin[sa + d.COS_LESS_ONE]! * r[i + d.RT_A1]! -
-    spin[sa + d.SIN]! * r[i + d.RN_A1]!
+    v[b + d.COS_LESS_ONE]! * r[i + d.RT_B1]! +
+    v[b + d.SIN]! * r[i + d.RN_B1]! -
+    v[a + d.COS_LESS_ONE]! * r[i + d.RT_A1]! -
+    v[a + d.SIN]! * r[i + d.RN_A1]!
   );
 }
 

@@ -5,10 +5,9 @@ import type { Arbiter } from '../contact/arbiter.js';
  * a run of numbers at a multiple of its stride; the names below are offsets into it.
  *
  * Bodies: slot 0 stands for everything that can neither move nor be moved; awake dynamic bodies follow, then awake
- * kinematic ones. A body has a record in `velocity`, one in `motion`, one in `drive`, and two numbers in `spin`.
+ * kinematic ones. A body has a record in `velocity`, one in `motion` and one in `drive`.
  */
 export const BODY_STRIDE = 8;
-export const SPIN_STRIDE = 2;
 
 /** `velocity`: what velocity iterations read and write. */
 export const VX = 0;
@@ -17,6 +16,9 @@ export const W = 2;
 /** Inverse mass and inertia, in `velocity` and in `motion` at the same offsets. */
 export const INV_MASS = 3;
 export const INV_INERTIA = 4;
+/** Cosine − 1 and sine of the turn since the start of the step, in `velocity`, where the contacts look anyway. */
+export const COS_LESS_ONE = 5;
+export const SIN = 6;
 
 /** `motion`: displacement within this sub-step (velocity · h, then pushes) … */
 export const QX = 0;
@@ -37,10 +39,6 @@ export const KEEP_ANGULAR = 4;
 export const REST_RADIUS = 5;
 /** … as it does with those that have no contact: 1 if the body has one. */
 export const TOUCHED = 6;
-
-/** `spin`: cosine − 1 and sine of the turn since the start of the step. */
-export const COS_LESS_ONE = 0;
-export const SIN = 1;
 
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
@@ -201,7 +199,6 @@ export class SolverData {
   velocity = new Float64Array(64 * BODY_STRIDE);
   motion = new Float64Array(64 * BODY_STRIDE);
   drive = new Float64Array(64 * BODY_STRIDE);
-  spin = new Float64Array(64 * SPIN_STRIDE);
   /** The pairs that have a contact in this step; what lies beyond the count is old. */
   readonly solved: Arbiter[] = [];
   readonly one = new ContactBatch(ONE_STRIDE);
@@ -220,10 +217,8 @@ export class SolverData {
       this.velocity = new Float64Array(size * BODY_STRIDE);
       this.motion = new Float64Array(size * BODY_STRIDE);
       this.drive = new Float64Array(size * BODY_STRIDE);
-      this.spin = new Float64Array(size * SPIN_STRIDE);
     }
     this.motion.fill(0, 0, count * BODY_STRIDE);
-    this.spin.fill(0, 0, count * SPIN_STRIDE);
     this.velocity.fill(0, 0, BODY_STRIDE);
     this.drive.fill(0, 0, BODY_STRIDE);
     this.drive[KEEP_LINEAR] = 1;

@@ -47,7 +47,7 @@ export function integratePositions(data: SolverData, h: number): void {
 
 /** Adds the motion of the sub-step, pushes included, to that of the step. */
 export function advance(data: SolverData): void {
-  const { motion: q, spin } = data;
+  const { velocity: v, motion: q } = data;
   const { bodyCount } = data;
   for (let k = 1; k < bodyCount; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
@@ -55,14 +55,13 @@ export function advance(data: SolverData): void {
     q[i + d.DY] = q[i + d.DY]! + q[i + d.QY]!;
     const turn = q[i + d.DW]! + q[i + d.QW]!;
     q[i + d.DW] = turn;
-    const at = (k * d.SPIN_STRIDE) & d.OFFSET;
     if (turn < d.SMALL_TURN && turn > -d.SMALL_TURN) {
       const s = turn * turn;
-      spin[at + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));
-      spin[at + d.SIN] = turn * (1 - s * (1 / 6 - s * (1 / 120 - s * (1 / 5040 - s / 362880))));
+      v[i + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));
+      v[i + d.SIN] = turn * (1 - s * (1 / 6 - s * (1 / 120 - s * (1 / 5040 - s / 362880))));
     } else {
-      spin[at + d.COS_LESS_ONE] = cos(turn) - 1;
-      spin[at + d.SIN] = sin(turn);
+      v[i + d.COS_LESS_ONE] = cos(turn) - 1;
+      v[i + d.SIN] = sin(turn);
     }
   }
 }

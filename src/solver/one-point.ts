@@ -5,15 +5,13 @@ import * as d from './data.js';
 /** Starts a sub-step, as `warmStartTwo`, for contacts of one point; circles carry a rolling impulse as well. */
 export function warmStartOne(data: SolverData, h: number, first: boolean): void {
   const { records: r, bodies, count } = data.one;
-  const { velocity: v, motion: q, spin } = data;
+  const { velocity: v, motion: q } = data;
   const keep = first ? 0 : 1;
   const inverseH = 1 / h;
   for (let k = 0; k < count; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
-    const sa = (a >> 3) * d.SPIN_STRIDE;
-    const sb = (b >> 3) * d.SPIN_STRIDE;
     const nx = r[i + d.NX]!;
     const ny = r[i + d.NY]!;
     const rnA = r[i + d.RN_A1]!;
@@ -24,10 +22,10 @@ export function warmStartOne(data: SolverData, h: number, first: boolean): void 
       r[i + d.START1]! +
       nx * (q[b + d.DX]! - q[a + d.DX]!) +
       ny * (q[b + d.DY]! - q[a + d.DY]!) +
-      spin[sb + d.COS_LESS_ONE]! * rtB +
-      spin[sb + d.SIN]! * rnB -
-      spin[sa + d.COS_LESS_ONE]! * rtA -
-      spin[sa + d.SIN]! * rnA;
+      v[b + d.COS_LESS_ONE]! * rtB +
+      v[b + d.SIN]! * rnB -
+      v[a + d.COS_LESS_ONE]! * rtA -
+      v[a + d.SIN]! * rnA;
     const surface = r[i + d.SURFACE_N]!;
     r[i + d.SEPARATION1] = s;
     r[i + d.BIAS1] = s > -TOUCH_DEPTH ? (s + TOUCH_DEPTH) * inverseH + surface : surface;

@@ -10,15 +10,13 @@ import * as d from './data.js';
  */
 export function warmStartTwo(data: SolverData, h: number, first: boolean): void {
   const { records: r, bodies, count } = data.two;
-  const { velocity: v, motion: q, spin } = data;
+  const { velocity: v, motion: q } = data;
   const keep = first ? 0 : 1;
   const inverseH = 1 / h;
   for (let k = 0; k < count; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
-    const sa = (a >> 3) * d.SPIN_STRIDE;
-    const sb = (b >> 3) * d.SPIN_STRIDE;
     const nx = r[i + d.NX]!;
     const ny = r[i + d.NY]!;
     const rnA1 = r[i + d.RN_A1]!;
@@ -29,10 +27,10 @@ export function warmStartTwo(data: SolverData, h: number, first: boolean): void 
     const rnB2 = r[i + d.RN_B2]!;
     const rtA2 = r[i + d.RT_A2]!;
     const rtB2 = r[i + d.RT_B2]!;
-    const ca = spin[sa + d.COS_LESS_ONE]!;
-    const sinA = spin[sa + d.SIN]!;
-    const cb = spin[sb + d.COS_LESS_ONE]!;
-    const sinB = spin[sb + d.SIN]!;
+    const ca = v[a + d.COS_LESS_ONE]!;
+    const sinA = v[a + d.SIN]!;
+    const cb = v[b + d.COS_LESS_ONE]!;
+    const sinB = v[b + d.SIN]!;
     const moved = nx * (q[b + d.DX]! - q[a + d.DX]!) + ny * (q[b + d.DY]! - q[a + d.DY]!);
     const s1 = r[i + d.START1]! + moved + cb * rtB1 + sinB * rnB1 - ca * rtA1 - sinA * rnA1;
     const s2 = r[i + d.START2]! + moved + cb * rtB2 + sinB * rnB2 - ca * rtA2 - sinA * rnA2;
