@@ -95,7 +95,8 @@ export function solveVelocityOne(data: SolverData): void {
     const rnA = r[i + d.RN_A1]!;
     const rnB = r[i + d.RN_B1]!;
     const vn = nx * dvx + ny * dvy + rnB * wB - rnA * wA;
-    const nextP = Math.max(0, p - (vn + r[i + d.BIAS1]!) / r[i + d.K11]!);
+    const wanted = p - (vn + r[i + d.BIAS1]!) / r[i + d.K11]!;
+    const nextP = wanted > 0 ? wanted : 0;
     const dp = nextP - p;
     r[i + d.NORMAL1] = nextP;
     const jx = nx * dp - ny * dt;
@@ -110,10 +111,10 @@ export function solveVelocityOne(data: SolverData): void {
 }
 
 /** One position iteration, as `solvePositionTwo`, for contacts of one point. */
-export function solvePositionOne(data: SolverData): number {
+export function solvePositionOne(data: SolverData): boolean {
   const { records: r, bodies, count } = data.one;
   const q = data.motion;
-  let worst = 0;
+  let pushed = false;
   for (let k = 0; k < count; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
@@ -132,8 +133,9 @@ export function solvePositionOne(data: SolverData): number {
     if (c > -PUSH_TOLERANCE) {
       continue;
     }
-    if (c < worst) worst = c;
-    const x = -Math.max(r[i + d.SHARE]! * c, -MAX_PUSH) / r[i + d.K11]!;
+    pushed = true;
+    const e = r[i + d.SHARE]! * c;
+    const x = (e < -MAX_PUSH ? MAX_PUSH : -e) / r[i + d.K11]!;
     const mA = q[a + d.INV_MASS]! * x;
     const mB = q[b + d.INV_MASS]! * x;
     q[a + d.QX] = q[a + d.QX]! - mA * nx;
@@ -143,5 +145,5 @@ export function solvePositionOne(data: SolverData): number {
     q[b + d.QY] = q[b + d.QY]! + mB * ny;
     q[b + d.QW] = q[b + d.QW]! + q[b + d.INV_INERTIA]! * rnB * x;
   }
-  return -worst;
+  return pushed;
 }

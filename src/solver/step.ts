@@ -35,9 +35,9 @@ export function step(world: World, dt: number): void {
     integratePositions(solver, h);
     releaseBounces(solver);
     for (let i = share(world.positionIterations, part, substeps); i > 0; i -= 1) {
-      const two = solvePositionTwo(solver);
-      const one = solvePositionOne(solver);
-      if (two === 0 && one === 0) {
+      const pushedTwo = solvePositionTwo(solver);
+      const pushedOne = solvePositionOne(solver);
+      if (!pushedTwo && !pushedOne) {
         break;
       }
     }

@@ -167,12 +167,12 @@ export function solveVelocityTwo(data: SolverData): void {
  * One position iteration: moves the bodies apart by a share of the overlap beyond the slop, both points together; if one of
  * them would have to pull, the deeper one alone. Velocities are not touched.
  *
- * @returns the deepest overlap beyond the slop that it found, m.
+ * @returns whether anything was pushed; if not, further iterations would find the same.
  */
-export function solvePositionTwo(data: SolverData): number {
+export function solvePositionTwo(data: SolverData): boolean {
   const { records: r, bodies, count } = data.two;
   const q = data.motion;
-  let worst = 0;
+  let pushed = false;
   for (let k = 0; k < count; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
@@ -195,11 +195,12 @@ export function solvePositionTwo(data: SolverData): number {
     if (c1 > -PUSH_TOLERANCE && c2 > -PUSH_TOLERANCE) {
       continue;
     }
-    if (c1 < worst) worst = c1;
-    if (c2 < worst) worst = c2;
+    pushed = true;
     const share = r[i + d.SHARE]!;
-    const e1 = c1 < 0 ? Math.max(share * c1, -MAX_PUSH) : 0;
-    const e2 = c2 < 0 ? Math.max(share * c2, -MAX_PUSH) : 0;
+    const s1 = share * c1;
+    const s2 = share * c2;
+    const e1 = s1 < -MAX_PUSH ? -MAX_PUSH : s1 < 0 ? s1 : 0;
+    const e2 = s2 < -MAX_PUSH ? -MAX_PUSH : s2 < 0 ? s2 : 0;
     const i12 = r[i + d.I12]!;
     let x1 = -(r[i + d.I11]! * e1 + i12 * e2);
     let x2 = -(i12 * e1 + r[i + d.I22]! * e2);
@@ -218,5 +219,5 @@ export function solvePositionTwo(data: SolverData): number {
     q[b + d.QY] = qby + mB * ny;
     q[b + d.QW] = qbw + q[b + d.INV_INERTIA]! * (rnB1 * x1 + rnB2 * x2);
   }
-  return -worst;
+  return pushed;
 }

@@ -3,9 +3,12 @@ import { atan2, cos, cosSin, pow, sin } from '../../src/math/trig.js';
 import { generator } from '../scenes/mixed.js';
 import { exact, exactAtan, exactCos, exactPow, exactSin, PI, relativeError } from './exact.js';
 
-// Against integer arithmetic of 320 bits; the bound is 1e-15 over the range the engine uses.
+// Against integer arithmetic of 320 bits. The engine needs 1e-15 over the range it uses; the bounds here are those that trig.ts
+// states, tighter, since an error in a last table digit or the loss of a tail stays below 1e-15.
 
-const BOUND = 1e-15;
+const SIN_BOUND = 2.4e-16;
+const ATAN_BOUND = 4.5e-16;
+const POW_BOUND = 2e-16;
 
 /** 1 in the units of the reference. */
 const ONE = exact(1);
@@ -67,14 +70,14 @@ const sinError = (x: number): number => relativeError(sin(x), exactSin(exact(x))
 const cosError = (x: number): number => relativeError(cos(x), exactCos(exact(x)));
 
 describe('sine and cosine', () => {
-  it('are right to 1e-15', () => {
-    expect(worst('sin', angles(), sinError)).toBeLessThan(BOUND);
-    expect(worst('cos', angles(), cosError)).toBeLessThan(BOUND);
+  it('are right to the last digit but one', () => {
+    expect(worst('sin', angles(), sinError)).toBeLessThan(SIN_BOUND);
+    expect(worst('cos', angles(), cosError)).toBeLessThan(SIN_BOUND);
   });
 
-  it('are right to 1e-15 next to the multiples of π/2', () => {
-    expect(worst('sin near k·π/2', nearMultiples(), sinError)).toBeLessThan(BOUND);
-    expect(worst('cos near k·π/2', nearMultiples(), cosError)).toBeLessThan(BOUND);
+  it('are right to the last digit but one next to the multiples of π/2', () => {
+    expect(worst('sin near k·π/2', nearMultiples(), sinError)).toBeLessThan(SIN_BOUND);
+    expect(worst('cos near k·π/2', nearMultiples(), cosError)).toBeLessThan(SIN_BOUND);
   });
 
   it('of a tiny or subnormal angle are the angle and one', () => {
@@ -114,7 +117,7 @@ describe('sine and cosine', () => {
     const rest = (x: number): bigint => exact(x % (2 * Math.PI));
     const sines = worst('sin of huge', cases, (x) => relativeError(sin(x), exactSin(rest(x))));
     const cosines = worst('cos of huge', cases, (x) => relativeError(cos(x), exactCos(rest(x))));
-    expect(Math.max(sines, cosines)).toBeLessThan(BOUND);
+    expect(Math.max(sines, cosines)).toBeLessThan(SIN_BOUND);
   });
 
   it('refuse what is no angle', () => {
@@ -132,7 +135,7 @@ function atan2Error(y: number, x: number, lift: number): number {
 }
 
 describe('arc tangent', () => {
-  it('is right to 1e-15 in all quadrants', () => {
+  it('is right to the last digit but one in all quadrants', () => {
     const random = generator(2);
     const cases: [number, number][] = [];
     for (let i = 0; i < 2000; i += 1) {
@@ -142,10 +145,10 @@ describe('arc tangent', () => {
       const x = random();
       cases.push([x * (((i % 9) + 0.5) / 8) * (1 + (random() - 0.5) * 1e-12), x]);
     }
-    expect(worst('atan2', cases, ([y, x]) => atan2Error(y, x, 0))).toBeLessThan(BOUND);
+    expect(worst('atan2', cases, ([y, x]) => atan2Error(y, x, 0))).toBeLessThan(ATAN_BOUND);
   });
 
-  it('is right to 1e-15 for huge and for subnormal coordinates', () => {
+  it('is right to the last digit but one for huge and for subnormal coordinates', () => {
     const random = generator(5);
     const cases: [number, number, number][] = [];
     for (let i = 0; i < 1000; i += 1) {
@@ -157,7 +160,7 @@ describe('arc tangent', () => {
     }
     const subnormal = cases.filter(([y]) => Math.abs(y) < 2.2250738585072014e-308);
     expect(subnormal.length).toBeGreaterThan(1000);
-    expect(worst('atan2, extreme', cases, ([y, x, lift]) => atan2Error(y, x, lift))).toBeLessThan(BOUND);
+    expect(worst('atan2, extreme', cases, ([y, x, lift]) => atan2Error(y, x, lift))).toBeLessThan(ATAN_BOUND);
   });
 
   it('has the signs of zero and infinity that ECMAScript prescribes', () => {
@@ -220,17 +223,17 @@ const powError = ([base, exponent]: readonly [number, number]): number =>
   relativeError(pow(base, exponent), truePower(base, exponent));
 
 describe('power', () => {
-  it('is right to 1e-15 over the range of drag factors', () => {
+  it('is right to the last digit but one over the range of drag factors', () => {
     const random = generator(3);
     const cases: [number, number][] = [];
     for (let i = 0; i < 2000; i += 1) {
       cases.push([random(), random() / 60], [1 - random() * 10 ** (-12 * random()), 10 * random()]);
     }
     const inRange = cases.filter(([base, exponent]) => base > 0 && Math.abs(exponent * Math.log(base)) <= 8);
-    expect(worst('pow', inRange, powError)).toBeLessThan(BOUND);
+    expect(worst('pow', inRange, powError)).toBeLessThan(POW_BOUND);
   });
 
-  it('is right to 1e-15 for any base while |exponent · ln base| ≤ 8', () => {
+  it('is right to the last digit but one for any base while |exponent · ln base| ≤ 8', () => {
     const random = generator(6);
     const cases: [number, number][] = [];
     for (let i = 0; i < 1000; i += 1) {
@@ -241,7 +244,7 @@ describe('power', () => {
     }
     const inRange = cases.filter(([base, exponent]) => Math.abs(exponent * Math.log(base)) <= 8);
     expect(inRange.length).toBeGreaterThan(5000);
-    expect(worst('pow, any base', inRange, powError)).toBeLessThan(BOUND);
+    expect(worst('pow, any base', inRange, powError)).toBeLessThan(POW_BOUND);
   });
 
   it('is right to 1e-14 up to the ends of the doubles', () => {
@@ -259,7 +262,9 @@ describe('power', () => {
   });
 
   it('has exact values where it must', () => {
-    expect([pow(0, 2), pow(5, 0), pow(0, 0), pow(1, 1e300), pow(0.5, 2), pow(10, 3)]).toEqual([0, 1, 1, 1, 0.25, 1000]);
+    expect([pow(0, 2), pow(5, 0), pow(0, 0), pow(1, 1e300), pow(1, -1e308), pow(0.5, 2), pow(10, 3)]).toEqual([
+      0, 1, 1, 1, 1, 0.25, 1000,
+    ]);
     expect([pow(0, -1), pow(Infinity, 2), pow(Infinity, -2)]).toEqual([Infinity, Infinity, 0]);
     expect([pow(-1, 2), pow(NaN, 1), pow(2, NaN), pow(1, NaN)]).toEqual([NaN, NaN, NaN, NaN]);
     let [up, down] = [1, 1];
