@@ -100,7 +100,7 @@ export const K12 = 33;
 export const I11 = 34;
 export const I12 = 35;
 export const I22 = 36;
-export const TWO_STRIDE = 40;
+export const TWO_STRIDE = 38;
 
 /**
  * Offsets pass through this mask in the hot loops. It changes none, as no array is that long, but tells the compiler that they are small,

@@ -506,3 +506,27 @@ describe('worlds', () => {
     expect([world.getGravity(), world.rigidBodies]).toEqual([[0, 0], []]);
   });
 });
+
+describe('arbiters', () => {
+  it('setters refuse bad values, and nothing changes', () => {
+    const world = weightless();
+    add(world, plainBody(), plainBody({ position: [0.9, 0] }));
+    world.step(1 / 60);
+    const arbiter = world.dynamicArbiters[0]!;
+    const before = [arbiter.getElasticity(), arbiter.getStaticFriction(), arbiter.getDynamicFriction()];
+    for (const bad of [...NOT_NUMBERS, [NaN, RangeError]] as Bad[]) {
+      refuses((value) => arbiter.setElasticity(value), 'Arbiter.setElasticity', 'elasticity', bad);
+    }
+    for (const bad of NOT_NON_NEGATIVE) {
+      refuses((value) => arbiter.setStaticFriction(value), 'Arbiter.setStaticFriction', 'friction', bad);
+      refuses((value) => arbiter.setDynamicFriction(value), 'Arbiter.setDynamicFriction', 'friction', bad);
+      refuses((value) => arbiter.setRollingFriction(value), 'Arbiter.setRollingFriction', 'friction', bad);
+    }
+    for (const bad of NOT_BOOLEAN) {
+      refuses((value) => arbiter.setAcceptedState(value), 'Arbiter.setAcceptedState', 'accepted', bad);
+      refuses((value) => arbiter.setPersistentState(value), 'Arbiter.setPersistentState', 'persistent', bad);
+    }
+    expect([arbiter.getElasticity(), arbiter.getStaticFriction(), arbiter.getDynamicFriction()]).toEqual(before);
+    expect(arbiter.isStateAccepted()).toBe(true);
+  });
+});
