@@ -1,6 +1,7 @@
 import type { BodyHandler } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
+import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './events/listeners.js';
 import { cos, cosSin, sin } from './math/trig.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
@@ -15,6 +16,8 @@ const turn = new Float64Array(3);
 export abstract class BodyState {
   /** Attached shapes. Do not modify. */
   readonly shapes: Shape[] = [];
+  /** Constraints in a world, enabled or not, that use this body. Do not modify. */
+  readonly constraints: Constraint[] = [];
   /** Is swept against other dynamic bodies too; takes effect in the next step. */
   bullet: boolean;
   /** Anything of yours. */
@@ -86,6 +89,8 @@ export abstract class BodyState {
   slot = 0;
   /** @internal those it fell asleep with */
   island: Island | null = null;
+  /** @internal how many enabled constraints in a world keep it from interacting with other bodies */
+  ignoring = 0;
   /** @internal */
   listeners: Listeners<BodyHandler> = NO_LISTENERS;
 

@@ -454,6 +454,9 @@ export class RigidBody extends BodyState {
     }
     this.x = x;
     this.y = y;
+    for (const constraint of this.constraints) {
+      constraint.fresh = true;
+    }
     this.moved();
   }
 

@@ -42,11 +42,35 @@ export const BOUNCE_THRESHOLD = 0.25;
 /** (m/s)². Sliding faster than 0.01 m/s takes the dynamic coefficient of friction, slower the static one. */
 export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
 
+/** Sweeps over all joints per iteration; joints are cheap beside contacts. With 1 a chain under a heavy ball stretches three times as far. */
+export const JOINT_SWEEPS = 3;
+
+/**
+ * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
+ * neutral; a little less than that never gains.
+ */
+export const JOINT_MOMENTUM = 0.999;
+
+/** m, rad. Errors of joints below this are left alone, in all but the first position iteration of a sub-step … */
+export const JOINT_TOLERANCE = 1e-4;
+
+/** … and below this in that too. */
+export const JOINT_ROUNDING = 1e-9;
+
+/**
+ * m, rad. An error beyond this is no drift: it is corrected by moving bodies without turning them, and without momentum. Less
+ * would take the momentum from overloaded joints, more would throw apart what is built badly.
+ */
+export const JOINT_SNAP = 0.05;
+
 /** kg⁻¹. An inverse effective mass below this counts as immovable. */
 export const MIN_INVERSE_MASS = 1e-10;
 
 /** A two-point contact whose matrix K has K11² above this times its determinant is solved as its deeper point alone. */
 export const MAX_CONDITION = 1e5;
+
+/** m. A length below this has no direction; a distance or pulley constraint keeps the last one it had. */
+export const MIN_LENGTH = 1e-6;
 
 /** m. Circle centres closer than this have no direction between them; `(1, 0)` is taken. */
 export const COINCIDENT = 1e-6;

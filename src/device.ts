@@ -3,6 +3,14 @@ import type { RigidBodyParams } from './body-params.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { SweepAndPrune } from './broadphase/sweep-and-prune.js';
+import { AngleConstraint, type AngleConstraintParams } from './constraint/angle.js';
+import { CustomConstraint, type CustomConstraintParams } from './constraint/custom.js';
+import { DistanceConstraint, type DistanceConstraintParams } from './constraint/distance.js';
+import { LineConstraint, type LineConstraintParams } from './constraint/line.js';
+import { MotorConstraint, type MotorConstraintParams } from './constraint/motor.js';
+import { PointConstraint, type PointConstraintParams } from './constraint/point.js';
+import { PulleyConstraint, type PulleyConstraintParams } from './constraint/pulley.js';
+import { WeldConstraint, type WeldConstraintParams } from './constraint/weld.js';
 import { createBoxVertices, createRectangleVertices, createRegularPolygonVertices } from './geometry/vertices.js';
 import { DEFAULT_MATERIAL, Material, type MaterialParams } from './material.js';
 import type { Vec2 } from './math/vectors.js';
@@ -57,6 +65,46 @@ export class Physics2DDevice {
 
   createPolygonShape(params: PolygonParams): Polygon {
     return new Polygon(params);
+  }
+
+  /** Two points of two bodies coincide. */
+  createPointConstraint(params: PointConstraintParams): PointConstraint {
+    return new PointConstraint(params);
+  }
+
+  /** Two points of two bodies coincide, and the bodies keep their angle. */
+  createWeldConstraint(params: WeldConstraintParams): WeldConstraint {
+    return new WeldConstraint(params);
+  }
+
+  /** The angle between two bodies stays between bounds; with a ratio, a gear. */
+  createAngleConstraint(params: AngleConstraintParams): AngleConstraint {
+    return new AngleConstraint(params);
+  }
+
+  /** The distance of two points of two bodies stays between bounds: rod, rope, spring. */
+  createDistanceConstraint(params: DistanceConstraintParams): DistanceConstraint {
+    return new DistanceConstraint(params);
+  }
+
+  /** A point of body B stays on a line of body A, between bounds along it. */
+  createLineConstraint(params: LineConstraintParams): LineConstraint {
+    return new LineConstraint(params);
+  }
+
+  /** Two bodies turn against each other at a rate. */
+  createMotorConstraint(params: MotorConstraintParams): MotorConstraint {
+    return new MotorConstraint(params);
+  }
+
+  /** A rope over two bodies: its two links have a length together. */
+  createPulleyConstraint(params: PulleyConstraintParams): PulleyConstraint {
+    return new PulleyConstraint(params);
+  }
+
+  /** A constraint of your own, given by its error and its Jacobian. */
+  createCustomConstraint(params: CustomConstraintParams): CustomConstraint {
+    return new CustomConstraint(params);
   }
 
   /** Corners of a `width` × `height` box around the origin, clockwise from the upper left. m, > 0. */

@@ -87,6 +87,16 @@ export function nonNegative(where: string, name: string, value: unknown): number
   return n;
 }
 
+/** A number >= 0, `Infinity` included. */
+export function nonNegativeOrInfinite(where: string, name: string, value: unknown): number {
+  const rule = 'a number >= 0';
+  const n = number(where, name, rule, value);
+  if (!(n >= 0)) {
+    throw rangeError(where, name, rule, n);
+  }
+  return n;
+}
+
 /** An integer >= `least`. */
 export function integer(where: string, name: string, value: unknown, least: number): number {
   const rule = `an integer >= ${least}`;

@@ -3,6 +3,7 @@ import { DYNAMIC, STATIC } from './body-kind.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
+import { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
@@ -12,8 +13,9 @@ import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { widened } from './solver/refresh.js';
-import { enliven, quieten, sleepBody, wakeBody } from './solver/sleep.js';
+import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
+import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
 import { boolean, instance, integer, optional, options, positive, typeError, vector } from './validate.js';
 
 /** Options of `createWorld`. */
@@ -42,10 +44,13 @@ export class World {
   static readonly version = 1;
 
   readonly rigidBodies: RigidBody[] = [];
+  readonly constraints: Constraint[] = [];
   /** Dynamic bodies that are awake. */
   readonly liveDynamics: RigidBody[] = [];
   /** Kinematic bodies that are awake. */
   readonly liveKinematics: RigidBody[] = [];
+  /** Constraints that are enabled and awake. */
+  readonly liveConstraints: Constraint[] = [];
   /** Awake interactions, running or cached, between two dynamic bodies. */
   readonly dynamicArbiters: Arbiter[] = [];
   /** Awake interactions, running or cached, with a static or kinematic body. */
@@ -64,6 +69,10 @@ export class World {
   staleCount = 0;
   /** @internal sleeping bodies hit in this step */
   readonly hit: RigidBody[] = [];
+  /** @internal what the solver knows of the live constraints is out of date */
+  jointsStale = false;
+  /** @internal grows with each constraint added */
+  nextOrder = 0;
   /** @internal */
   readonly pairs = new Pairs();
   /** @internal */
@@ -220,11 +229,13 @@ export class World {
     if (!body.asleep) {
       enliven(this, body);
     }
+    this.jointsStale = true;
+    wakeTies(this, body);
     return true;
   }
 
   /**
-   * Removes a body; what touches it wakes, its interactions end.
+   * Removes a body, and its constraints with it; what touches it wakes, its interactions end.
    *
    * @returns `false`, without effect, if it is not in this world, or during a step.
    */
@@ -235,6 +246,9 @@ export class World {
     }
     wakeBody(this, body, true);
     rouseNeighbours(this, body);
+    for (const constraint of [...body.constraints]) {
+      this.removeConstraint(constraint);
+    }
     for (const shape of body.shapes) {
       cutPairs(this, shape);
     }
@@ -254,6 +268,31 @@ export class World {
     return true;
   }
 
+  /**
+   * Adds a constraint; wakes its bodies unless it was put to sleep or disabled.
+   *
+   * @returns `false`, without effect, if it is in a world already, or during a step.
+   */
+  addConstraint(constraint: Constraint): boolean {
+    instance('World.addConstraint', 'constraint', constraint, Constraint, 'a Constraint');
+    if (this.stepping || constraint.owner !== null) {
+      return false;
+    }
+    tie(this, constraint);
+    return true;
+  }
+
+  /** Removes a constraint; if it was asleep its bodies wake. @returns `false`, without effect, if not in this world, or during a step. */
+  removeConstraint(constraint: Constraint): boolean {
+    instance('World.removeConstraint', 'constraint', constraint, Constraint, 'a Constraint');
+    if (this.stepping || constraint.owner !== this) {
+      return false;
+    }
+    wakeConstraint(this, constraint, true);
+    untie(this, constraint);
+    return true;
+  }
+
   /** Removes everything, without events; queued events are dropped. Time, gravity and settings stay. Ignored during a step. */
   clear(): void {
     if (this.stepping) {
@@ -266,7 +305,14 @@ export class World {
       }
       leave(body);
     }
+    for (const constraint of this.constraints) {
+      countIgnoring(constraint, -1);
+      release(constraint);
+    }
     this.broadphase.clear();
+    this.constraints.length = 0;
+    this.liveConstraints.length = 0;
+    this.jointsStale = true;
     this.rigidBodies.length = 0;
     this.liveDynamics.length = 0;
     this.liveKinematics.length = 0;
@@ -286,6 +332,35 @@ export class World {
   /** @internal */
   sleepBody(body: RigidBody): void {
     sleepBody(this, body);
+  }
+
+  /** @internal */
+  wakeConstraint(constraint: Constraint, silent: boolean): void {
+    wakeConstraint(this, constraint, silent);
+  }
+
+  /** @internal */
+  sleepConstraint(constraint: Constraint): void {
+    sleepConstraint(this, constraint);
+  }
+
+  /** @internal */
+  switchConstraint(constraint: Constraint): void {
+    if (constraint.enabled) {
+      switchOn(this, constraint);
+    } else {
+      switchOff(this, constraint);
+    }
+  }
+
+  /** @internal a constraint gave way in this step */
+  breakConstraint(constraint: Constraint): void {
+    breakOff(this, constraint);
+  }
+
+  /** @internal before (−1) and after (1) a change of what a constraint lets interact */
+  countIgnoring(constraint: Constraint, change: number): void {
+    countIgnoring(constraint, change);
   }
 
   /** @internal */

@@ -1,16 +1,20 @@
 import type { BodyEventType, RigidBody } from '../body.js';
+import type { Constraint, ConstraintEventType } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Shape, ShapeEventType, ShapeHandler } from '../shape/shape.js';
 import type { Listener, Listeners } from './listeners.js';
 
+type EventType = ShapeEventType | BodyEventType | ConstraintEventType;
+
 /** Events of one delivery come in this order, then by the ids of their shapes, then as they were queued. */
-const ORDER: Readonly<Record<ShapeEventType | BodyEventType, number>> = {
+const ORDER: Readonly<Record<EventType, number>> = {
   wake: 0,
   begin: 1,
   progress: 2,
   end: 3,
   sleep: 4,
-  preSolve: 5,
+  break: 5,
+  preSolve: 6,
 };
 
 /** Events caused before the step come before those of the step. */
@@ -22,7 +26,7 @@ export const FOUND_LATE = 2;
 /** One handler to be called for an event; noted when the event is, so that later changes of the listeners do not touch it. */
 interface QueuedEvent {
   readonly group: number;
-  readonly type: ShapeEventType | BodyEventType;
+  readonly type: EventType;
   readonly idA: number;
   readonly idB: number;
   readonly call: () => void;
@@ -86,6 +90,16 @@ export class EventQueue {
     }
   }
 
+  /** Notes `wake`, `sleep` or `break` of a constraint. */
+  constraint(type: ConstraintEventType, constraint: Constraint): void {
+    for (const { type: wanted, handler } of constraint.listeners) {
+      if (wanted === type) {
+        const call = () => handler.call(constraint);
+        this.queue.push({ group: IN_STEP, type, idA: constraint.order, idB: -1, call });
+      }
+    }
+  }
+
   /**
    * Calls the handlers of everything queued so far; what they cause waits for the next delivery. If a handler throws, the
    * rest is delivered all the same.
@@ -112,8 +126,13 @@ export class EventQueue {
     try {
       call();
     } catch (error) {
-      this.failure ??= { error };
+      this.fail(error);
     }
+  }
+
+  /** Keeps the first error for `rethrow`. */
+  fail(error: unknown): void {
+    this.failure ??= { error };
   }
 
   /** Throws what a handler threw since the last call, if any did. */

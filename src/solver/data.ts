@@ -1,4 +1,5 @@
 import type { Arbiter } from '../contact/arbiter.js';
+import { JointData } from './joint-data.js';
 
 /**
  * The packed arrays that the iterations of a step run on. They live as long as the world and grow by doubling. A record is
@@ -204,6 +205,7 @@ export class SolverData {
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();
+  readonly joints = new JointData();
   /** s. Length of the sub-steps of the last step … */
   previousH = 0;
   /** … and what its impulses are multiplied by to fit the present ones. */

@@ -7,6 +7,7 @@ import { asksFirst, IN_STEP, preSolve } from '../events/events.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { wakeBody } from './sleep.js';
+import { areKeptApart } from './ties.js';
 
 /** Filters, and what makes an interaction possible at all. Sensors are left out: nothing reports them yet. */
 function mayInteract(a: Shape, b: Shape): boolean {
@@ -19,7 +20,8 @@ function mayInteract(a: Shape, b: Shape): boolean {
     (bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC) &&
     !(bodyA.asleep && bodyB.asleep) &&
     !a.sensor &&
-    !b.sensor
+    !b.sensor &&
+    !(bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB))
   );
 }
 

@@ -1,8 +1,10 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import { SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
+import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
-import { sleepIsland } from './sleep.js';
+import { acts } from './joint-order.js';
+import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
 
 /** Where the islands of a step are worked out: arrays by index in `liveDynamics`, kept from step to step. */
 export class IslandWork {
@@ -65,13 +67,20 @@ export function sleepIslands(world: World, dt: number): void {
   const live = world.liveDynamics;
   const count = live.length;
   const stamp = world.timeStamp;
-  if (!world.allowSleeping || count === 0) {
+  if (!world.allowSleeping || count + world.liveConstraints.length === 0) {
     return;
   }
   for (const body of live) {
     body.refreshMass();
     if (!isAtRest(body, dt)) {
       body.wakeTime = stamp;
+    }
+  }
+  for (const constraint of world.liveConstraints) {
+    if (isDriven(world, constraint)) {
+      forLiveMembers(constraint, (body) => {
+        body.wakeTime = stamp;
+      });
     }
   }
   const work = world.islandWork;
@@ -83,6 +92,7 @@ export function sleepIslands(world: World, dt: number): void {
     ready[i] = 1;
   }
   joinTouching(world, work);
+  joinTied(world, work);
   let someReady = false;
   for (let i = 0; i < count; i += 1) {
     const root = work.root(i);
@@ -96,6 +106,50 @@ export function sleepIslands(world: World, dt: number): void {
   }
   if (someReady) {
     sleepReady(world, work);
+  }
+  sleepIdle(world);
+}
+
+/** Tied to a kinematic body that moves: no rest, even while the constraint is slack. */
+function isDriven(world: World, { members }: Constraint): boolean {
+  return members.some(
+    ({ kind, owner, vx, vy, w }) => kind === KINEMATIC && owner === world && (vx !== 0 || vy !== 0 || w !== 0),
+  );
+}
+
+function forLiveMembers({ members }: Constraint, action: (body: RigidBody) => void): void {
+  for (const body of members) {
+    if (body.kind === DYNAMIC && body.liveIndex >= 0) {
+      action(body);
+    }
+  }
+}
+
+function joinTied(world: World, work: IslandWork): void {
+  for (const constraint of world.liveConstraints) {
+    if (acts(world, constraint)) {
+      let joined = -1;
+      for (const body of constraint.members) {
+        if (body.kind === DYNAMIC && body.liveIndex >= 0) {
+          if (joined >= 0) {
+            work.join(joined, body.liveIndex);
+          }
+          joined = body.liveIndex;
+        }
+      }
+    }
+  }
+}
+
+/** Live constraints that have no awake body. */
+function sleepIdle(world: World): void {
+  const live = world.liveConstraints;
+  for (let i = live.length - 1; i >= 0; i -= 1) {
+    const constraint = live[i]!;
+    if (!constraint.members.some((body) => body.kind === DYNAMIC && body.liveIndex >= 0 && body.owner === world)) {
+      quietenConstraint(world, constraint);
+      world.events.constraint('sleep', constraint);
+    }
   }
 }
 
@@ -112,19 +166,25 @@ function joinTouching(world: World, work: IslandWork): void {
 }
 
 function sleepReady(world: World, work: IslandWork): void {
-  const islands = new Map<number, RigidBody[]>();
+  const islands = new Map<number, Island>();
   world.liveDynamics.forEach((body, i) => {
     const root = work.root(i);
     if (work.ready[root] === 1) {
-      const members = islands.get(root);
-      if (members === undefined) {
-        islands.set(root, [body]);
+      const island = islands.get(root);
+      if (island === undefined) {
+        islands.set(root, { bodies: [body], constraints: [] });
       } else {
-        members.push(body);
+        island.bodies.push(body);
       }
     }
   });
-  for (const members of islands.values()) {
-    sleepIsland(world, members);
+  for (const constraint of world.liveConstraints) {
+    const body = constraint.members.find(({ kind, liveIndex }) => kind === DYNAMIC && liveIndex >= 0);
+    if (body !== undefined && acts(world, constraint)) {
+      islands.get(work.root(body.liveIndex))?.constraints.push(constraint);
+    }
+  }
+  for (const island of islands.values()) {
+    sleepIsland(world, island);
   }
 }

@@ -45,6 +45,7 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
     quieten(world, body);
   }
   body.kind = kind;
+  world.jointsStale = true;
   for (const shape of body.shapes) {
     for (const pair of [...shape.arbiters]) {
       if (pair.bodyA.kind !== DYNAMIC && pair.bodyB.kind !== DYNAMIC) {

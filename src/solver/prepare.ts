@@ -4,14 +4,16 @@ import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
+import { packJoints } from './joints.js';
 import { packContacts } from './pack-contacts.js';
 
-/** Packs awake bodies and accepted contacts for sub-steps of length h. */
+/** Packs awake bodies, live constraints and accepted contacts for sub-steps of length h. */
 export function prepare(world: World, h: number): void {
   const data = world.solver;
   packBodies(world, h);
   data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
   data.previousH = h;
+  packJoints(world, h);
   packContacts(data, world.pairs.sorted);
 }
 

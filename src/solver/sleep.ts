@@ -1,12 +1,14 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
+import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { IN_STEP } from '../events/events.js';
 import type { World } from '../world.js';
 
-/** Bodies that fell asleep together, and wake together. */
+/** Bodies and constraints that fell asleep together, and wake together. */
 export interface Island {
   readonly bodies: RigidBody[];
+  readonly constraints: Constraint[];
 }
 
 /** The step that a wake counts for: the running one, or the next. */
@@ -40,32 +42,119 @@ export function quieten(world: World, body: RigidBody): void {
   world.setHandlesStatic(body, true);
 }
 
+/** Puts a constraint into the live list. */
+export function enlivenConstraint(world: World, constraint: Constraint): void {
+  constraint.asleep = false;
+  constraint.liveIndex = world.liveConstraints.push(constraint) - 1;
+  world.jointsStale = true;
+}
+
+/** Takes a constraint out of the live list. */
+export function quietenConstraint(world: World, constraint: Constraint): void {
+  const live = world.liveConstraints;
+  const last = live.pop()!;
+  if (last !== constraint) {
+    live[constraint.liveIndex] = last;
+    last.liveIndex = constraint.liveIndex;
+  }
+  constraint.liveIndex = -1;
+  constraint.asleep = true;
+  constraint.given.fill(0);
+  world.jointsStale = true;
+}
+
 /** Wakes a body and what must wake with it. `silent`: no `wake` event for this very body. */
 export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
   if (body.kind !== STATIC && !body.asleep) {
     body.wakeTime = wakeStamp(world);
-    return;
+  } else {
+    spreadWake(world, body, silent);
   }
-  const island = body.island;
-  if (island !== null) {
-    for (const member of island.bodies) {
-      member.island = null;
-      rise(world, member, silent && member === body);
-    }
-    return;
+}
+
+/** Wakes a constraint and its dynamic bodies. `silent`: no `wake` event for the constraint itself. */
+export function wakeConstraint(world: World, constraint: Constraint, silent: boolean): void {
+  if (constraint.enabled) {
+    spreadWake(world, constraint, silent);
   }
-  const resting = restingOn(body);
-  if (body.kind !== STATIC) {
-    rise(world, body, silent);
-  }
-  for (const other of resting) {
-    if (other.asleep && other.owner === world) {
-      wakeBody(world, other, false);
+}
+
+/** Wakes something and what must wake with it, and with that, and so on; a list, as the way can be long. */
+function spreadWake(world: World, start: RigidBody | Constraint, silent: boolean): void {
+  const found: (RigidBody | Constraint)[] = [start];
+  const quiet = silent ? start : null;
+  for (const next of found) {
+    if ('shapes' in next) {
+      spreadFromBody(world, next, quiet, found);
+    } else {
+      spreadFromConstraint(world, next, quiet, found);
     }
   }
 }
 
-function rise(world: World, body: RigidBody, silent: boolean): void {
+type Woken = RigidBody | Constraint | null;
+
+function spreadFromBody(world: World, body: RigidBody, quiet: Woken, found: (RigidBody | Constraint)[]): void {
+  if (body.kind !== STATIC && !body.asleep) {
+    body.wakeTime = wakeStamp(world);
+    return;
+  }
+  if (body.island !== null) {
+    raiseIsland(world, body.island, quiet, found);
+    return;
+  }
+  found.push(...restingOn(body));
+  if (body.kind !== STATIC) {
+    rise(world, body, body === quiet, found);
+  } else {
+    found.push(...body.constraints.filter((constraint) => constraint.asleep && constraint.enabled));
+  }
+}
+
+function spreadFromConstraint(
+  world: World,
+  constraint: Constraint,
+  quiet: Woken,
+  found: (RigidBody | Constraint)[],
+): void {
+  if (constraint.island !== null) {
+    raiseIsland(world, constraint.island, quiet, found);
+    return;
+  }
+  if (constraint.asleep) {
+    riseConstraint(world, constraint, constraint === quiet);
+  }
+  for (const body of constraint.members) {
+    if (body.kind === DYNAMIC && body.owner === world) {
+      found.push(body);
+    }
+  }
+}
+
+/** An island wakes as a whole, and what was put to sleep by hand between its bodies. */
+function raiseIsland(world: World, island: Island, quiet: Woken, found: (RigidBody | Constraint)[]): void {
+  for (const constraint of island.constraints) {
+    if (constraint.island === island) {
+      constraint.island = null;
+      riseConstraint(world, constraint, constraint === quiet);
+    }
+  }
+  for (const body of island.bodies) {
+    if (body.island === island) {
+      body.island = null;
+      rise(world, body, body === quiet, found);
+    }
+  }
+}
+
+function riseConstraint(world: World, constraint: Constraint, silent: boolean): void {
+  enlivenConstraint(world, constraint);
+  if (!silent) {
+    world.events.constraint('wake', constraint);
+  }
+}
+
+function rise(world: World, body: RigidBody, silent: boolean, found: (RigidBody | Constraint)[]): void {
   enliven(world, body);
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
@@ -77,6 +166,11 @@ function rise(world: World, body: RigidBody, silent: boolean): void {
   if (!silent && body.kind === DYNAMIC) {
     world.events.body('wake', body);
   }
+  for (const constraint of body.constraints) {
+    if (constraint.asleep && constraint.enabled && constraint.owner === world) {
+      found.push(constraint);
+    }
+  }
 }
 
 /** Dynamic bodies in accepted contact with a body when they fell asleep. */
@@ -86,7 +180,7 @@ function restingOn(body: RigidBody): RigidBody[] {
     for (const pair of shape.arbiters) {
       if (pair.sleeping && pair.accepted) {
         const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
-        if (other.kind === DYNAMIC) {
+        if (other.kind === DYNAMIC && other.asleep) {
           found.push(other);
         }
       }
@@ -117,9 +211,21 @@ export function sleepBody(world: World, body: RigidBody): void {
   }
 }
 
+/** `Constraint.sleep` in a world: this one constraint, silently. */
+export function sleepConstraint(world: World, constraint: Constraint): void {
+  if (constraint.enabled && !constraint.asleep) {
+    quietenConstraint(world, constraint);
+  }
+}
+
 /** An island at rest falls asleep: velocities end, events are queued. */
-export function sleepIsland(world: World, bodies: RigidBody[]): void {
-  const island: Island = { bodies };
+export function sleepIsland(world: World, island: Island): void {
+  const { bodies, constraints } = island;
+  for (const constraint of constraints) {
+    constraint.island = island;
+    quietenConstraint(world, constraint);
+    world.events.constraint('sleep', constraint);
+  }
   for (const body of bodies) {
     body.vx = 0;
     body.vy = 0;

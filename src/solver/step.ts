@@ -3,6 +3,7 @@ import { applyBounces, planBounces, releaseBounces } from './bounce.js';
 import { findPairs, listArbiters } from './find-pairs.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
+import { finishJoints, solvePositionJoints, solveVelocityJoints, storeJoints, warmStartJoints } from './joints.js';
 import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
 import { prepare } from './prepare.js';
 import { refreshMoved } from './refresh.js';
@@ -25,24 +26,30 @@ export function step(world: World, dt: number): void {
   for (let part = 0; part < substeps; part += 1) {
     planBounces(solver);
     integrateVelocities(solver);
+    warmStartJoints(solver, part === 0);
     warmStartTwo(solver, h, part === 0);
     warmStartOne(solver, h, part === 0);
     applyBounces(solver);
     for (let i = share(world.velocityIterations, part, substeps); i > 0; i -= 1) {
+      solveVelocityJoints(solver);
       solveVelocityTwo(solver);
       solveVelocityOne(solver);
     }
     integratePositions(solver, h);
     releaseBounces(solver);
-    for (let i = share(world.positionIterations, part, substeps); i > 0; i -= 1) {
+    const pushes = share(world.positionIterations, part, substeps);
+    for (let i = 0; i < pushes; i += 1) {
+      const pushedJoints = solvePositionJoints(solver, i === 0);
       const pushedTwo = solvePositionTwo(solver);
       const pushedOne = solvePositionOne(solver);
-      if (!pushedTwo && !pushedOne) {
+      if (!pushedJoints && !pushedTwo && !pushedOne) {
         break;
       }
     }
+    finishJoints(solver);
     advance(solver);
   }
+  storeJoints(world);
   store(world);
   sleepKinematics(world);
 }

@@ -1,0 +1,70 @@
+import { notNaN, optional } from '../validate.js';
+import { ANGLE, POSE } from './layout.js';
+import { type Bounds, checkedRatio, TwoBodyConstraint, type TwoBodyParams, takeBounds } from './two-body.js';
+
+/** Options of `createAngleConstraint`: bounds in rad, both 0 by default. */
+export interface AngleConstraintParams extends TwoBodyParams, Bounds {
+  /** Turns of body A for one of body B, not 0. Default 1. */
+  ratio?: number | undefined;
+}
+
+/**
+ * The angle between two bodies stays between bounds; with a ratio, a gear. Rotations are not wrapped.
+ *
+ *     lower ≤ ratio · θB − θA ≤ upper
+ */
+export class AngleConstraint extends TwoBodyConstraint {
+  readonly type = 'ANGLE';
+
+  private ratio: number;
+
+  /** @internal use `createAngleConstraint` */
+  constructor(params: AngleConstraintParams) {
+    const where = 'createAngleConstraint';
+    super(where, 1, params);
+    this.ratio = checkedRatio(where, optional(params.ratio, 1));
+    takeBounds(this, where, params, 0, 0);
+  }
+
+  getRatio(): number {
+    return this.ratio;
+  }
+
+  /** Sets the ratio, not 0. */
+  setRatio(ratio: number): void {
+    checkedRatio('AngleConstraint.setRatio', ratio);
+    if (ratio !== this.ratio) {
+      this.ratio = ratio;
+      this.rouse();
+    }
+  }
+
+  /** rad. */
+  getLowerBound(): number {
+    return this.lower;
+  }
+
+  /** Not above the upper bound. */
+  setLowerBound(lowerBound: number): void {
+    const where = 'AngleConstraint.setLowerBound';
+    this.setBounds(where, 'lowerBound', notNaN(where, 'lowerBound', lowerBound), this.upper);
+  }
+
+  /** rad. */
+  getUpperBound(): number {
+    return this.upper;
+  }
+
+  /** Not below the lower bound. */
+  setUpperBound(upperBound: number): void {
+    const where = 'AngleConstraint.setUpperBound';
+    this.setBounds(where, 'upperBound', this.lower, notNaN(where, 'upperBound', upperBound));
+  }
+
+  /** @internal */
+  measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
+    out[c] = this.ratio * pose[POSE + ANGLE]! - pose[ANGLE]!;
+    out[j + 2] = -1;
+    out[j + 5] = this.ratio;
+  }
+}

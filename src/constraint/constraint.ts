@@ -1,0 +1,253 @@
+import { RigidBody } from '../body.js';
+import { type Listeners, NO_LISTENERS, withListener, withoutListener } from '../events/listeners.js';
+import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
+import type { Island } from '../solver/sleep.js';
+import { boolean, callable, instance, optional, rangeError } from '../validate.js';
+import type { World } from '../world.js';
+import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
+
+export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
+
+export type ConstraintEventType = 'wake' | 'sleep' | 'break';
+
+/** Called without arguments, `this` = the constraint. */
+export type ConstraintHandler = (this: Constraint) => void;
+
+/**
+ * A relation between bodies that the solver keeps. It acts while it is in a world, enabled, awake, and all its dynamic bodies are in that
+ * world; static and kinematic bodies serve as anchors wherever they are. All setters wake it if they change anything.
+ *
+ * A kind says what it is in one place, `measure`: its position error C, one number per dimension, and the derivative of C
+ * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
+ */
+export abstract class Constraint {
+  abstract readonly type: ConstraintType;
+  /** How many numbers its error is made of. */
+  readonly dimension: number;
+  /** Anything of yours. */
+  userData: unknown;
+
+  /** @internal its bodies in the order of the Jacobian's columns; one may be listed twice */
+  readonly members: readonly RigidBody[];
+  /** @internal */
+  stiff = true;
+  /** @internal */
+  frequency = 10;
+  /** @internal */
+  damping = 1;
+  /** @internal */
+  maxForce = Infinity;
+  /** @internal */
+  maxError = Infinity;
+  /** @internal */
+  removeOnBreak = true;
+  /** @internal */
+  breakUnderForce = false;
+  /** @internal */
+  breakUnderError = false;
+  /** @internal */
+  ignoreInteractions = false;
+  /** @internal has a position error; if not, `measure` gives the velocity J·v is to make up for in place of it */
+  positional = true;
+  /** @internal bounds of the last number that `measure` gives, if `bounded`: then it is compared with them, else with 0 */
+  lower = 0;
+  /** @internal */
+  upper = 0;
+  /** @internal */
+  bounded = false;
+
+  /** @internal */
+  owner: World | null = null;
+  /** @internal */
+  asleep: boolean;
+  /** @internal */
+  enabled: boolean;
+  /** @internal index in the world's list */
+  index = -1;
+  /** @internal index in the world's list of live ones, −1 while not in it */
+  liveIndex = -1;
+  /** @internal grows with each adding to a world: decides between equals */
+  order = 0;
+  /** @internal those it fell asleep with */
+  island: Island | null = null;
+  /** @internal */
+  listeners: Listeners<ConstraintHandler> = NO_LISTENERS;
+  /** @internal impulse λ of the last sub-step, to start the next one with */
+  readonly impulse: Float64Array;
+  /** @internal what the latest step gave to each member: x, y, angular */
+  readonly given: Float64Array;
+  /** @internal was changed, so that its error may have other causes than the motion of its bodies */
+  fresh = true;
+
+  /** @internal */
+  constructor(where: string, dimension: number, members: readonly RigidBody[], params: ConstraintParams) {
+    const config = checkedConfig(where, params);
+    this.asleep = boolean(where, 'sleeping', optional(params.sleeping, false));
+    this.enabled = !boolean(where, 'disabled', optional(params.disabled, false));
+    this.userData = params.userData === undefined ? null : params.userData;
+    this.dimension = dimension;
+    this.members = members;
+    this.impulse = new Float64Array(dimension);
+    this.given = new Float64Array(3 * members.length);
+    Object.assign(this, config);
+  }
+
+  /**
+   * @internal Adds the error C to `out[c + d]` (not needed unless `withError`) and the Jacobian to `out[j + d·3N + 3k + component]` (x, y,
+   * angular), which are 0, for the bodies' placements in `pose`; see layout.ts.
+   */
+  abstract measure(pose: Float64Array, out: Float64Array, c: number, j: number, withError: boolean): void;
+
+  /** The world the constraint is in, or `null`. */
+  get world(): World | null {
+    return this.owner;
+  }
+
+  get sleeping(): boolean {
+    return this.asleep;
+  }
+
+  /** Changes the given options, keeps the others. Wakes the constraint. */
+  configure(params: ConstraintConfig): void {
+    const config = checkedConfig('Constraint.configure', params);
+    const { owner } = this;
+    owner?.countIgnoring(this, -1);
+    Object.assign(this, config);
+    owner?.countIgnoring(this, 1);
+    this.rouse();
+  }
+
+  isEnabled(): boolean {
+    return this.enabled;
+  }
+
+  isDisabled(): boolean {
+    return !this.enabled;
+  }
+
+  /** Lets the constraint act again, from rest. In a world wakes its bodies. */
+  enable(): void {
+    if (!this.enabled) {
+      this.enabled = true;
+      this.asleep = false;
+      this.owner?.switchConstraint(this);
+    }
+  }
+
+  /** Stops the constraint from acting; it stays in the world. Wakes its bodies if it was asleep. */
+  disable(): void {
+    if (this.enabled) {
+      this.wake();
+      this.enabled = false;
+      this.owner?.switchConstraint(this);
+      this.forget();
+    }
+  }
+
+  /** Wakes the constraint, without a `wake` event for itself, and its bodies. Outside a world only clears the flag. */
+  wake(): void {
+    if (this.owner === null) {
+      this.asleep = false;
+    } else {
+      this.owner.wakeConstraint(this, true);
+    }
+  }
+
+  /** Takes this one constraint out of the simulation, without an event. Outside a world only sets the flag. */
+  sleep(): void {
+    if (this.owner === null) {
+      this.asleep = true;
+    } else {
+      this.owner.sleepConstraint(this);
+    }
+  }
+
+  /** `[jx, jy, jw]` given to a body in the latest step, N·s and N·m·s about its origin; zeros for a body it does not use. */
+  getImpulseForBody(body: RigidBody): Vec3;
+  getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
+  getImpulseForBody<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec3 {
+    instance('Constraint.getImpulseForBody', 'body', body, RigidBody, 'a RigidBody');
+    let x = 0;
+    let y = 0;
+    let w = 0;
+    this.members.forEach((member, k) => {
+      if (member === body) {
+        x += this.given[3 * k]!;
+        y += this.given[3 * k + 1]!;
+        w += this.given[3 * k + 2]!;
+      }
+    });
+    return vec3(x, y, w, dst);
+  }
+
+  /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes silently otherwise. */
+  addEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
+    callable('Constraint.addEventListener', 'handler', handler);
+    if (eventType !== 'wake' && eventType !== 'sleep' && eventType !== 'break') {
+      return false;
+    }
+    const added = { type: eventType, handler, mask: undefined, deterministic: false };
+    return this.replaceListeners(withListener(this.listeners, added));
+  }
+
+  /** Removes a handler. @returns whether it was there. */
+  removeEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
+    return this.replaceListeners(withoutListener(this.listeners, eventType, handler, undefined));
+  }
+
+  private replaceListeners(list: Listeners<ConstraintHandler> | null): boolean {
+    if (list === null) {
+      return false;
+    }
+    this.listeners = list;
+    this.wake();
+    return true;
+  }
+
+  /** @internal the automatic wake, after a change: with a `wake` event if the constraint was asleep */
+  rouse(): void {
+    this.fresh = true;
+    if (this.owner === null) {
+      this.asleep = false;
+    } else {
+      this.owner.wakeConstraint(this, false);
+    }
+  }
+
+  /** @internal nothing is kept of earlier impulses */
+  forget(): void {
+    this.impulse.fill(0);
+    this.given.fill(0);
+    this.fresh = true;
+  }
+
+  /** @internal its class, for messages */
+  get kind(): string {
+    return `${this.type[0]}${this.type.slice(1).toLowerCase()}Constraint`;
+  }
+
+  /** @internal */
+  setBounds(where: string, name: string, lower: number, upper: number): void {
+    checkBounds(where, name, lower, upper);
+    if (lower !== this.lower || upper !== this.upper) {
+      this.lower = lower;
+      this.upper = upper;
+      this.rouse();
+    }
+  }
+}
+
+/** @internal `name` is the bound to blame if they do not fit. */
+export function checkBounds(where: string, name: string, lower: number, upper: number): void {
+  if (lower === Infinity) {
+    throw rangeError(where, 'lowerBound', 'less than Infinity', lower);
+  }
+  if (upper === -Infinity) {
+    throw rangeError(where, 'upperBound', 'more than -Infinity', upper);
+  }
+  if (lower > upper) {
+    const isLower = name === 'lowerBound';
+    const rule = isLower ? `<= upperBound (${upper})` : `>= lowerBound (${lower})`;
+    throw rangeError(where, name, rule, isLower ? lower : upper);
+  }
+}

@@ -1,0 +1,132 @@
+import type { RigidBody } from '../body.js';
+import type { NumberSink } from '../math/vectors.js';
+import { callable, integer, options, rangeError, typeError } from '../validate.js';
+import { Constraint } from './constraint.js';
+import type { ConstraintParams } from './params.js';
+import { checkedBody } from './two-body.js';
+
+/** Reads or writes `data[index + …]`; `this` is the constraint. Must change nothing but `data` and variables of its own. */
+export type CustomCallback = (this: CustomConstraint, data: NumberSink & ArrayLike<number>, index: number) => void;
+
+/**
+ * Options of `createCustomConstraint`. With D = `dimension` and N = number of bodies; what a callback leaves alone is 0.
+ *
+ * Calls in a step: `positionConstants`, `position` (if not stiff), `jacobian`; in each velocity iteration `velocityClamp`; in each position
+ * iteration, if stiff and there is a `position`: `positionConstants`, `position`, `jacobian`, `positionClamp`.
+ */
+export interface CustomConstraintParams extends ConstraintParams {
+  /** Number of rows D, integer >= 1. */
+  dimension: number;
+  /** At least one; copied. A body may be listed twice. */
+  bodies: ArrayLike<RigidBody>;
+  /**
+   * Writes the derivative of the error by the velocities: `data[index + d * 3 * N + 3 * k + c]` for row d, body k and component c (0:
+   * x-velocity, 1: y-velocity, 2: angular velocity).
+   */
+  jacobian: CustomCallback;
+  /** Writes the error C to `data[index + d]`. Without it the constraint is one of velocities alone, J·v = 0. */
+  position?: CustomCallback | undefined;
+  /** Called before the others, to compute what they share. */
+  positionConstants?: ((this: CustomConstraint) => void) | undefined;
+  /** Limits the impulse `data[index + d]` of the step, accumulated so far, in place. */
+  velocityClamp?: CustomCallback | undefined;
+  /** Limits the correction impulse `data[index + d]` of this position iteration, in place. */
+  positionClamp?: CustomCallback | undefined;
+  /** Draws the constraint. */
+  debugDraw?: ((this: CustomConstraint, debug: unknown, stiff: boolean) => void) | undefined;
+}
+
+type CallbackName = 'position' | 'jacobian' | 'velocityClamp' | 'positionClamp';
+
+/** A constraint given by callbacks: any number of rows and bodies, through the same solver as the built-in kinds. */
+export class CustomConstraint extends Constraint {
+  readonly type = 'CUSTOM';
+  /** The bodies of the Jacobian's columns. Do not modify. */
+  readonly bodies: readonly RigidBody[];
+
+  /** @internal a callback threw or wrote something that is no number: left out for the rest of the step */
+  failed = false;
+  /** @internal */
+  readonly callbacks: CustomConstraintParams;
+  /** What callbacks see; of this constraint alone, so that a wrong index can do no harm elsewhere. */
+  private readonly data: Float64Array;
+
+  /** @internal use `createCustomConstraint` */
+  constructor(params: CustomConstraintParams) {
+    const where = 'createCustomConstraint';
+    const given = options(where, params, true);
+    const dimension = integer(where, 'dimension', given.dimension, 1);
+    const bodies = checkedBodies(where, given.bodies);
+    callable(where, 'jacobian', given.jacobian);
+    for (const name of ['position', 'positionConstants', 'velocityClamp', 'positionClamp', 'debugDraw'] as const) {
+      if (given[name] !== undefined) {
+        callable(where, name, given[name]);
+      }
+    }
+    super(where, dimension, bodies, params);
+    this.bodies = [...bodies];
+    this.callbacks = { ...params };
+    this.positional = params.position !== undefined;
+    this.data = new Float64Array(3 * dimension * bodies.length);
+  }
+
+  /** @internal The error is asked for only where it is used: if the constraint is elastic, and in position iterations. */
+  measure(_pose: Float64Array, out: Float64Array, c: number, j: number, withError: boolean): void {
+    const { positionConstants } = this.callbacks;
+    if (positionConstants !== undefined) {
+      this.attempt(() => positionConstants.call(this));
+    }
+    if (withError && this.positional) {
+      this.call('position', out, c, this.dimension, false);
+    }
+    this.call('jacobian', out, j, this.data.length, false);
+  }
+
+  /** @internal lets a callback, if there is one, change D numbers in place */
+  clamp(name: 'velocityClamp' | 'positionClamp', out: Float64Array, at: number): void {
+    if (this.callbacks[name] !== undefined) {
+      this.call(name, out, at, this.dimension, true);
+    }
+  }
+
+  private call(name: CallbackName, out: Float64Array, at: number, count: number, inPlace: boolean): void {
+    const { data } = this;
+    data.fill(0);
+    for (let i = 0; inPlace && i < count; i += 1) {
+      data[i] = out[at + i]!;
+    }
+    this.attempt(() => this.callbacks[name]!.call(this, data, 0));
+    for (let i = 0; i < count && !this.failed; i += 1) {
+      if (!Number.isFinite(data[i])) {
+        const where = `CustomConstraint.${name} of world.constraints[${this.index}]`;
+        this.fail(rangeError(where, `data[index + ${i}]`, 'a finite number', data[i]));
+      }
+    }
+    for (let i = 0; i < count && !this.failed; i += 1) {
+      out[at + i] = data[i]!;
+    }
+  }
+
+  private attempt(callback: () => void): void {
+    if (!this.failed) {
+      try {
+        callback();
+      } catch (error) {
+        this.fail(error);
+      }
+    }
+  }
+
+  private fail(error: unknown): void {
+    this.failed = true;
+    this.owner!.events.fail(error);
+  }
+}
+
+function checkedBodies(where: string, value: unknown): RigidBody[] {
+  const list = value as ArrayLike<unknown> | null | undefined;
+  if (typeof list !== 'object' || list === null || !(list.length >= 1)) {
+    throw typeError(where, 'bodies', 'an array of at least one RigidBody', value);
+  }
+  return Array.from(list, (body, i) => checkedBody(where, `bodies[${i}]`, body));
+}

@@ -1,0 +1,53 @@
+import { nonNegativeOrInfinite } from '../validate.js';
+import { Link } from './link.js';
+import { AnchoredConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
+
+/** Options of `createDistanceConstraint`: bounds in m, `lowerBound` >= 0, both 0 by default. */
+export interface DistanceConstraintParams extends TwoAnchorParams, Bounds {}
+
+/**
+ * The distance of two points of two bodies stays between bounds: a rod, a rope (no lower bound), a spring (not stiff). For a distance
+ * of 0 use a point constraint.
+ *
+ *     lower ≤ |wB − wA| ≤ upper,   w = x + R(θ) · anchor
+ */
+export class DistanceConstraint extends AnchoredConstraint {
+  readonly type = 'DISTANCE';
+
+  private readonly link = new Link(0, 1);
+
+  /** @internal use `createDistanceConstraint` */
+  constructor(params: DistanceConstraintParams) {
+    const where = 'createDistanceConstraint';
+    super(where, 1, params);
+    takeBounds(this, where, params, 0, 0);
+    nonNegativeOrInfinite(where, 'lowerBound', this.lower);
+  }
+
+  /** m. */
+  getLowerBound(): number {
+    return this.lower;
+  }
+
+  /** Between 0 and the upper bound, m. */
+  setLowerBound(lowerBound: number): void {
+    const where = 'DistanceConstraint.setLowerBound';
+    this.setBounds(where, 'lowerBound', nonNegativeOrInfinite(where, 'lowerBound', lowerBound), this.upper);
+  }
+
+  /** m. */
+  getUpperBound(): number {
+    return this.upper;
+  }
+
+  /** Not below the lower bound, m. */
+  setUpperBound(upperBound: number): void {
+    const where = 'DistanceConstraint.setUpperBound';
+    this.setBounds(where, 'upperBound', this.lower, nonNegativeOrInfinite(where, 'upperBound', upperBound));
+  }
+
+  /** @internal */
+  measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
+    this.link.add(1, pose, this.anchors, out, c, j);
+  }
+}

@@ -1,0 +1,8 @@
+/** A pose, as `Constraint.measure` is given one for each of its bodies: offsets and stride. */
+export const X = 0;
+export const Y = 1;
+export const COS = 2;
+export const SIN = 3;
+/** Not wrapped. */
+export const ANGLE = 4;
+export const POSE = 5;

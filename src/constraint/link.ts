@@ -1,0 +1,42 @@
+import { MIN_LENGTH } from '../config.js';
+import { COS, POSE, SIN, X, Y } from './layout.js';
+
+/** The straight line between an anchor of one body and one of another: what a distance has one of and a pulley two. */
+export class Link {
+  /** Direction when it was last long enough to have one. */
+  private nx = 1;
+  private ny = 0;
+
+  /** Between the anchors of the members `a` and `b`. */
+  constructor(
+    private readonly a: number,
+    private readonly b: number,
+  ) {}
+
+  /** Adds `ratio` times the length to C, and ratio · [−n, −rA × n, n, rB × n] to the Jacobian. */
+  add(ratio: number, pose: Float64Array, anchors: Float64Array, out: Float64Array, c: number, j: number): void {
+    const { a, b } = this;
+    const p = a * POSE;
+    const q = b * POSE;
+    const ax = pose[p + COS]! * anchors[2 * a]! - pose[p + SIN]! * anchors[2 * a + 1]!;
+    const ay = pose[p + SIN]! * anchors[2 * a]! + pose[p + COS]! * anchors[2 * a + 1]!;
+    const bx = pose[q + COS]! * anchors[2 * b]! - pose[q + SIN]! * anchors[2 * b + 1]!;
+    const by = pose[q + SIN]! * anchors[2 * b]! + pose[q + COS]! * anchors[2 * b + 1]!;
+    const dx = pose[q + X]! + bx - pose[p + X]! - ax;
+    const dy = pose[q + Y]! + by - pose[p + Y]! - ay;
+    const length = Math.sqrt(dx * dx + dy * dy);
+    if (length > MIN_LENGTH) {
+      this.nx = dx / length;
+      this.ny = dy / length;
+    }
+    const nx = ratio * this.nx;
+    const ny = ratio * this.ny;
+    out[c] = out[c]! + ratio * length;
+    out[j + 3 * a] = -nx;
+    out[j + 3 * a + 1] = -ny;
+    out[j + 3 * a + 2] = ay * nx - ax * ny;
+    out[j + 3 * b] = nx;
+    out[j + 3 * b + 1] = ny;
+    out[j + 3 * b + 2] = bx * ny - by * nx;
+  }
+}

@@ -1,0 +1,120 @@
+import type { RigidBody } from '../body.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
+import { notNaN, optional, options, vector } from '../validate.js';
+import { Link } from './link.js';
+import {
+  AnchoredConstraint,
+  type Bounds,
+  checkedBody,
+  checkedRatio,
+  type TwoAnchorParams,
+  takeBounds,
+} from './two-body.js';
+
+/** Options of `createPulleyConstraint`: bounds in m, both 0 by default. */
+export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
+  /** May be bodyB. */
+  bodyC: RigidBody;
+  bodyD: RigidBody;
+  /** Body C coordinates, m. Default `[0, 0]`. */
+  anchorC?: Vec2Like | undefined;
+  /** Body D coordinates, m. Default `[0, 0]`. */
+  anchorD?: Vec2Like | undefined;
+  /** Length of rope that the first link gives for a unit of the second, not 0. Default 1. */
+  ratio?: number | undefined;
+}
+
+/**
+ * A rope from A over B and C to D, as through a tackle: its two links have a length together.
+ *
+ *     lower ≤ |wB − wA| + ratio · |wD − wC| ≤ upper,   w = x + R(θ) · anchor
+ */
+export class PulleyConstraint extends AnchoredConstraint {
+  readonly type = 'PULLEY';
+
+  private ratio: number;
+  private readonly first = new Link(0, 1);
+  private readonly second = new Link(2, 3);
+
+  /** @internal use `createPulleyConstraint` */
+  constructor(params: PulleyConstraintParams) {
+    const where = 'createPulleyConstraint';
+    const { bodyC, bodyD } = options(where, params, true);
+    super(where, 1, params, checkedBody(where, 'bodyC', bodyC), checkedBody(where, 'bodyD', bodyD));
+    this.putAnchor(2, vector(where, 'anchorC', optional(params.anchorC, [0, 0]), 2));
+    this.putAnchor(3, vector(where, 'anchorD', optional(params.anchorD, [0, 0]), 2));
+    this.ratio = checkedRatio(where, optional(params.ratio, 1));
+    takeBounds(this, where, params, 0, 0);
+  }
+
+  get bodyC(): RigidBody {
+    return this.members[2]!;
+  }
+
+  get bodyD(): RigidBody {
+    return this.members[3]!;
+  }
+
+  /** Body C coordinates, m. */
+  getAnchorC(): Vec2;
+  getAnchorC<T extends NumberSink>(dst: T): T;
+  getAnchorC<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.anchors[4]!, this.anchors[5]!, dst);
+  }
+
+  setAnchorC(anchor: Vec2Like): void {
+    this.setAnchor('C', 2, anchor);
+  }
+
+  /** Body D coordinates, m. */
+  getAnchorD(): Vec2;
+  getAnchorD<T extends NumberSink>(dst: T): T;
+  getAnchorD<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.anchors[6]!, this.anchors[7]!, dst);
+  }
+
+  setAnchorD(anchor: Vec2Like): void {
+    this.setAnchor('D', 3, anchor);
+  }
+
+  getRatio(): number {
+    return this.ratio;
+  }
+
+  /** Sets the ratio, not 0. */
+  setRatio(ratio: number): void {
+    checkedRatio('PulleyConstraint.setRatio', ratio);
+    if (ratio !== this.ratio) {
+      this.ratio = ratio;
+      this.rouse();
+    }
+  }
+
+  /** m. */
+  getLowerBound(): number {
+    return this.lower;
+  }
+
+  /** Not above the upper bound. */
+  setLowerBound(lowerBound: number): void {
+    const where = 'PulleyConstraint.setLowerBound';
+    this.setBounds(where, 'lowerBound', notNaN(where, 'lowerBound', lowerBound), this.upper);
+  }
+
+  /** m. */
+  getUpperBound(): number {
+    return this.upper;
+  }
+
+  /** Not below the lower bound. */
+  setUpperBound(upperBound: number): void {
+    const where = 'PulleyConstraint.setUpperBound';
+    this.setBounds(where, 'upperBound', this.lower, notNaN(where, 'upperBound', upperBound));
+  }
+
+  /** @internal */
+  measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
+    this.first.add(1, pose, this.anchors, out, c, j);
+    this.second.add(this.ratio, pose, this.anchors, out, c, j);
+  }
+}

@@ -1,0 +1,31 @@
+import type { Constraint } from './constraint.js';
+
+/** Offsets of what `writeSoftness` writes. */
+export const SOFTNESS = 0;
+export const FEEDBACK = 1;
+export const RATE = 2;
+
+/**
+ * A damped spring of a frequency and damping ratio as a soft constraint, stable for any time step h (Catto, "Soft Constraints", GDC
+ * 2011). With w = 2π · frequency and damping ratio ζ, in the velocity row
+ *
+ *     Δλ = s · K⁻¹ · (−C · rate − J·v) − γ · s · λ
+ *     γ = 1 / (h · w · (2ζ + w·h)),   s = 1 / (1 + γ),   rate = w / (2ζ + w·h)
+ *
+ * Writes s, γ · s and rate; for a rigid constraint 1, 0, 0.
+ */
+export function writeSoftness(constraint: Constraint, h: number, out: Float64Array, at: number): void {
+  if (constraint.stiff || !constraint.positional) {
+    out[at + SOFTNESS] = 1;
+    out[at + FEEDBACK] = 0;
+    out[at + RATE] = 0;
+    return;
+  }
+  const w = 2 * Math.PI * constraint.frequency;
+  const stiffness = 2 * constraint.damping + w * h;
+  const gamma = 1 / (h * w * stiffness);
+  const softness = 1 / (1 + gamma);
+  out[at + SOFTNESS] = softness;
+  out[at + FEEDBACK] = gamma * softness;
+  out[at + RATE] = w / stiffness;
+}

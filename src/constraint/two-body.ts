@@ -1,0 +1,116 @@
+import { RigidBody } from '../body.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
+import { finite, instance, notNaN, optional, options, rangeError, vector } from '../validate.js';
+import { Constraint, checkBounds } from './constraint.js';
+import type { ConstraintParams } from './params.js';
+
+export interface TwoBodyParams extends ConstraintParams {
+  bodyA: RigidBody;
+  /** If it is bodyA again, the constraint does nothing. */
+  bodyB: RigidBody;
+}
+
+export interface TwoAnchorParams extends TwoBodyParams {
+  /** Body A coordinates, m. Default `[0, 0]`. */
+  anchorA?: Vec2Like | undefined;
+  /** Body B coordinates, m. Default `[0, 0]`. */
+  anchorB?: Vec2Like | undefined;
+}
+
+export interface Bounds {
+  /** Not above `upperBound`, −`Infinity` for none. If both are equal the constraint is an equality. */
+  lowerBound?: number | undefined;
+  /** `Infinity` for none. */
+  upperBound?: number | undefined;
+}
+
+const ORIGIN: Vec2Like = [0, 0];
+
+/** A constraint between two bodies. They cannot be changed later. */
+export abstract class TwoBodyConstraint extends Constraint {
+  /** @internal */
+  constructor(where: string, dimension: number, params: TwoBodyParams, ...more: RigidBody[]) {
+    const { bodyA, bodyB } = options(where, params, true);
+    super(where, dimension, [checkedBody(where, 'bodyA', bodyA), checkedBody(where, 'bodyB', bodyB), ...more], params);
+  }
+
+  get bodyA(): RigidBody {
+    return this.members[0]!;
+  }
+
+  get bodyB(): RigidBody {
+    return this.members[1]!;
+  }
+}
+
+/** A constraint between points of bodies. */
+export abstract class AnchoredConstraint extends TwoBodyConstraint {
+  /** @internal x, y of the anchors of the members, in their coordinates */
+  readonly anchors: Float64Array;
+
+  /** @internal */
+  constructor(where: string, dimension: number, params: TwoAnchorParams, ...more: RigidBody[]) {
+    super(where, dimension, params, ...more);
+    this.anchors = new Float64Array(2 * this.members.length);
+    this.putAnchor(0, vector(where, 'anchorA', optional(params.anchorA, ORIGIN), 2));
+    this.putAnchor(1, vector(where, 'anchorB', optional(params.anchorB, ORIGIN), 2));
+  }
+
+  /** Body A coordinates, m. */
+  getAnchorA(): Vec2;
+  getAnchorA<T extends NumberSink>(dst: T): T;
+  getAnchorA<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.anchors[0]!, this.anchors[1]!, dst);
+  }
+
+  setAnchorA(anchor: Vec2Like): void {
+    this.setAnchor('A', 0, anchor);
+  }
+
+  /** Body B coordinates, m. */
+  getAnchorB(): Vec2;
+  getAnchorB<T extends NumberSink>(dst: T): T;
+  getAnchorB<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.anchors[2]!, this.anchors[3]!, dst);
+  }
+
+  setAnchorB(anchor: Vec2Like): void {
+    this.setAnchor('B', 1, anchor);
+  }
+
+  /** @internal */
+  protected setAnchor(name: string, k: number, anchor: Vec2Like): void {
+    vector(`${this.kind}.setAnchor${name}`, 'anchor', anchor, 2);
+    if (anchor[0] !== this.anchors[2 * k] || anchor[1] !== this.anchors[2 * k + 1]) {
+      this.putAnchor(k, anchor);
+      this.rouse();
+    }
+  }
+
+  /** @internal */
+  protected putAnchor(k: number, anchor: Vec2Like): void {
+    this.anchors[2 * k] = anchor[0]!;
+    this.anchors[2 * k + 1] = anchor[1]!;
+  }
+}
+
+/** @internal */
+export function checkedBody(where: string, name: string, body: unknown): RigidBody {
+  return instance(where, name, body, RigidBody, 'a RigidBody');
+}
+
+/** @internal a finite number other than 0 */
+export function checkedRatio(where: string, ratio: unknown): number {
+  if (finite(where, 'ratio', ratio) === 0) {
+    throw rangeError(where, 'ratio', 'a finite number, not 0', ratio);
+  }
+  return ratio as number;
+}
+
+/** @internal puts the bounds given, or the defaults, into a constraint under construction */
+export function takeBounds(constraint: Constraint, where: string, params: Bounds, lower: number, upper: number): void {
+  constraint.lower = notNaN(where, 'lowerBound', optional(params.lowerBound, lower));
+  constraint.upper = notNaN(where, 'upperBound', optional(params.upperBound, upper));
+  checkBounds(where, params.upperBound === undefined ? 'lowerBound' : 'upperBound', constraint.lower, constraint.upper);
+  constraint.bounded = true;
+}

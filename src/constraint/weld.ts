@@ -1,0 +1,49 @@
+import { finite, optional } from '../validate.js';
+import { ANGLE, POSE } from './layout.js';
+import { pointRows } from './point.js';
+import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
+
+/** Options of `createWeldConstraint`. */
+export interface WeldConstraintParams extends TwoAnchorParams {
+  /** Rotation of body B less that of body A, rad, not wrapped. Default 0. */
+  phase?: number | undefined;
+}
+
+/**
+ * Two points of two bodies coincide, and the bodies keep their angle to each other. Rotations are not wrapped: a body that has turned
+ * by 2π is 2π away.
+ *
+ *     C = (wB − wA, θB − θA − phase) = 0,   w = x + R(θ) · anchor
+ */
+export class WeldConstraint extends AnchoredConstraint {
+  readonly type = 'WELD';
+
+  private phase: number;
+
+  /** @internal use `createWeldConstraint` */
+  constructor(params: WeldConstraintParams) {
+    super('createWeldConstraint', 3, params);
+    this.phase = finite('createWeldConstraint', 'phase', optional(params.phase, 0));
+  }
+
+  /** rad. */
+  getPhase(): number {
+    return this.phase;
+  }
+
+  setPhase(phase: number): void {
+    finite('WeldConstraint.setPhase', 'phase', phase);
+    if (phase !== this.phase) {
+      this.phase = phase;
+      this.rouse();
+    }
+  }
+
+  /** @internal */
+  measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
+    pointRows(pose, this.anchors, out, c, j, 6);
+    out[c + 2] = pose[POSE + ANGLE]! - pose[ANGLE]! - this.phase;
+    out[j + 14] = -1;
+    out[j + 17] = 1;
+  }
+}

@@ -1,0 +1,357 @@
+import { JOINT_ROUNDING, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { CustomConstraint } from '../constraint/custom.js';
+import { backward, factor, forward } from '../math/solve.js';
+import type { SolverData } from './data.js';
+import * as d from './data.js';
+import type { Joint } from './joint-data.js';
+import * as j from './joint-data.js';
+import { hidePoses, measure, packPoses, showPoses } from './joint-pose.js';
+
+/**
+ * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
+ * may be one-sided. As K is factored with it last, the other rows can be solved exactly for whatever it ends at.
+ */
+
+/** Poses at the start of the step, and the impulse to start with. */
+export function packBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  r.fill(0, at + layout.impulse, at + layout.pose);
+  r[at + layout.low] = -Infinity;
+  r[at + layout.high] = Infinity;
+  for (let n = 0; n < layout.rows; n += 1) {
+    r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
+  }
+  packPoses(data, joint);
+}
+
+/** Starts a sub-step: error, Jacobian and K for the present placement, and the impulse of the last sub-step once more. */
+export function warmStartBlock(data: SolverData, joint: Joint, isFirst: boolean): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows } = layout;
+  const isCustom = constraint instanceof CustomConstraint;
+  const isElastic = constraint.positional && !constraint.stiff;
+  if (isFirst || !isCustom) {
+    measure(data, joint, layout.jacobian, false, isElastic);
+  } else if (isElastic) {
+    foresee(data, joint);
+  }
+  r.fill(0, at + layout.push, at + layout.push + rows);
+  writeMatrix(data, joint, layout.jacobian);
+  if (!constraint.positional) {
+    r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
+  } else if (isElastic) {
+    writeElasticBias(data, joint);
+  } else if (constraint.bounded) {
+    const last = rows - 1;
+    r[at + layout.bias + last] = isSlack(r, joint) ? r[at + layout.error + last]! / data.joints.h : 0;
+  }
+  apply(data, joint, layout.jacobian, layout.impulse, 1, false);
+}
+
+/** The callbacks are asked once per step: within it the error of an elastic joint follows its linear part. */
+function foresee(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  for (let n = 0; n < layout.rows; n += 1) {
+    const e = at + layout.error + n;
+    r[e] = r[e]! + rowDot(data, joint, layout.jacobian, n, true);
+  }
+}
+
+/** Within its bounds: what pushes does nothing, or only so much that the bound is not passed. */
+function isSlack(r: Float64Array, joint: Joint): boolean {
+  const { at, layout } = joint;
+  const error = r[at + layout.error + layout.rows - 1]!;
+  return (r[at + layout.high] === 0 && error < 0) || (r[at + layout.low] === 0 && error > 0);
+}
+
+/** The velocity towards the target; none while slack. Breaks under too large an error. */
+function writeElasticBias(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows } = layout;
+  const last = at + layout.error + rows - 1;
+  if (constraint.bounded && isSlack(r, joint)) {
+    r[at + layout.low] = 0;
+    r[at + layout.high] = 0;
+    r[last] = 0;
+  }
+  const error = lengthOf(r, at + layout.error, rows);
+  if (error > r[at + j.MAX_ERROR]!) {
+    data.joints.break(joint);
+    return;
+  }
+  const rate = r[at + j.RATE]!;
+  const most = r[at + j.MAX_BIAS]!;
+  const scale = error * rate > most ? most / error : rate;
+  for (let n = 0; n < rows; n += 1) {
+    r[at + layout.bias + n] = r[at + layout.error + n]! * scale;
+  }
+}
+
+function lengthOf(r: Float64Array, from: number, count: number): number {
+  let square = 0;
+  for (let n = 0; n < count; n += 1) {
+    square += r[from + n]! * r[from + n]!;
+  }
+  return Math.sqrt(square);
+}
+
+/** K = J·M⁻¹·Jᵀ, factored. */
+function writeMatrix(data: SolverData, joint: Joint, jacobian: number): void {
+  const { records: r, bodies } = data.joints;
+  const v = data.velocity;
+  const { at, layout, first } = joint;
+  const { rows, members, matrix } = layout;
+  for (let n = 0; n < rows; n += 1) {
+    for (let m = 0; m <= n; m += 1) {
+      let sum = 0;
+      for (let k = 0; k < members; k += 1) {
+        const b = bodies[first + k]!;
+        const p = at + jacobian + 3 * (n * members + k);
+        const q = at + jacobian + 3 * (m * members + k);
+        sum += v[b + d.INV_MASS]! * (r[p]! * r[q]! + r[p + 1]! * r[q + 1]!);
+        sum += v[b + d.INV_INERTIA]! * r[p + 2]! * r[q + 2]!;
+      }
+      r[at + matrix + n * rows + m] = sum;
+    }
+  }
+  factor(r, at + matrix, rows, MIN_INVERSE_MASS);
+}
+
+/** Row n of J, times velocities or times the motion of the sub-step. */
+function rowDot(data: SolverData, joint: Joint, jacobian: number, n: number, motion: boolean): number {
+  const { records: r, bodies } = data.joints;
+  const v = motion ? data.motion : data.velocity;
+  const { at, layout, first } = joint;
+  const { members } = layout;
+  let sum = 0;
+  for (let k = 0; k < members; k += 1) {
+    const b = bodies[first + k]!;
+    const p = at + jacobian + 3 * (n * members + k);
+    sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
+  }
+  return sum;
+}
+
+/** Adds `scale` · M⁻¹·Jᵀ·λ, λ at the offset `from`, to velocities or to the motion of the sub-step. */
+function apply(data: SolverData, joint: Joint, jacobian: number, from: number, scale: number, motion: boolean): void {
+  const { records: r, bodies } = data.joints;
+  const v = motion ? data.motion : data.velocity;
+  const { at, layout, first } = joint;
+  const { rows, members } = layout;
+  for (let k = 0; k < members; k += 1) {
+    const b = bodies[first + k]!;
+    const inverseMass = scale * v[b + d.INV_MASS]!;
+    const inverseInertia = scale * v[b + d.INV_INERTIA]!;
+    for (let n = 0; n < rows; n += 1) {
+      const p = at + jacobian + 3 * (n * members + k);
+      const lambda = r[at + from + n]!;
+      v[b] = v[b]! + inverseMass * lambda * r[p]!;
+      v[b + 1] = v[b + 1]! + inverseMass * lambda * r[p + 1]!;
+      v[b + 2] = v[b + 2]! + inverseInertia * lambda * r[p + 2]!;
+    }
+  }
+}
+
+/** One sweep: λ → clamp(λ − K⁻¹(J·v + bias) · softness − feedback · λ). */
+export function solveVelocityBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, work, impulse, jacobian } = layout;
+  const softness = r[at + j.SOFTNESS]!;
+  const feedback = r[at + j.FEEDBACK]!;
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = -softness * (rowDot(data, joint, jacobian, n, false) + r[at + layout.bias + n]!);
+  }
+  solve(r, joint, impulse, feedback);
+  for (let n = 0; n < rows; n += 1) {
+    const old = r[at + impulse + n]!;
+    r[at + work + n] = (1 - feedback) * old + r[at + work + n]!;
+  }
+  if (constraint instanceof CustomConstraint) {
+    clampCustom(data, joint, constraint);
+  }
+  if (r[at + j.CHECKED] !== 0 && isBroken(data, joint)) {
+    return;
+  }
+  for (let n = 0; n < rows; n += 1) {
+    const next = r[at + work + n]!;
+    r[at + work + n] = next - r[at + impulse + n]!;
+    r[at + impulse + n] = next;
+  }
+  apply(data, joint, jacobian, work, 1, false);
+}
+
+/** Solves for the numbers at `work`; the last row's impulse, at `so`, stays within its range. */
+function solve(r: Float64Array, joint: Joint, so: number, feedback: number): void {
+  const { at, layout, constraint } = joint;
+  const { rows, work, matrix } = layout;
+  forward(r, at + matrix, rows, r, at + work);
+  if (constraint.bounded) {
+    const last = rows - 1;
+    const kept = (1 - feedback) * r[at + so + last]!;
+    const next = kept + r[at + work + last]!;
+    const low = r[at + layout.low]!;
+    const high = r[at + layout.high]!;
+    r[at + work + last] = (next < low ? low : next > high ? high : next) - kept;
+  }
+  backward(r, at + matrix, rows, r, at + work);
+}
+
+/** The callback sees the impulse as it would be in the whole step; one of sub-steps of equal strength. */
+function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstraint): void {
+  const { records: r, parts } = data.joints;
+  const { at, layout } = joint;
+  const { rows, work } = layout;
+  if (constraint.callbacks.velocityClamp === undefined) {
+    return;
+  }
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = r[at + work + n]! * parts;
+  }
+  showPoses(data, joint, false);
+  constraint.clamp('velocityClamp', r, at + work);
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = r[at + work + n]! / parts;
+  }
+  if (constraint.failed) {
+    data.joints.silence(joint);
+  }
+}
+
+/** Cuts the impulse to its limit, or breaks the joint if that of the step is too large. */
+function isBroken(data: SolverData, joint: Joint): boolean {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, work, total } = layout;
+  let square = 0;
+  for (let n = 0; n < rows; n += 1) {
+    const sum = r[at + total + n]! + r[at + work + n]!;
+    square += sum * sum;
+  }
+  const most = r[at + j.BREAK]!;
+  if (square > most * most) {
+    data.joints.break(joint);
+    return true;
+  }
+  const length = lengthOf(r, at + work, rows);
+  const limit = r[at + j.LIMIT]!;
+  for (let n = 0; n < rows && length > limit; n += 1) {
+    r[at + work + n] = (r[at + work + n]! * limit) / length;
+  }
+  return false;
+}
+
+/** Starts a position iteration; see point joints. @returns whether the error is worth a sweep. */
+export function lineariseBlock(data: SolverData, joint: Joint, isFirst: boolean): boolean {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, turned } = layout;
+  if (r[at + j.PUSH] === 0) {
+    return false;
+  }
+  measure(data, joint, turned, true, true);
+  if (r[at + j.PUSH] === 0) {
+    return false;
+  }
+  const violated = rows - (constraint.bounded && isSlack(r, joint) ? 1 : 0);
+  const error = lengthOf(r, at + layout.error, violated);
+  if (error > r[at + j.MAX_ERROR]!) {
+    data.joints.break(joint);
+    return false;
+  }
+  r[at + j.SNAPPED] = error > JOINT_SNAP ? 1 : 0;
+  if (error > JOINT_SNAP) {
+    r[at + j.CARRY] = 0;
+    dropTurning(data, joint);
+  }
+  writeMatrix(data, joint, turned);
+  for (let n = 0; n < rows; n += 1) {
+    const e = at + layout.error + n;
+    r[e] = r[e]! - rowDot(data, joint, turned, n, true);
+  }
+  return error > (isFirst ? JOINT_ROUNDING : JOINT_TOLERANCE) || constraint instanceof CustomConstraint;
+}
+
+/** Rows that can be corrected without turning the bodies will be. */
+function dropTurning(data: SolverData, joint: Joint): void {
+  const { records: r, bodies } = data.joints;
+  const { at, layout, first } = joint;
+  const { rows, members, turned } = layout;
+  for (let n = 0; n < rows; n += 1) {
+    const row = at + turned + 3 * n * members;
+    let mass = 0;
+    for (let k = 0; k < members; k += 1) {
+      const x = r[row + 3 * k]!;
+      const y = r[row + 3 * k + 1]!;
+      mass += data.motion[bodies[first + k]! + d.INV_MASS]! * (x * x + y * y);
+    }
+    for (let k = 0; k < members && mass > MIN_INVERSE_MASS; k += 1) {
+      r[row + 3 * k + 2] = 0;
+    }
+  }
+}
+
+/** One sweep of a position iteration: moves the bodies by −M⁻¹·Jᵀ·K⁻¹·C, C as its linear part has it. */
+export function pushBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, work, push, turned } = layout;
+  if (r[at + j.PUSH] === 0) {
+    return;
+  }
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = -(r[at + layout.error + n]! + rowDot(data, joint, turned, n, true));
+  }
+  solve(r, joint, push, 0);
+  if (constraint instanceof CustomConstraint && constraint.callbacks.positionClamp !== undefined) {
+    showPoses(data, joint, true);
+    constraint.clamp('positionClamp', r, at + work);
+    if (constraint.failed) {
+      data.joints.silence(joint);
+    }
+  }
+  for (let n = 0; n < rows; n += 1) {
+    r[at + push + n] = r[at + push + n]! + r[at + work + n]!;
+  }
+  apply(data, joint, turned, work, 1, true);
+}
+
+/** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
+export function finishBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, members, push, impulse, jacobian, work, total, given, turned } = layout;
+  const carry = r[at + j.CARRY]!;
+  if (carry !== 0) {
+    apply(data, joint, jacobian, push, carry, false);
+  }
+  for (let n = 0; n < rows; n += 1) {
+    const lambda = r[at + impulse + n]! + carry * r[at + push + n]!;
+    r[at + work + n] = lambda;
+    r[at + total + n] = r[at + total + n]! + lambda;
+    for (let k = 0; k < 3 * members; k += 1) {
+      const g = at + given + k;
+      r[g] = r[g]! + r[at + jacobian + 3 * n * members + k]! * lambda;
+    }
+  }
+  if (constraint instanceof CustomConstraint && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {
+    r.copyWithin(at + jacobian, at + turned, at + turned + 3 * members * rows);
+  }
+}
+
+/** Writes the outcome of the step back to the constraint. */
+export function storeBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  for (let n = 0; n < layout.rows; n += 1) {
+    constraint.impulse[n] = r[at + layout.impulse + n]!;
+  }
+  for (let k = 0; k < 3 * layout.members; k += 1) {
+    constraint.given[k] = r[at + layout.given + k]!;
+  }
+  hidePoses(data, joint);
+}

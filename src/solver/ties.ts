@@ -1,0 +1,129 @@
+import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
+import type { Constraint } from '../constraint/constraint.js';
+import type { World } from '../world.js';
+import { enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
+
+/** Constraints come, go, and are switched on and off. */
+
+/** Each body once. */
+function distinct(constraint: Constraint): Iterable<RigidBody> {
+  return new Set(constraint.members);
+}
+
+/** Puts a constraint into the world's lists and those of its bodies. */
+export function tie(world: World, constraint: Constraint): void {
+  constraint.owner = world;
+  constraint.index = world.constraints.push(constraint) - 1;
+  constraint.order = world.nextOrder;
+  world.nextOrder += 1;
+  constraint.fresh = true;
+  for (const body of distinct(constraint)) {
+    body.constraints.push(constraint);
+  }
+  countIgnoring(constraint, 1);
+  if (constraint.enabled && !constraint.asleep) {
+    enlivenConstraint(world, constraint);
+    wakeMembers(world, constraint);
+  }
+}
+
+/** Takes a constraint out of all lists. */
+export function untie(world: World, constraint: Constraint): void {
+  countIgnoring(constraint, -1);
+  if (constraint.liveIndex >= 0) {
+    quietenConstraint(world, constraint);
+  }
+  const last = world.constraints.pop()!;
+  if (last !== constraint) {
+    world.constraints[constraint.index] = last;
+    last.index = constraint.index;
+  }
+  release(constraint);
+}
+
+/** Resets what a constraint had from its world. */
+export function release(constraint: Constraint): void {
+  for (const { constraints } of distinct(constraint)) {
+    const last = constraints.pop()!;
+    if (last !== constraint) {
+      constraints[constraints.indexOf(constraint)] = last;
+    }
+  }
+  constraint.owner = null;
+  constraint.asleep = false;
+  constraint.index = -1;
+  constraint.liveIndex = -1;
+  constraint.island = null;
+  constraint.forget();
+}
+
+/** Wakes the dynamic bodies of a constraint, with events. */
+export function wakeMembers(world: World, { members }: Constraint): void {
+  for (const body of members) {
+    if (body.kind === DYNAMIC && body.owner === world) {
+      wakeBody(world, body, false);
+    }
+  }
+}
+
+export function switchOn(world: World, constraint: Constraint): void {
+  countIgnoring(constraint, 1);
+  constraint.fresh = true;
+  enlivenConstraint(world, constraint);
+  wakeMembers(world, constraint);
+}
+
+/** The constraint is awake, and marked as disabled. */
+export function switchOff(world: World, constraint: Constraint): void {
+  if (constraint.ignoreInteractions) {
+    countMembers(constraint, -1);
+  }
+  if (constraint.liveIndex >= 0) {
+    quietenConstraint(world, constraint);
+    constraint.asleep = false;
+  }
+}
+
+/** A constraint gave way in this step. */
+export function breakOff(world: World, constraint: Constraint): void {
+  world.events.constraint('break', constraint);
+  if (constraint.removeOnBreak) {
+    untie(world, constraint);
+  } else {
+    constraint.enabled = false;
+    switchOff(world, constraint);
+    constraint.forget();
+  }
+}
+
+/** Bodies count the constraints that keep them from interacting with others: most have none, and need not be asked for more. */
+export function countIgnoring(constraint: Constraint, change: number): void {
+  if (constraint.enabled && constraint.ignoreInteractions) {
+    countMembers(constraint, change);
+  }
+}
+
+function countMembers(constraint: Constraint, change: number): void {
+  for (const body of distinct(constraint)) {
+    body.ignoring += change;
+  }
+}
+
+/** Some constraint of the world keeps the two from interacting. */
+export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
+  const [few, other] = a.constraints.length < b.constraints.length ? [a, b] : [b, a];
+  return few.constraints.some(
+    ({ enabled, ignoreInteractions, owner, members }) =>
+      enabled && ignoreInteractions && owner === few.owner && members.includes(other),
+  );
+}
+
+/** Wakes the sleeping constraints of a body, as it joins the world. */
+export function wakeTies(world: World, body: RigidBody): void {
+  for (const constraint of body.constraints) {
+    if (constraint.owner === world && constraint.enabled) {
+      wakeConstraint(world, constraint, false);
+    }
+  }
+}
