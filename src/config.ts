@@ -42,8 +42,11 @@ export const BOUNCE_THRESHOLD = 0.25;
 /** (m/s)². Sliding faster than 0.01 m/s takes the dynamic coefficient of friction, slower the static one. */
 export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
 
-/** Sweeps over all joints per iteration; joints are cheap beside contacts. With 1 a chain under a heavy ball stretches three times as far. */
-export const JOINT_SWEEPS = 3;
+/** m, rad. Each iteration sweeps over the joints once for each such part of the worst error: what is overloaded gets more work. */
+export const JOINT_SWEEP_ERROR = 0.004;
+
+/** … but no more than this often. */
+export const MAX_JOINT_SWEEPS = 8;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
@@ -51,11 +54,8 @@ export const JOINT_SWEEPS = 3;
  */
 export const JOINT_MOMENTUM = 0.999;
 
-/** m, rad. Errors of joints below this are left alone, in all but the first position iteration of a sub-step … */
+/** m, rad. If no joint's error was larger, the sub-step needs no further position iteration. */
 export const JOINT_TOLERANCE = 1e-4;
-
-/** … and below this in that too. */
-export const JOINT_ROUNDING = 1e-9;
 
 /**
  * m, rad. An error beyond this is no drift: it is corrected by moving bodies without turning them, and without momentum. Less

@@ -113,7 +113,10 @@ export abstract class Constraint {
     const { owner } = this;
     owner?.countIgnoring(this, -1);
     Object.assign(this, config);
-    owner?.countIgnoring(this, 1);
+    if (owner !== null) {
+      owner.countIgnoring(this, 1);
+      owner.jointsStale = true;
+    }
     this.rouse();
   }
 

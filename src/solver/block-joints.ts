@@ -1,4 +1,4 @@
-import { JOINT_ROUNDING, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
@@ -46,6 +46,11 @@ export function warmStartBlock(data: SolverData, joint: Joint, isFirst: boolean)
   } else if (constraint.bounded) {
     const last = rows - 1;
     r[at + layout.bias + last] = isSlack(r, joint) ? r[at + layout.error + last]! / data.joints.h : 0;
+  }
+  if (r[at + j.PUSH] !== 0) {
+    const violated = rows - (constraint.bounded && isSlack(r, joint) ? 1 : 0);
+    const error = lengthOf(r, at + layout.error, violated);
+    data.joints.noteError(error * error);
   }
   apply(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
@@ -245,8 +250,8 @@ function isBroken(data: SolverData, joint: Joint): boolean {
   return false;
 }
 
-/** Starts a position iteration; see point joints. @returns whether the error is worth a sweep. */
-export function lineariseBlock(data: SolverData, joint: Joint, isFirst: boolean): boolean {
+/** Starts a position iteration; the sweeps that follow work with its linear part. @returns whether the error is worth another. */
+export function lineariseBlock(data: SolverData, joint: Joint): boolean {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, turned } = layout;
@@ -273,7 +278,7 @@ export function lineariseBlock(data: SolverData, joint: Joint, isFirst: boolean)
     const e = at + layout.error + n;
     r[e] = r[e]! - rowDot(data, joint, turned, n, true);
   }
-  return error > (isFirst ? JOINT_ROUNDING : JOINT_TOLERANCE) || constraint instanceof CustomConstraint;
+  return error > JOINT_TOLERANCE || constraint instanceof CustomConstraint;
 }
 
 /** Rows that can be corrected without turning the bodies will be. */

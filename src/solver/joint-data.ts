@@ -1,4 +1,4 @@
-import { JOINT_MOMENTUM } from '../config.js';
+import { JOINT_MOMENTUM, JOINT_SWEEP_ERROR, MAX_JOINT_SWEEPS } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
@@ -27,48 +27,43 @@ export const CHECKED = 9;
 export const SNAPPED = 10;
 export const HEAD = 11;
 
-/** Point joints: two rows with unit columns, so their arms say all. Bias, impulse, arms and K⁻¹ of velocity iterations … */
-export const BIAS_X = HEAD;
-export const BIAS_Y = HEAD + 1;
-export const IMPULSE_X = HEAD + 2;
-export const IMPULSE_Y = HEAD + 3;
-export const ARM_AX = HEAD + 4;
-export const ARM_AY = HEAD + 5;
-export const ARM_BX = HEAD + 6;
-export const ARM_BY = HEAD + 7;
-export const I11 = HEAD + 8;
-export const I12 = HEAD + 9;
-export const I22 = HEAD + 10;
-/** … arms, error less its linear part, and corrections so far, of position iterations; they write K⁻¹ anew … */
-export const TURNED_AX = HEAD + 11;
-export const TURNED_AY = HEAD + 12;
-export const TURNED_BX = HEAD + 13;
-export const TURNED_BY = HEAD + 14;
-export const REST_X = HEAD + 15;
-export const REST_Y = HEAD + 16;
-export const PUSH_X = HEAD + 17;
-export const PUSH_Y = HEAD + 18;
-/** … error at the start of the sub-step; arms and gap of the anchors at the start of the step … */
-export const ERROR_X = HEAD + 19;
-export const ERROR_Y = HEAD + 20;
-export const START_AX = HEAD + 21;
-export const START_AY = HEAD + 22;
-export const START_BX = HEAD + 23;
-export const START_BY = HEAD + 24;
-export const GAP_X = HEAD + 25;
-export const GAP_Y = HEAD + 26;
-/** … and what the step gave so far: an impulse to B, its opposite to A, and what turns each. */
-export const SUM_X = HEAD + 27;
-export const SUM_Y = HEAD + 28;
-export const SUM_WA = HEAD + 29;
-export const SUM_WB = HEAD + 30;
-export const POINT_STRIDE = HEAD + 31;
+/**
+ * Rigid point joints have records without such a head: two rows with unit columns, so their arms say all. Arms, K⁻¹ and impulse in
+ * velocity iterations; error at the start of the sub-step and corrections so far in position iterations …
+ */
+export const ARM_AX = 0;
+export const ARM_AY = 1;
+export const ARM_BX = 2;
+export const ARM_BY = 3;
+export const I11 = 4;
+export const I12 = 5;
+export const I22 = 6;
+export const IMPULSE_X = 7;
+export const IMPULSE_Y = 8;
+export const ERROR_X = 9;
+export const ERROR_Y = 10;
+export const PUSH_X = 11;
+export const PUSH_Y = 12;
+/** … arms and gap of the anchors at the start of the step … */
+export const START_AX = 13;
+export const START_AY = 14;
+export const START_BX = 15;
+export const START_BY = 16;
+export const GAP_X = 17;
+export const GAP_Y = 18;
+/** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
+export const SUM_X = 19;
+export const SUM_Y = 20;
+export const SUM_WA = 21;
+export const SUM_WB = 22;
+export const POINT_CARRY = 23;
+export const POINT_STRIDE = 26;
 
-/** Kernels. */
+/** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
-/** One row between two bodies. */
+/** … one row between two bodies … */
 export const ROW = 1;
-/** Any number of rows and bodies. */
+/** … any number of rows and bodies. */
 export const BLOCK = 2;
 
 /** Where things are in the record of a joint of D rows and N members. */
@@ -147,10 +142,19 @@ export class JointData {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   parts = 1;
+  /** Sweeps per iteration in this sub-step. */
+  sweeps = 1;
   /** The pose of each member of one joint. */
   pose = new Float64Array(20);
   private size = 0;
   private members = 0;
+
+  /** Notes the square of an error found as a sub-step starts: the worst decides how many sweeps an iteration has. */
+  noteError(square: number): void {
+    const { sweeps } = this;
+    const wanted = Math.min(MAX_JOINT_SWEEPS, Math.ceil(Math.sqrt(square) / JOINT_SWEEP_ERROR));
+    this.sweeps = wanted > sweeps ? wanted : sweeps;
+  }
 
   /** Starts a new list. */
   reset(): void {
@@ -204,11 +208,7 @@ export class JointData {
     r[at + MAX_ERROR] = Infinity;
     r[at + PUSH] = 0;
     r[at + CHECKED] = 0;
-    if (joint.kernel === POINT) {
-      r.fill(0, at + BIAS_X, at + POINT_STRIDE);
-    } else {
-      r.fill(0, at + HEAD, at + layout.pose);
-    }
+    r.fill(0, at + HEAD, at + layout.pose);
   }
 }
 

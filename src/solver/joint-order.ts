@@ -15,12 +15,16 @@ export function orderJoints(world: World): void {
   const { joints } = world.solver;
   joints.reset();
   for (const constraint of acting) {
-    const { dimension, members, type } = constraint;
-    const isRow = dimension === 1 && members.length === 2 && type !== 'CUSTOM';
-    const kernel = type === 'POINT' ? POINT : isRow ? ROW : BLOCK;
-    joints.add(constraint, kernel, new BlockLayout(dimension, members.length));
+    joints.add(constraint, kernelFor(constraint), new BlockLayout(constraint.dimension, constraint.members.length));
   }
   joints.allot();
+}
+
+function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError }: Constraint): number {
+  if (type === 'POINT' && stiff && !breakUnderForce && !breakUnderError) {
+    return POINT;
+  }
+  return dimension === 1 && members.length === 2 && type !== 'CUSTOM' ? ROW : BLOCK;
 }
 
 /** A constraint with a dynamic body that is not in the world does nothing, nor does one between a body and itself. */

@@ -1,4 +1,3 @@
-import { JOINT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -14,7 +13,6 @@ import { type Joint, type JointData, POINT, packHead, ROW } from './joint-data.j
 import { orderJoints } from './joint-order.js';
 import {
   finishPoints,
-  linearisePoints,
   packPoint,
   pushPoints,
   solveVelocityPoints,
@@ -34,10 +32,10 @@ export function packJoints(world: World, h: number): void {
   joints.h = h;
   joints.parts = world.substeps;
   for (const joint of joints.joints) {
-    packHead(joints, joint);
     if (joint.kernel === POINT) {
       packPoint(data, joint);
     } else {
+      packHead(joints, joint);
       packBlock(data, joint);
     }
     joint.constraint.fresh = false;
@@ -47,6 +45,7 @@ export function packJoints(world: World, h: number): void {
 /** Starts a sub-step. */
 export function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { runs, joints } = data.joints;
+  data.joints.sweeps = 1;
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       warmStartPoints(data, start, end);
@@ -58,10 +57,10 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
   }
 }
 
-/** One velocity iteration: several sweeps, as joints transmit much in a few rows. Callbacks are called in the first alone. */
+/** One velocity iteration: one or more sweeps. Callbacks are called in the first alone. */
 export function solveVelocityJoints(data: SolverData): void {
-  const { runs, joints } = data.joints;
-  for (let sweep = 0; sweep < JOINT_SWEEPS; sweep += 1) {
+  const { runs, joints, sweeps } = data.joints;
+  for (let sweep = 0; sweep < sweeps; sweep += 1) {
     for (const { kernel, start, end } of runs) {
       if (kernel === POINT) {
         solveVelocityPoints(data, start, end);
@@ -78,16 +77,19 @@ export function solveVelocityJoints(data: SolverData): void {
   }
 }
 
-/** @returns whether anything was pushed. */
-export function solvePositionJoints(data: SolverData, isFirst: boolean): boolean {
-  if (!linearise(data, isFirst)) {
-    return false;
+/** @returns whether it is worth another iteration. */
+export function solvePositionJoints(data: SolverData): boolean {
+  const { runs, joints, sweeps } = data.joints;
+  let found = false;
+  for (const { kernel, start, end } of runs) {
+    for (let k = start; k < end && kernel !== POINT; k += 1) {
+      found = lineariseBlock(data, joints[k]!) || found;
+    }
   }
-  const { runs, joints } = data.joints;
-  for (let sweep = 0; sweep < JOINT_SWEEPS; sweep += 1) {
+  for (let sweep = 0; sweep < sweeps; sweep += 1) {
     for (const { kernel, start, end } of runs) {
       if (kernel === POINT) {
-        pushPoints(data, start, end);
+        found = pushPoints(data, start, end) || found;
       } else if (kernel === ROW) {
         pushRows(data, start, end);
       } else {
@@ -96,21 +98,6 @@ export function solvePositionJoints(data: SolverData, isFirst: boolean): boolean
             pushBlock(data, joints[k]!);
           }
         }
-      }
-    }
-  }
-  return true;
-}
-
-function linearise(data: SolverData, isFirst: boolean): boolean {
-  const { runs, joints } = data.joints;
-  let found = false;
-  for (const { kernel, start, end } of runs) {
-    if (kernel === POINT) {
-      found = linearisePoints(data, start, end, isFirst) || found;
-    } else {
-      for (let k = start; k < end; k += 1) {
-        found = lineariseBlock(data, joints[k]!, isFirst) || found;
       }
     }
   }

@@ -39,7 +39,7 @@ export function step(world: World, dt: number): void {
     releaseBounces(solver);
     const pushes = share(world.positionIterations, part, substeps);
     for (let i = 0; i < pushes; i += 1) {
-      const pushedJoints = solvePositionJoints(solver, i === 0);
+      const pushedJoints = solvePositionJoints(solver);
       const pushedTwo = solvePositionTwo(solver);
       const pushedOne = solvePositionOne(solver);
       if (!pushedJoints && !pushedTwo && !pushedOne) {
