@@ -1,5 +1,5 @@
 // One measurement in a process of its own: node child.mjs '{"task":"pyramid","engine":"phys2d"}' prints one line of JSON.
-import { buildPyramid, stateHash } from '../dist/bench/scenes.js';
+import { buildChains, buildJointGrid, buildPyramid, stateHash, worstGap } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
 
 const DT = 1 / 60;
@@ -10,7 +10,7 @@ const engines = {
   'planck, discrete': async () => (await import('./planck.mjs')).planckDiscrete,
 };
 
-const tasks = { pyramid, crowd, garbage, hash };
+const tasks = { pyramid, chains, grid, crowd, garbage, hash };
 const { task, ...params } = JSON.parse(process.argv[2]);
 console.log(JSON.stringify(await tasks[task](params)));
 
@@ -42,6 +42,30 @@ async function pyramid({ engine, base, warmUp, steps }) {
   const times = time(steps, step);
   const sags = boxes.map((body, i) => body.getPosition()[1] - before[i]);
   return { times, sag: Math.max(...sags) };
+}
+
+/** Chains that swing, or a net that hangs: the time of a step, and the widest gap of a joint. */
+async function jointed({ engine, warmUp, steps }, build) {
+  const device = await engines[engine]();
+  const world = device.createWorld({ allowSleeping: false, velocityIterations: 8 });
+  const { joints } = build(device, world);
+  const step = () => world.step(DT);
+  repeat(warmUp, step);
+  const times = time(steps, step);
+  let gap = 0;
+  repeat(60, () => {
+    step();
+    gap = Math.max(gap, worstGap(joints));
+  });
+  return { times, gap };
+}
+
+function chains({ count, links, ...job }) {
+  return jointed(job, (device, world) => buildChains(device, world, count, links));
+}
+
+function grid({ size, ...job }) {
+  return jointed(job, (device, world) => buildJointGrid(device, world, size));
 }
 
 /** Ten stacks of five boxes that are kept awake, alone or amid static and sleeping boxes. */

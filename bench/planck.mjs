@@ -1,5 +1,5 @@
 // planck behind the few functions of a phys2d device that scenes use, so that both engines are given the very same scene.
-import { Circle, Polygon, Vec2, World } from 'planck';
+import { Circle, Polygon, RevoluteJoint, Vec2, World } from 'planck';
 import * as phys2d from '../dist/phys2d.js';
 
 /** planck's own default, and Box2D's. */
@@ -14,8 +14,29 @@ class PlanckBody {
   }
 
   getPosition() {
-    const { x, y } = this.body.getPosition();
+    const { x, y } = this.body === null ? vec(this.params.position) : this.body.getPosition();
     return [x, y];
+  }
+
+  transformLocalPointToWorld(point) {
+    const { x, y } = this.body.getWorldPoint(vec(point));
+    return [x, y];
+  }
+}
+
+class PlanckPointConstraint {
+  constructor(params) {
+    this.params = params;
+    this.bodyA = params.bodyA;
+    this.bodyB = params.bodyB;
+  }
+
+  getAnchorA() {
+    return this.params.anchorA;
+  }
+
+  getAnchorB() {
+    return this.params.anchorB;
   }
 }
 
@@ -38,11 +59,18 @@ class PlanckWorld {
       linearDamping: linearDrag,
       angularDamping: angularDrag,
     });
-    for (const { shape, material = {} } of shapes) {
+    for (const { shape, material = {}, group = 1, mask = 0xffff } of shapes) {
       const { density = 1, dynamicFriction = 1, elasticity = 0 } = material;
-      added.body.createFixture({ shape, density, friction: dynamicFriction, restitution: elasticity });
+      const filter = { filterCategoryBits: group, filterMaskBits: mask };
+      added.body.createFixture({ shape, density, friction: dynamicFriction, restitution: elasticity, ...filter });
     }
     this.rigidBodies.push(added);
+    return true;
+  }
+
+  addConstraint({ params: { bodyA, bodyB, anchorA, anchorB } }) {
+    const anchors = { localAnchorA: vec(anchorA), localAnchorB: vec(anchorB) };
+    this.world.createJoint(new RevoluteJoint({ ...anchors, bodyA: bodyA.body, bodyB: bodyB.body }));
     return true;
   }
 
@@ -55,12 +83,13 @@ class PlanckWorld {
 export const planck = {
   createWorld: (params) => new PlanckWorld(params),
   createRigidBody: (params) => new PlanckBody(params),
+  createPointConstraint: (params) => new PlanckPointConstraint(params),
   createMaterial: (params) => params,
   createBoxVertices: phys2d.createBoxVertices,
   createRectangleVertices: phys2d.createRectangleVertices,
   createRegularPolygonVertices: phys2d.createRegularPolygonVertices,
-  createCircleShape: ({ radius, origin = [0, 0], material }) => ({ shape: new Circle(vec(origin), radius), material }),
-  createPolygonShape: ({ vertices, material }) => ({ shape: new Polygon(vertices.map(vec)), material }),
+  createCircleShape: ({ radius, origin = [0, 0], ...rest }) => ({ shape: new Circle(vec(origin), radius), ...rest }),
+  createPolygonShape: ({ vertices, ...rest }) => ({ shape: new Polygon(vertices.map(vec)), ...rest }),
 };
 
 /** planck without continuous collision. */

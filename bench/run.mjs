@@ -1,4 +1,4 @@
-// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [crowd] [garbage] [hash]
+// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [garbage] [hash]
 import { spawnSync } from 'node:child_process';
 import { cpus } from 'node:os';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const json = process.argv.includes('--json');
 const wanted = process.argv.slice(2).filter((argument) => argument !== '--json');
 const say = (line) => json || console.log(line);
 
-const parts = { pyramid, crowd, garbage, hash };
+const parts = { pyramid, chains, grid, crowd, garbage, hash };
 for (const name of wanted.filter((name) => !(name in parts))) {
   console.error(`bench: there is no part ${name}, only ${Object.keys(parts).join(', ')}`);
   process.exit(2);
@@ -21,7 +21,7 @@ for (const name of wanted.filter((name) => !(name in parts))) {
 
 await build({
   stdin: {
-    contents: "export * from './pyramid.js'; export * from './hash.js';",
+    contents: "export * from './pyramid.js'; export * from './joint-grid.js'; export * from './hash.js';",
     resolveDir: here('../test/scenes'),
   },
   outfile: here('../dist/bench/scenes.js'),
@@ -95,6 +95,35 @@ function pyramid() {
   const { ratio } = engines.planck;
   say(target('phys2d / planck', ratio.toFixed(3), 0.12));
   return { engines, ratio, target: 0.12 };
+}
+
+function chains() {
+  const job = { task: 'chains', count: 100, links: 20, warmUp: 60, steps: 240 };
+  return jointed(`${job.count} chains of ${job.links} links`, job);
+}
+
+function grid() {
+  const job = { task: 'grid', size: 40, warmUp: 60, steps: 240 };
+  return jointed(`Net of ${job.size} × ${job.size} discs`, job);
+}
+
+function jointed(title, job) {
+  say(`\n${title}, awake: the quietest of ${ROUNDS} × ${job.steps} steps, 8 velocity iterations`);
+  say(columns('', 'median', 'p95', 'widest gap', 'phys2d is'));
+  const names = ['phys2d', 'planck'];
+  const runs = interleave(names.map((engine) => ({ ...job, engine })));
+  const engines = {};
+  for (const [i, name] of names.entries()) {
+    const times = summary(runs[i]);
+    const gap = Math.max(...runs[i].map((run) => run.gap));
+    const ratio = (i === 0 ? times : engines.phys2d).median / times.median;
+    engines[name] = { ...times, gap, ratio };
+    const share = i === 0 ? '' : `× ${ratio.toFixed(3)}`;
+    say(columns(name, ms(times.median), ms(times.p95), `${(1000 * gap).toFixed(1)} mm`, share));
+  }
+  const { ratio } = engines.planck;
+  say(target('phys2d / planck', ratio.toFixed(3), 0.35));
+  return { engines, ratio, target: 0.35 };
 }
 
 function crowd() {

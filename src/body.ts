@@ -455,7 +455,7 @@ export class RigidBody extends BodyState {
     this.x = x;
     this.y = y;
     for (const constraint of this.constraints) {
-      constraint.fresh = true;
+      constraint.touch();
     }
     this.moved();
   }

@@ -46,7 +46,7 @@ export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
 export const JOINT_SWEEP_ERROR = 0.004;
 
 /** … but no more than this often. */
-export const MAX_JOINT_SWEEPS = 8;
+export const MAX_JOINT_SWEEPS = 16;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
@@ -61,7 +61,7 @@ export const JOINT_TOLERANCE = 1e-4;
  * m, rad. An error beyond this is no drift: it is corrected by moving bodies without turning them, and without momentum. Less
  * would take the momentum from overloaded joints, more would throw apart what is built badly.
  */
-export const JOINT_SNAP = 0.05;
+export const JOINT_SNAP = 0.5;
 
 /** kg⁻¹. An inverse effective mass below this counts as immovable. */
 export const MIN_INVERSE_MASS = 1e-10;

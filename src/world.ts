@@ -71,6 +71,8 @@ export class World {
   readonly hit: RigidBody[] = [];
   /** @internal what the solver knows of the live constraints is out of date */
   jointsStale = false;
+  /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */
+  jointsTouched = false;
   /** @internal grows with each constraint added */
   nextOrder = 0;
   /** @internal */

@@ -209,11 +209,19 @@ export abstract class Constraint {
 
   /** @internal the automatic wake, after a change: with a `wake` event if the constraint was asleep */
   rouse(): void {
-    this.fresh = true;
+    this.touch();
     if (this.owner === null) {
       this.asleep = false;
     } else {
       this.owner.wakeConstraint(this, false);
+    }
+  }
+
+  /** @internal its error may have other causes than motion now */
+  touch(): void {
+    this.fresh = true;
+    if (this.owner !== null) {
+      this.owner.jointsTouched = true;
     }
   }
 

@@ -5,4 +5,4 @@ export const COS = 2;
 export const SIN = 3;
 /** Not wrapped. */
 export const ANGLE = 4;
-export const POSE = 5;
+export const POSE = 8;

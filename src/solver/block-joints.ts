@@ -5,24 +5,26 @@ import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-data.js';
-import { hidePoses, measure, packPoses, showPoses } from './joint-pose.js';
+import { measure, showPoses } from './joint-pose.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
  * may be one-sided. As K is factored with it last, the other rows can be solved exactly for whatever it ends at.
  */
 
-/** Poses at the start of the step, and the impulse to start with. */
+/** Which bodies it has, and the impulse to start with. */
 export function packBlock(data: SolverData, joint: Joint): void {
-  const { records: r } = data.joints;
-  const { at, layout, constraint } = joint;
-  r.fill(0, at + layout.impulse, at + layout.pose);
+  const { records: r, bodies } = data.joints;
+  const { at, layout, constraint, first } = joint;
+  r.fill(0, at + layout.impulse, at + layout.size);
   r[at + layout.low] = -Infinity;
   r[at + layout.high] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
     r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
   }
-  packPoses(data, joint);
+  for (let k = 0; k < layout.members; k += 1) {
+    bodies[first + k] = constraint.members[k]!.slot * d.BODY_STRIDE;
+  }
 }
 
 /** Starts a sub-step: error, Jacobian and K for the present placement, and the impulse of the last sub-step once more. */
@@ -50,7 +52,7 @@ export function warmStartBlock(data: SolverData, joint: Joint, isFirst: boolean)
   if (r[at + j.PUSH] !== 0) {
     const violated = rows - (constraint.bounded && isSlack(r, joint) ? 1 : 0);
     const error = lengthOf(r, at + layout.error, violated);
-    data.joints.noteError(error * error);
+    data.joints.worst[0] = Math.max(data.joints.worst[0]!, error * error);
   }
   apply(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
@@ -278,7 +280,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     const e = at + layout.error + n;
     r[e] = r[e]! - rowDot(data, joint, turned, n, true);
   }
-  return error > JOINT_TOLERANCE || constraint instanceof CustomConstraint;
+  return error > JOINT_TOLERANCE;
 }
 
 /** Rows that can be corrected without turning the bodies will be. */
@@ -358,5 +360,4 @@ export function storeBlock(data: SolverData, joint: Joint): void {
   for (let k = 0; k < 3 * layout.members; k += 1) {
     constraint.given[k] = r[at + layout.given + k]!;
   }
-  hidePoses(data, joint);
 }

@@ -6,7 +6,7 @@ import { JointData } from './joint-data.js';
  * a run of numbers at a multiple of its stride; the names below are offsets into it.
  *
  * Bodies: slot 0 stands for everything that can neither move nor be moved; awake dynamic bodies follow, then awake
- * kinematic ones. A body has a record in `velocity`, one in `motion` and one in `drive`.
+ * kinematic ones. A body has a record in `velocity`, one in `motion`, one in `drive`, and in `pose` if there are joints.
  */
 export const BODY_STRIDE = 8;
 
@@ -200,6 +200,8 @@ export class SolverData {
   velocity = new Float64Array(64 * BODY_STRIDE);
   motion = new Float64Array(64 * BODY_STRIDE);
   drive = new Float64Array(64 * BODY_STRIDE);
+  /** Placements as the sub-step starts; constraint/layout.ts names the offsets. */
+  pose = new Float64Array(64 * BODY_STRIDE);
   /** The pairs that have a contact in this step; what lies beyond the count is old. */
   readonly solved: Arbiter[] = [];
   readonly one = new ContactBatch(ONE_STRIDE);
@@ -219,6 +221,7 @@ export class SolverData {
       this.velocity = new Float64Array(size * BODY_STRIDE);
       this.motion = new Float64Array(size * BODY_STRIDE);
       this.drive = new Float64Array(size * BODY_STRIDE);
+      this.pose = new Float64Array(size * BODY_STRIDE);
     }
     this.motion.fill(0, 0, count * BODY_STRIDE);
     this.velocity.fill(0, 0, BODY_STRIDE);

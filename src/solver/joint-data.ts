@@ -1,4 +1,5 @@
-import { JOINT_MOMENTUM, JOINT_SWEEP_ERROR, MAX_JOINT_SWEEPS } from '../config.js';
+import type { RigidBody } from '../body.js';
+import { JOINT_MOMENTUM } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
@@ -44,27 +45,27 @@ export const ERROR_X = 9;
 export const ERROR_Y = 10;
 export const PUSH_X = 11;
 export const PUSH_Y = 12;
-/** … arms and gap of the anchors at the start of the step … */
-export const START_AX = 13;
-export const START_AY = 14;
-export const START_BX = 15;
-export const START_BY = 16;
-export const GAP_X = 17;
-export const GAP_Y = 18;
+/** … anchors in the coordinates of their bodies, of immovable ones in the world … */
+export const ANCHOR_AX = 13;
+export const ANCHOR_AY = 14;
+export const ANCHOR_BX = 15;
+export const ANCHOR_BY = 16;
 /** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
-export const SUM_X = 19;
-export const SUM_Y = 20;
-export const SUM_WA = 21;
-export const SUM_WB = 22;
-export const POINT_CARRY = 23;
-export const POINT_STRIDE = 26;
+export const SUM_X = 17;
+export const SUM_Y = 18;
+export const SUM_WA = 19;
+export const SUM_WB = 20;
+export const POINT_CARRY = 21;
+export const POINT_STRIDE = 22;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
 /** … one row between two bodies … */
 export const ROW = 1;
-/** … any number of rows and bodies. */
+/** … any number of rows and bodies … */
 export const BLOCK = 2;
+/** … and the same by callbacks. */
+export const CUSTOM = 3;
 
 /** Where things are in the record of a joint of D rows and N members. */
 export class BlockLayout {
@@ -85,8 +86,6 @@ export class BlockLayout {
   readonly matrix: number;
   /** What the step gave to each member so far. */
   readonly given: number;
-  /** Poses at the start of the step. */
-  readonly pose: number;
   readonly size: number;
 
   constructor(
@@ -105,8 +104,7 @@ export class BlockLayout {
     this.turned = this.jacobian + 3 * members * rows;
     this.matrix = this.turned + 3 * members * rows;
     this.given = this.matrix + rows * rows;
-    this.pose = this.given + 3 * members;
-    this.size = this.pose + POSE * members;
+    this.size = this.given + 3 * members;
   }
 }
 
@@ -142,19 +140,14 @@ export class JointData {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   parts = 1;
-  /** Sweeps per iteration in this sub-step. */
-  sweeps = 1;
+  /** The square of the worst error as the sub-step starts. */
+  readonly worst = new Float64Array(1);
   /** The pose of each member of one joint. */
-  pose = new Float64Array(20);
+  pose = new Float64Array(4 * POSE);
+  /** Bodies that callbacks were shown elsewhere than where the step began, and where that was. */
+  readonly shown: { readonly body: RigidBody; readonly start: readonly number[] }[] = [];
   private size = 0;
   private members = 0;
-
-  /** Notes the square of an error found as a sub-step starts: the worst decides how many sweeps an iteration has. */
-  noteError(square: number): void {
-    const { sweeps } = this;
-    const wanted = Math.min(MAX_JOINT_SWEEPS, Math.ceil(Math.sqrt(square) / JOINT_SWEEP_ERROR));
-    this.sweeps = wanted > sweeps ? wanted : sweeps;
-  }
 
   /** Starts a new list. */
   reset(): void {
@@ -208,7 +201,7 @@ export class JointData {
     r[at + MAX_ERROR] = Infinity;
     r[at + PUSH] = 0;
     r[at + CHECKED] = 0;
-    r.fill(0, at + HEAD, at + layout.pose);
+    r.fill(0, at + HEAD, at + layout.size);
   }
 }
 

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
-import { BLOCK, BlockLayout, POINT, ROW } from './joint-data.js';
+import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-data.js';
 
 /**
  * Lists the live constraints breadth-first from what cannot move, equals as they were added: so a sweep carries a load from where it
@@ -24,7 +24,10 @@ function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnde
   if (type === 'POINT' && stiff && !breakUnderForce && !breakUnderError) {
     return POINT;
   }
-  return dimension === 1 && members.length === 2 && type !== 'CUSTOM' ? ROW : BLOCK;
+  if (type === 'CUSTOM') {
+    return CUSTOM;
+  }
+  return dimension === 1 && members.length === 2 ? ROW : BLOCK;
 }
 
 /** A constraint with a dynamic body that is not in the world does nothing, nor does one between a body and itself. */

@@ -1,51 +1,77 @@
+import type { RigidBody } from '../body.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cos, sin } from '../math/trig.js';
+import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 
-/** Placements of a joint's members at the start of the step, to its record. */
-export function packPoses(data: SolverData, joint: Joint): void {
-  const { records: r, bodies } = data.joints;
-  const { at, layout, first, constraint } = joint;
-  for (let k = 0; k < layout.members; k += 1) {
-    const body = constraint.members[k]!;
-    const p = at + layout.pose + k * POSE;
-    r[p + X] = body.x;
-    r[p + Y] = body.y;
-    r[p + COS] = body.cos;
-    r[p + SIN] = body.sin;
-    r[p + ANGLE] = body.angle;
-    bodies[first + k] = body.slot * d.BODY_STRIDE;
+/** Placements of the awake bodies as the step begins. */
+export function packPoses(world: World): void {
+  const { pose } = world.solver;
+  pose.fill(0, 0, POSE);
+  pose[COS] = 1;
+  for (const body of world.liveDynamics) {
+    writePose(body, pose, body.slot * POSE);
+  }
+  for (const body of world.liveKinematics) {
+    writePose(body, pose, body.slot * POSE);
   }
 }
 
-/** Present placements of the members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
+function writePose(body: RigidBody, pose: Float64Array, at: number): void {
+  pose[at + X] = body.x;
+  pose[at + Y] = body.y;
+  pose[at + COS] = body.cos;
+  pose[at + SIN] = body.sin;
+  pose[at + ANGLE] = body.angle;
+}
+
+/** Adds the motion of the sub-step to the placements. */
+export function advancePoses(data: SolverData): void {
+  const { pose: p, motion: q, bodyCount } = data;
+  for (let k = 1; k < bodyCount; k += 1) {
+    const i = (k * d.BODY_STRIDE) & d.OFFSET;
+    const turn = q[i + d.QW]!;
+    const square = turn * turn;
+    let c = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720)));
+    let s = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040))));
+    if (square > d.SMALL_TURN * d.SMALL_TURN) {
+      c = cos(turn);
+      s = sin(turn);
+    }
+    const c0 = p[i + COS]!;
+    const s0 = p[i + SIN]!;
+    p[i + COS] = c0 * c - s0 * s;
+    p[i + SIN] = s0 * c + c0 * s;
+    p[i + X] = p[i + X]! + q[i + d.QX]!;
+    p[i + Y] = p[i + Y]! + q[i + d.QY]!;
+    p[i + ANGLE] = p[i + ANGLE]! + turn;
+  }
+}
+
+/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
 function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
-  const { records: r, bodies, pose } = data.joints;
-  const { velocity: v, motion: q } = data;
-  const { at, layout, first } = joint;
+  const { bodies, pose: to } = data.joints;
+  const { motion: q, pose } = data;
+  const { layout, first, constraint } = joint;
   for (let k = 0; k < layout.members; k += 1) {
     const b = bodies[first + k]!;
-    const p = at + layout.pose + k * POSE;
-    const to = k * POSE;
+    const at = k * POSE;
+    if (b === 0) {
+      writePose(constraint.members[k]!, to, at);
+      continue;
+    }
     const share = moving ? 1 : 0;
     const turn = share * q[b + d.QW]!;
-    let c = v[b + d.COS_LESS_ONE]! + 1;
-    let s = v[b + d.SIN]!;
-    if (turn !== 0) {
-      const ct = cos(turn);
-      const st = sin(turn);
-      const c0 = c;
-      c = c0 * ct - s * st;
-      s = c0 * st + s * ct;
-    }
-    pose[to + X] = r[p + X]! + q[b + d.DX]! + share * q[b + d.QX]!;
-    pose[to + Y] = r[p + Y]! + q[b + d.DY]! + share * q[b + d.QY]!;
-    pose[to + COS] = r[p + COS]! * c - r[p + SIN]! * s;
-    pose[to + SIN] = r[p + SIN]! * c + r[p + COS]! * s;
-    pose[to + ANGLE] = r[p + ANGLE]! + q[b + d.DW]! + turn;
+    const c = turn === 0 ? 1 : cos(turn);
+    const s = turn === 0 ? 0 : sin(turn);
+    to[at + X] = pose[b + X]! + share * q[b + d.QX]!;
+    to[at + Y] = pose[b + Y]! + share * q[b + d.QY]!;
+    to[at + COS] = pose[b + COS]! * c - pose[b + SIN]! * s;
+    to[at + SIN] = pose[b + SIN]! * c + pose[b + COS]! * s;
+    to[at + ANGLE] = pose[b + ANGLE]! + turn;
   }
 }
 
@@ -107,7 +133,7 @@ function compareWithBounds(r: Float64Array, joint: Joint): void {
 
 /** Puts the members of a custom constraint to where the solver has them, for its callbacks. */
 export function showPoses(data: SolverData, joint: Joint, moving: boolean): void {
-  const { bodies, pose } = data.joints;
+  const { bodies, pose, shown } = data.joints;
   const { velocity: v } = data;
   const { first, constraint } = joint;
   findPoses(data, joint, moving);
@@ -115,6 +141,7 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
     const b = bodies[first + k]!;
     const p = k * POSE;
     if (b !== 0) {
+      shown.push({ body, start: [body.x, body.y, body.cos, body.sin, body.angle] });
       body.x = pose[p + X]!;
       body.y = pose[p + Y]!;
       body.cos = pose[p + COS]!;
@@ -127,18 +154,16 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
   });
 }
 
-/** Puts them back to where the step began; the end of the step adds their motion to that. */
-export function hidePoses(data: SolverData, joint: Joint): void {
-  const { records: r, bodies } = data.joints;
-  const { at, layout, first, constraint } = joint;
-  constraint.members.forEach((body, k) => {
-    const p = at + layout.pose + k * POSE;
-    if (constraint instanceof CustomConstraint && bodies[first + k] !== 0) {
-      body.x = r[p + X]!;
-      body.y = r[p + Y]!;
-      body.cos = r[p + COS]!;
-      body.sin = r[p + SIN]!;
-      body.angle = r[p + ANGLE]!;
-    }
-  });
+/** Puts them back, last first, to where the step began; the end of the step adds their motion to that. */
+export function hidePoses(data: SolverData): void {
+  const { shown } = data.joints;
+  for (let i = shown.length - 1; i >= 0; i -= 1) {
+    const { body, start } = shown[i]!;
+    body.x = start[X]!;
+    body.y = start[Y]!;
+    body.cos = start[COS]!;
+    body.sin = start[SIN]!;
+    body.angle = start[ANGLE]!;
+  }
+  shown.length = 0;
 }

@@ -1,3 +1,4 @@
+import { JOINT_SWEEP_ERROR, MAX_JOINT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -9,9 +10,22 @@ import {
   warmStartBlock,
 } from './block-joints.js';
 import type { SolverData } from './data.js';
-import { type Joint, type JointData, POINT, packHead, ROW } from './joint-data.js';
-import { orderJoints } from './joint-order.js';
 import {
+  BLOCK,
+  CARRY,
+  CUSTOM,
+  type Joint,
+  type JointData,
+  POINT,
+  POINT_CARRY,
+  PUSH,
+  packHead,
+  ROW,
+} from './joint-data.js';
+import { orderJoints } from './joint-order.js';
+import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
+import {
+  beginPoints,
   finishPoints,
   packPoint,
   pushPoints,
@@ -21,31 +35,57 @@ import {
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
 
-/** Packs the live constraints for sub-steps of length h. */
+/** Packs the live constraints for sub-steps of length h. Of rigid point joints, the many, what did not change is still there. */
 export function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
+  const isTouched = world.jointsTouched || world.jointsStale;
   if (world.jointsStale) {
-    world.jointsStale = false;
     orderJoints(world);
   }
+  world.jointsStale = false;
+  world.jointsTouched = false;
   joints.h = h;
   joints.parts = world.substeps;
-  for (const joint of joints.joints) {
-    if (joint.kernel === POINT) {
-      packPoint(data, joint);
-    } else {
-      packHead(joints, joint);
-      packBlock(data, joint);
+  if (joints.runs.length > 0) {
+    packPoses(world);
+  }
+  for (const { kernel, start, end } of joints.runs) {
+    for (let k = start; k < end && (isTouched || kernel !== POINT); k += 1) {
+      packJoint(data, joints.joints[k]!);
     }
-    joint.constraint.fresh = false;
+    if (kernel === POINT) {
+      beginPoints(data, start, end);
+    }
+  }
+  if (isTouched) {
+    steadyFresh(joints);
+  }
+}
+
+function packJoint(data: SolverData, joint: Joint): void {
+  if (joint.kernel === POINT) {
+    packPoint(data, joint);
+  } else {
+    packHead(data.joints, joint);
+    packBlock(data, joint);
+  }
+}
+
+/** What was changed is corrected without momentum in this step, and as all others from the next one on. */
+function steadyFresh({ joints, records }: JointData): void {
+  for (const { constraint, kernel, at } of joints) {
+    if (constraint.fresh) {
+      constraint.fresh = false;
+      records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
+    }
   }
 }
 
 /** Starts a sub-step. */
 export function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { runs, joints } = data.joints;
-  data.joints.sweeps = 1;
+  data.joints.worst[0] = 0;
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       warmStartPoints(data, start, end);
@@ -57,34 +97,53 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
   }
 }
 
-/** One velocity iteration: one or more sweeps. Callbacks are called in the first alone. */
-export function solveVelocityJoints(data: SolverData): void {
-  const { runs, joints, sweeps } = data.joints;
+/**
+ * How many sweeps over the joints iteration `i` of `count` has: those of the sub-step are spread over its iterations, and the worst joint
+ * decides how many they are.
+ */
+function sweepsOf({ joints }: SolverData, i: number, count: number): number {
+  const wanted = Math.ceil(Math.sqrt(joints.worst[0]!) / JOINT_SWEEP_ERROR);
+  const total = wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+  return Math.floor(((i + 1) * total) / count) - Math.floor((i * total) / count);
+}
+
+/** Velocity iteration `i` of `count`. */
+export function solveVelocityJoints(data: SolverData, i: number, count: number): void {
+  const { runs, joints } = data.joints;
+  const sweeps = sweepsOf(data, i, count);
+  solveVelocityCustoms(data);
   for (let sweep = 0; sweep < sweeps; sweep += 1) {
     for (const { kernel, start, end } of runs) {
       if (kernel === POINT) {
         solveVelocityPoints(data, start, end);
       } else if (kernel === ROW) {
         solveVelocityRows(data, start, end);
-      } else {
+      } else if (kernel === BLOCK) {
         for (let k = start; k < end; k += 1) {
-          if (isDue(joints[k]!, sweep)) {
-            solveVelocityBlock(data, joints[k]!);
-          }
+          solveVelocityBlock(data, joints[k]!);
         }
       }
     }
   }
 }
 
-/** @returns whether it is worth another iteration. */
-export function solvePositionJoints(data: SolverData): boolean {
-  const { runs, joints, sweeps } = data.joints;
-  let found = false;
+/** Custom constraints, whose callbacks are called once in each iteration. */
+function solveVelocityCustoms(data: SolverData): void {
+  const { runs, joints } = data.joints;
   for (const { kernel, start, end } of runs) {
-    for (let k = start; k < end && kernel !== POINT; k += 1) {
-      found = lineariseBlock(data, joints[k]!) || found;
+    for (let k = start; k < end && kernel === CUSTOM; k += 1) {
+      solveVelocityBlock(data, joints[k]!);
     }
+  }
+}
+
+/** Position iteration `i` of `count`. @returns whether there may be something left for another. */
+export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
+  const { runs, joints } = data.joints;
+  const sweeps = sweepsOf(data, i, count);
+  let found = pushCustoms(data);
+  if (sweeps > 0) {
+    found = linearise(data) || found;
   }
   for (let sweep = 0; sweep < sweeps; sweep += 1) {
     for (const { kernel, start, end } of runs) {
@@ -92,25 +151,47 @@ export function solvePositionJoints(data: SolverData): boolean {
         found = pushPoints(data, start, end) || found;
       } else if (kernel === ROW) {
         pushRows(data, start, end);
-      } else {
+      } else if (kernel === BLOCK) {
         for (let k = start; k < end; k += 1) {
-          if (isDue(joints[k]!, sweep)) {
-            pushBlock(data, joints[k]!);
-          }
+          pushBlock(data, joints[k]!);
         }
       }
+    }
+  }
+  return found || (sweeps === 0 && runs.length > 0);
+}
+
+function linearise(data: SolverData): boolean {
+  const { runs, joints } = data.joints;
+  let found = false;
+  for (const { kernel, start, end } of runs) {
+    for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
+      found = lineariseBlock(data, joints[k]!) || found;
     }
   }
   return found;
 }
 
-function isDue(joint: Joint, sweep: number): boolean {
-  return sweep === 0 || joint.constraint.type !== 'CUSTOM';
+function pushCustoms(data: SolverData): boolean {
+  const { runs, joints, records } = data.joints;
+  let found = false;
+  for (const { kernel, start, end } of runs) {
+    for (let k = start; k < end && kernel === CUSTOM; k += 1) {
+      const joint = joints[k]!;
+      lineariseBlock(data, joint);
+      pushBlock(data, joint);
+      found ||= records[joint.at + PUSH] !== 0;
+    }
+  }
+  return found;
 }
 
 /** Ends a sub-step. */
 export function finishJoints(data: SolverData): void {
   const { runs, joints } = data.joints;
+  if (runs.length > 0) {
+    advancePoses(data);
+  }
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       finishPoints(data, start, end);
@@ -126,6 +207,7 @@ export function finishJoints(data: SolverData): void {
 export function storeJoints(world: World): void {
   const data = world.solver;
   const { joints } = data;
+  hidePoses(data);
   for (const joint of joints.joints) {
     if (joint.kernel === POINT) {
       storePoint(data, joint);

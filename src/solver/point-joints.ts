@@ -1,5 +1,6 @@
 import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import type { PointConstraint } from '../constraint/point.js';
+import { COS, SIN, X, Y } from '../constraint/layout.js';
 import { cos, sin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -19,64 +20,73 @@ const SINGULAR = 1e-12;
 /** rad. Up to this turn the first terms of sine and cosine are exact to a ten-millionth of the arm; the next sub-step removes that. */
 const SMALL_TURN = 0.05;
 
-/** Arms and gap of the anchors at the start of the step, and the impulse to start with. */
+/** What changes seldom: anchors, bodies, and the impulse to start with. */
 export function packPoint(data: SolverData, joint: Joint): void {
-  const { records: r, bodies, h } = data.joints;
+  const { records: r } = data.joints;
+  const { at, constraint } = joint;
+  packAnchor(data, joint, 0);
+  packAnchor(data, joint, 1);
+  r[at + j.IMPULSE_X] = constraint.impulse[0]!;
+  r[at + j.IMPULSE_Y] = constraint.impulse[1]!;
+}
+
+function packAnchor(data: SolverData, joint: Joint, k: number): void {
+  const { records: r, bodies } = data.joints;
   const { at, first } = joint;
-  const { members, anchors, impulse, fresh } = joint.constraint as PointConstraint;
-  const bodyA = members[0]!;
-  const bodyB = members[1]!;
-  const ax = bodyA.cos * anchors[0]! - bodyA.sin * anchors[1]!;
-  const ay = bodyA.sin * anchors[0]! + bodyA.cos * anchors[1]!;
-  const bx = bodyB.cos * anchors[2]! - bodyB.sin * anchors[3]!;
-  const by = bodyB.sin * anchors[2]! + bodyB.cos * anchors[3]!;
-  r[at + j.START_AX] = ax;
-  r[at + j.START_AY] = ay;
-  r[at + j.START_BX] = bx;
-  r[at + j.START_BY] = by;
-  r[at + j.GAP_X] = bodyB.x - bodyA.x + (bx - ax);
-  r[at + j.GAP_Y] = bodyB.y - bodyA.y + (by - ay);
-  r[at + j.IMPULSE_X] = impulse[0]! * data.impulseScale;
-  r[at + j.IMPULSE_Y] = impulse[1]! * data.impulseScale;
-  r[at + j.SUM_X] = 0;
-  r[at + j.SUM_Y] = 0;
-  r[at + j.SUM_WA] = 0;
-  r[at + j.SUM_WB] = 0;
-  r[at + j.POINT_CARRY] = fresh ? 0 : JOINT_MOMENTUM / h;
-  bodies[first] = bodyA.slot * d.BODY_STRIDE;
-  bodies[first + 1] = bodyB.slot * d.BODY_STRIDE;
+  const { members, anchors } = joint.constraint as PointConstraint;
+  const body = members[k]!;
+  const x = anchors[2 * k]!;
+  const y = anchors[2 * k + 1]!;
+  const isImmovable = body.slot === 0;
+  r[at + j.ANCHOR_AX + 2 * k] = isImmovable ? body.x + body.cos * x - body.sin * y : x;
+  r[at + j.ANCHOR_AY + 2 * k] = isImmovable ? body.y + body.sin * x + body.cos * y : y;
+  bodies[first + k] = body.slot * d.BODY_STRIDE;
+}
+
+/** Starts a step. */
+export function beginPoints(data: SolverData, start: number, end: number): void {
+  const { records: r, joints, h } = data.joints;
+  const scale = data.impulseScale;
+  const carry = JOINT_MOMENTUM / h;
+  let i = joints[start]!.at;
+  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET) {
+    r[i + j.IMPULSE_X] = r[i + j.IMPULSE_X]! * scale;
+    r[i + j.IMPULSE_Y] = r[i + j.IMPULSE_Y]! * scale;
+    r[i + j.SUM_X] = 0;
+    r[i + j.SUM_Y] = 0;
+    r[i + j.SUM_WA] = 0;
+    r[i + j.SUM_WB] = 0;
+    r[i + j.POINT_CARRY] = carry;
+  }
 }
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const { velocity: v, motion: q } = data;
+  const { records: r, bodies, joints, worst } = data.joints;
+  const { velocity: v, pose: p } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  let worst = 0;
   for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const ca = v[a + d.COS_LESS_ONE]!;
-    const sa = v[a + d.SIN]!;
-    const cb = v[b + d.COS_LESS_ONE]!;
-    const sb = v[b + d.SIN]!;
-    const ax0 = r[i + j.START_AX]!;
-    const ay0 = r[i + j.START_AY]!;
-    const bx0 = r[i + j.START_BX]!;
-    const by0 = r[i + j.START_BY]!;
-    const dax = ca * ax0 - sa * ay0;
-    const day = sa * ax0 + ca * ay0;
-    const dbx = cb * bx0 - sb * by0;
-    const dby = sb * bx0 + cb * by0;
-    const ax = ax0 + dax;
-    const ay = ay0 + day;
-    const bx = bx0 + dbx;
-    const by = by0 + dby;
-    const cx = r[i + j.GAP_X]! + (q[b + d.DX]! - q[a + d.DX]!) + (dbx - dax);
-    const cy = r[i + j.GAP_Y]! + (q[b + d.DY]! - q[a + d.DY]!) + (dby - day);
+    const xA = r[i + j.ANCHOR_AX]!;
+    const yA = r[i + j.ANCHOR_AY]!;
+    const xB = r[i + j.ANCHOR_BX]!;
+    const yB = r[i + j.ANCHOR_BY]!;
+    const cosA = p[a + COS]!;
+    const sinA = p[a + SIN]!;
+    const cosB = p[b + COS]!;
+    const sinB = p[b + SIN]!;
+    const ax = cosA * xA - sinA * yA;
+    const ay = sinA * xA + cosA * yA;
+    const bx = cosB * xB - sinB * yB;
+    const by = sinB * xB + cosB * yB;
+    const cx = p[b + X]! - p[a + X]! + (bx - ax);
+    const cy = p[b + Y]! - p[a + Y]! + (by - ay);
     const square = cx * cx + cy * cy;
-    worst = square > worst ? square : worst;
+    if (square > worst[0]!) {
+      worst[0] = square;
+    }
     r[i + j.ARM_AX] = ax;
     r[i + j.ARM_AY] = ay;
     r[i + j.ARM_BX] = bx;
@@ -114,7 +124,6 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     v[b + d.VY] = v[b + d.VY]! + mB * py;
     v[b + d.W] = v[b + d.W]! + iB * (bx * py - by * px);
   }
-  data.joints.noteError(worst);
 }
 
 /** One sweep: Δλ = −K⁻¹C'. */
@@ -165,7 +174,7 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
   const { motion: q } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  let worst = 0;
+  let found = false;
   for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
@@ -198,7 +207,9 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const cx = r[i + j.ERROR_X]! + (qbx - qax) + (dbx - dax);
     const cy = r[i + j.ERROR_Y]! + (qby - qay) + (dby - day);
     const square = cx * cx + cy * cy;
-    worst = square > worst ? square : worst;
+    if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
+      found = true;
+    }
     const mA = q[a + d.INV_MASS]!;
     const mB = q[b + d.INV_MASS]!;
     const i12 = r[i + j.I12]!;
@@ -228,7 +239,7 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     q[b + d.QY] = qby - mB * y;
     q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
-  return worst > JOINT_TOLERANCE * JOINT_TOLERANCE;
+  return found;
 }
 
 /** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */

@@ -22,6 +22,7 @@ export function enliven(world: World, body: RigidBody): void {
   body.wakeTime = wakeStamp(world);
   const live = body.kind === DYNAMIC ? world.liveDynamics : world.liveKinematics;
   body.liveIndex = live.push(body) - 1;
+  world.jointsTouched = true;
   world.setHandlesStatic(body, false);
 }
 
@@ -34,6 +35,7 @@ export function quieten(world: World, body: RigidBody): void {
     last.liveIndex = body.liveIndex;
   }
   body.liveIndex = -1;
+  world.jointsTouched = true;
   body.slot = 0;
   body.lastDx = 0;
   body.lastDy = 0;

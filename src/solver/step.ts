@@ -30,8 +30,9 @@ export function step(world: World, dt: number): void {
     warmStartTwo(solver, h, part === 0);
     warmStartOne(solver, h, part === 0);
     applyBounces(solver);
-    for (let i = share(world.velocityIterations, part, substeps); i > 0; i -= 1) {
-      solveVelocityJoints(solver);
+    const turns = share(world.velocityIterations, part, substeps);
+    for (let i = 0; i < turns; i += 1) {
+      solveVelocityJoints(solver, i, turns);
       solveVelocityTwo(solver);
       solveVelocityOne(solver);
     }
@@ -39,7 +40,7 @@ export function step(world: World, dt: number): void {
     releaseBounces(solver);
     const pushes = share(world.positionIterations, part, substeps);
     for (let i = 0; i < pushes; i += 1) {
-      const pushedJoints = solvePositionJoints(solver);
+      const pushedJoints = solvePositionJoints(solver, i, pushes);
       const pushedTwo = solvePositionTwo(solver);
       const pushedOne = solvePositionOne(solver);
       if (!pushedJoints && !pushedTwo && !pushedOne) {
