@@ -1,4 +1,4 @@
-import { JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { JOINT_SNAP, JOINT_SWEEP_ERROR, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
@@ -28,8 +28,9 @@ export function packBlock(data: SolverData, joint: Joint): void {
 }
 
 /** Starts a sub-step: error, Jacobian and K for the present placement, and the impulse of the last sub-step once more. */
-export function warmStartBlock(data: SolverData, joint: Joint, isFirst: boolean): void {
-  const { records: r } = data.joints;
+export function warmStartBlock(data: SolverData, index: number, isFirst: boolean): void {
+  const { records: r, joints } = data.joints;
+  const joint = joints[index]!;
   const { at, layout, constraint } = joint;
   const { rows } = layout;
   const isCustom = constraint instanceof CustomConstraint;
@@ -52,9 +53,18 @@ export function warmStartBlock(data: SolverData, joint: Joint, isFirst: boolean)
   if (r[at + j.PUSH] !== 0) {
     const violated = rows - (constraint.bounded && isSlack(r, joint) ? 1 : 0);
     const error = lengthOf(r, at + layout.error, violated);
-    data.joints.worst[0] = Math.max(data.joints.worst[0]!, error * error);
+    noteError(data, index, error);
   }
   apply(data, joint, layout.jacobian, layout.impulse, 1, false);
+}
+
+function noteError({ joints }: SolverData, index: number, error: number): void {
+  const { worst, strained } = joints;
+  worst[0] = Math.max(worst[0]!, error * error);
+  if (error > JOINT_SWEEP_ERROR) {
+    strained[0] = Math.min(strained[0]!, index);
+    strained[1] = index + 1;
+  }
 }
 
 /** The callbacks are asked once per step: within it the error of an elastic joint follows its linear part. */

@@ -140,8 +140,10 @@ export class JointData {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   parts = 1;
-  /** The square of the worst error as the sub-step starts. */
+  /** The square of the worst error as the sub-step starts … */
   readonly worst = new Float64Array(1);
+  /** … and which joints have one above JOINT_SWEEP_ERROR: the first, and the one after the last. */
+  readonly strained = new Int32Array(2);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);
   /** Bodies that callbacks were shown elsewhere than where the step began, and where that was. */

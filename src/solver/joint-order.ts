@@ -1,21 +1,24 @@
-import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
 import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-data.js';
 
 /**
- * Lists the live constraints breadth-first from what cannot move, equals as they were added: so a sweep carries a load from where it
- * hangs to where it ends. In any other order a chain under a heavy ball stretches twice as far.
+ * Lists the live constraints, those that hang together next to each other, breadth-first from what cannot move, equals as they were
+ * added: so a sweep carries a load from where it hangs to where it ends. In any other order a chain under a heavy ball stretches twice as far.
  */
 export function orderJoints(world: World): void {
   const acting = world.liveConstraints.filter((constraint) => acts(world, constraint));
-  const depths = findDepths(acting);
-  acting.sort((a, b) => depths.get(a)! - depths.get(b)! || a.order - b.order);
+  acting.sort((a, b) => a.order - b.order);
   const { joints } = world.solver;
   joints.reset();
+  const left = new Set(acting);
   for (const constraint of acting) {
-    joints.add(constraint, kernelFor(constraint), new BlockLayout(constraint.dimension, constraint.members.length));
+    if (left.has(constraint)) {
+      for (const next of breadthFirst(hangingTogether(constraint, left))) {
+        joints.add(next, kernelFor(next), new BlockLayout(next.dimension, next.members.length));
+      }
+    }
   }
   joints.allot();
 }
@@ -38,27 +41,35 @@ export function acts(world: World, { members, type }: Constraint): boolean {
   );
 }
 
-/** How many constraints lie between each and the nearest that is tied to something immovable; `Infinity` for those that hang on nothing. */
-function findDepths(constraints: readonly Constraint[]): Map<Constraint, number> {
-  const depths = new Map<Constraint, number>(constraints.map((constraint) => [constraint, Infinity]));
-  const reached = new Set<RigidBody>();
-  let ring = constraints.filter(({ members }) => members.some(({ kind }) => kind !== DYNAMIC));
-  for (let depth = 0; ring.length > 0; depth += 1) {
-    const next = new Set<Constraint>();
-    for (const constraint of ring) {
-      depths.set(constraint, depth);
-    }
-    for (const body of ring.flatMap(({ members }) => members)) {
-      if (body.kind === DYNAMIC && !reached.has(body)) {
-        reached.add(body);
-        for (const constraint of body.constraints) {
-          if (depths.get(constraint) === Infinity) {
-            next.add(constraint);
-          }
+/** The constraints on dynamic bodies that a constraint shares, and so on; they leave the set `left`. */
+function hangingTogether(start: Constraint, left: Set<Constraint>): Constraint[] {
+  const found = [start];
+  left.delete(start);
+  for (const { members } of found) {
+    for (const { kind, constraints } of members) {
+      for (const next of kind === DYNAMIC ? constraints : []) {
+        if (left.delete(next)) {
+          found.push(next);
         }
       }
     }
-    ring = [...next];
   }
-  return depths;
+  return found.sort((a, b) => a.order - b.order);
+}
+
+/** In the order of how many constraints lie between each and the nearest that is tied to something immovable. */
+function breadthFirst(constraints: readonly Constraint[]): Constraint[] {
+  const left = new Set(constraints);
+  const listed: Constraint[] = [];
+  let ring = constraints.filter(({ members }) => members.some(({ kind }) => kind !== DYNAMIC));
+  while (ring.length > 0) {
+    for (const constraint of ring) {
+      left.delete(constraint);
+      listed.push(constraint);
+    }
+    const bodies = new Set(ring.flatMap(({ members }) => members).filter(({ kind }) => kind === DYNAMIC));
+    const next = new Set([...bodies].flatMap((body) => body.constraints.filter((constraint) => left.has(constraint))));
+    ring = [...next].sort((a, b) => a.order - b.order);
+  }
+  return [...listed, ...left];
 }

@@ -1,4 +1,4 @@
-import { JOINT_SWEEP_ERROR, MAX_JOINT_SWEEPS } from '../config.js';
+import { JOINT_SWEEP_ERROR, JOINT_SWEEP_MARGIN, MAX_JOINT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -84,36 +84,52 @@ function steadyFresh({ joints, records }: JointData): void {
 
 /** Starts a sub-step. */
 export function warmStartJoints(data: SolverData, isFirst: boolean): void {
-  const { runs, joints } = data.joints;
-  data.joints.worst[0] = 0;
+  const { runs, joints, worst, strained } = data.joints;
+  worst[0] = 0;
+  strained[0] = joints.length;
+  strained[1] = 0;
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       warmStartPoints(data, start, end);
     } else {
       for (let k = start; k < end; k += 1) {
-        warmStartBlock(data, joints[k]!, isFirst);
+        warmStartBlock(data, k, isFirst);
       }
     }
   }
 }
 
-/**
- * How many sweeps over the joints iteration `i` of `count` has: those of the sub-step are spread over its iterations, and the worst joint
- * decides how many they are.
- */
-function sweepsOf({ joints }: SolverData, i: number, count: number): number {
+/** How many sweeps over the joints a sub-step has, spread over its iterations: the worst joint decides. */
+function sweepsOf({ joints }: SolverData): number {
   const wanted = Math.ceil(Math.sqrt(joints.worst[0]!) / JOINT_SWEEP_ERROR);
-  const total = wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
-  return Math.floor(((i + 1) * total) / count) - Math.floor((i * total) / count);
+  return wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+}
+
+/** Calls `action` with the part of each run that is strained, or with all of it. */
+function forRuns(
+  { joints }: SolverData,
+  isWhole: boolean,
+  action: (kernel: number, start: number, end: number) => void,
+): void {
+  const { runs, strained } = joints;
+  const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
+  const from = isWhole ? 0 : strained[0]! - margin;
+  const to = isWhole ? joints.joints.length : strained[1]! + margin;
+  for (const { kernel, start, end } of runs) {
+    if (start < to && end > from) {
+      action(kernel, start > from ? start : from, end < to ? end : to);
+    }
+  }
 }
 
 /** Velocity iteration `i` of `count`. */
 export function solveVelocityJoints(data: SolverData, i: number, count: number): void {
-  const { runs, joints } = data.joints;
-  const sweeps = sweepsOf(data, i, count);
+  const { joints } = data.joints;
+  const sweeps = sweepsOf(data);
+  const after = Math.floor(((i + 1) * sweeps) / count);
   solveVelocityCustoms(data);
-  for (let sweep = 0; sweep < sweeps; sweep += 1) {
-    for (const { kernel, start, end } of runs) {
+  for (let sweep = Math.floor((i * sweeps) / count); sweep < after; sweep += 1) {
+    forRuns(data, sweep === sweeps - 1, (kernel, start, end) => {
       if (kernel === POINT) {
         solveVelocityPoints(data, start, end);
       } else if (kernel === ROW) {
@@ -123,7 +139,7 @@ export function solveVelocityJoints(data: SolverData, i: number, count: number):
           solveVelocityBlock(data, joints[k]!);
         }
       }
-    }
+    });
   }
 }
 
@@ -139,14 +155,16 @@ function solveVelocityCustoms(data: SolverData): void {
 
 /** Position iteration `i` of `count`. @returns whether there may be something left for another. */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
-  const { runs, joints } = data.joints;
-  const sweeps = sweepsOf(data, i, count);
+  const { joints, runs } = data.joints;
+  const sweeps = sweepsOf(data);
+  const before = Math.floor((i * sweeps) / count);
+  const after = Math.floor(((i + 1) * sweeps) / count);
   let found = pushCustoms(data);
-  if (sweeps > 0) {
+  if (after > before) {
     found = linearise(data) || found;
   }
-  for (let sweep = 0; sweep < sweeps; sweep += 1) {
-    for (const { kernel, start, end } of runs) {
+  for (let sweep = before; sweep < after; sweep += 1) {
+    forRuns(data, sweep === sweeps - 1, (kernel, start, end) => {
       if (kernel === POINT) {
         found = pushPoints(data, start, end) || found;
       } else if (kernel === ROW) {
@@ -156,9 +174,9 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
           pushBlock(data, joints[k]!);
         }
       }
-    }
+    });
   }
-  return found || (sweeps === 0 && runs.length > 0);
+  return found || (after < sweeps && runs.length > 0);
 }
 
 function linearise(data: SolverData): boolean {

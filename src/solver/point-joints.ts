@@ -1,6 +1,6 @@
-import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
-import type { PointConstraint } from '../constraint/point.js';
+import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_SWEEP_ERROR, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
+import type { PointConstraint } from '../constraint/point.js';
 import { cos, sin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -62,7 +62,7 @@ export function beginPoints(data: SolverData, start: number, end: number): void 
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints, worst } = data.joints;
+  const { records: r, bodies, joints, worst, strained } = data.joints;
   const { velocity: v, pose: p } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -86,6 +86,10 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     const square = cx * cx + cy * cy;
     if (square > worst[0]!) {
       worst[0] = square;
+    }
+    if (square > JOINT_SWEEP_ERROR * JOINT_SWEEP_ERROR) {
+      strained[0] = k < strained[0]! ? k : strained[0]!;
+      strained[1] = k + 1;
     }
     r[i + j.ARM_AX] = ax;
     r[i + j.ARM_AY] = ay;
