@@ -68,6 +68,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private readonly freePairs: TreePair<T>[] = [];
   private search = 0;
   private readonly met: TreeHandle<T>[] = [];
+  private readonly box = new Float64Array(4);
   /** Results of `sample`, one list for each call that is inside another. */
   private readonly samples: TreeHandle<T>[][] = [];
   private depth = 0;
@@ -182,7 +183,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       }
     }
     handle.mark = this.search;
-    const box = tree.boxOf(handle.leaf);
+    const box = tree.boxOf(handle.leaf, this.box);
     let count = this.moving.query(box, this.met, 0);
     if (!handle.isStatic) {
       count = this.still.query(box, this.met, count);

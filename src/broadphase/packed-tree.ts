@@ -95,9 +95,15 @@ export class PackedTree<T> {
     return found;
   }
 
-  /** The box of a leaf as an array view that the next change of the tree may make stale. */
-  boxOf(node: number): Float64Array {
-    return this.boxes.subarray(BOX * node, BOX * node + BOX);
+  /** Copies the box of a node to `box`, and returns that. */
+  boxOf(node: number, box: Float64Array = new Float64Array(BOX)): Float64Array {
+    const { boxes } = this;
+    const at = BOX * node;
+    box[0] = boxes[at]!;
+    box[1] = boxes[at + 1]!;
+    box[2] = boxes[at + 2]!;
+    box[3] = boxes[at + 3]!;
+    return box;
   }
 
   /** Whether the box of a node contains `bounds`. */
