@@ -113,3 +113,9 @@ export const DEFAULT_ITERATIONS = 8;
 
 /** Default of `World.substeps`: the fewest with which tall towers, heavy tops and ramps are all right. */
 export const DEFAULT_SUBSTEPS = 4;
+
+/**
+ * m/s, rad/s. In a world with constraints faster motion is cut in each sub-step, so that what cannot be solved, such as a stiff spring
+ * stretched by miles, stays finite.
+ */
+export const MAX_SPEED = 1e6;

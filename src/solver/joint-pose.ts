@@ -1,11 +1,12 @@
 import type { RigidBody } from '../body.js';
+import { MAX_SPEED } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cos, sin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import type { Joint } from './joint-data.js';
+import { IMPULSE_X, type Joint, POINT } from './joint-data.js';
 
 /** Placements of the awake bodies as the step begins. */
 export function packPoses(world: World): void {
@@ -26,6 +27,38 @@ function writePose(body: RigidBody, pose: Float64Array, at: number): void {
   pose[at + COS] = body.cos;
   pose[at + SIN] = body.sin;
   pose[at + ANGLE] = body.angle;
+}
+
+/** Cuts motion that is faster than anything that can be meant; the joints that caused it forget their impulses. */
+export function limitMotion(data: SolverData): void {
+  const { velocity: v, motion: q, bodyCount } = data;
+  const most = MAX_SPEED * data.joints.h;
+  let isCut = false;
+  for (let k = 1; k < bodyCount; k += 1) {
+    const i = (k * d.BODY_STRIDE) & d.OFFSET;
+    for (let c = 0; c < 3; c += 1) {
+      if (!(Math.abs(v[i + c]!) < MAX_SPEED && Math.abs(q[i + c]!) <= most)) {
+        isCut = true;
+        v[i + c] = Math.max(-MAX_SPEED, Math.min(MAX_SPEED, v[i + c]!));
+        q[i + c] = Math.max(-most, Math.min(most, q[i + c]!));
+      }
+    }
+  }
+  if (isCut) {
+    forgetImpulses(data);
+  }
+}
+
+function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
+  for (const { kernel, at, first, layout } of data.joints) {
+    for (let k = 0; k < layout.members; k += 1) {
+      const b = data.bodies[first + k]!;
+      if (Math.max(Math.abs(v[b + d.VX]!), Math.abs(v[b + d.VY]!), Math.abs(v[b + d.W]!)) >= MAX_SPEED) {
+        const from = at + (kernel === POINT ? IMPULSE_X : layout.impulse);
+        data.records.fill(0, from, from + layout.rows);
+      }
+    }
+  }
 }
 
 /** Adds the motion of the sub-step to the placements. */

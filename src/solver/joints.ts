@@ -23,7 +23,7 @@ import {
   ROW,
 } from './joint-data.js';
 import { orderJoints } from './joint-order.js';
-import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
+import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
 import {
   beginPoints,
   finishPoints,
@@ -207,9 +207,6 @@ function pushCustoms(data: SolverData): boolean {
 /** Ends a sub-step. */
 export function finishJoints(data: SolverData): void {
   const { runs, joints } = data.joints;
-  if (runs.length > 0) {
-    advancePoses(data);
-  }
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       finishPoints(data, start, end);
@@ -218,6 +215,10 @@ export function finishJoints(data: SolverData): void {
         finishBlock(data, joints[k]!);
       }
     }
+  }
+  if (runs.length > 0) {
+    limitMotion(data);
+    advancePoses(data);
   }
 }
 

@@ -107,18 +107,7 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     const k11 = m + iA * ay * ay + iB * by * by;
     const k12 = -iA * ax * ay - iB * bx * by;
     const k22 = m + iA * ax * ax + iB * bx * bx;
-    const product = k11 * k22;
-    const det = product - k12 * k12;
-    if (det > SINGULAR * product && k11 > MIN_INVERSE_MASS && k22 > MIN_INVERSE_MASS) {
-      const inverse = 1 / det;
-      r[i + j.I11] = k22 * inverse;
-      r[i + j.I12] = -k12 * inverse;
-      r[i + j.I22] = k11 * inverse;
-    } else {
-      r[i + j.I11] = k11 >= k22 && k11 > MIN_INVERSE_MASS ? 1 / k11 : 0;
-      r[i + j.I12] = 0;
-      r[i + j.I22] = k22 > k11 && k22 > MIN_INVERSE_MASS ? 1 / k22 : 0;
-    }
+    writeInverse(r, i, k11, k12, k22);
     const px = r[i + j.IMPULSE_X]!;
     const py = r[i + j.IMPULSE_Y]!;
     v[a + d.VX] = v[a + d.VX]! - mA * px;
@@ -127,6 +116,22 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     v[b + d.VX] = v[b + d.VX]! + mB * px;
     v[b + d.VY] = v[b + d.VY]! + mB * py;
     v[b + d.W] = v[b + d.W]! + iB * (bx * py - by * px);
+  }
+}
+
+/** K⁻¹; of a K of rank 1 the larger diagonal element alone, of none nothing. */
+function writeInverse(r: Float64Array, i: number, k11: number, k12: number, k22: number): void {
+  const product = k11 * k22;
+  const det = product - k12 * k12;
+  if (det > SINGULAR * product && k11 > MIN_INVERSE_MASS && k22 > MIN_INVERSE_MASS) {
+    const inverse = 1 / det;
+    r[i + j.I11] = k22 * inverse;
+    r[i + j.I12] = -k12 * inverse;
+    r[i + j.I22] = k11 * inverse;
+  } else {
+    r[i + j.I11] = k11 >= k22 && k11 > MIN_INVERSE_MASS ? 1 / k11 : 0;
+    r[i + j.I12] = 0;
+    r[i + j.I22] = k22 > k11 && k22 > MIN_INVERSE_MASS ? 1 / k22 : 0;
   }
 }
 
@@ -168,8 +173,8 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
 }
 
 /**
- * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error and arms of the placement reached so far, but K⁻¹ of the start
- * of the sub-step, which is near enough.
+ * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error and arms of the placement reached so far, but, unless
+ * the bodies have turned far, K⁻¹ of the start of the sub-step, which is near enough.
  *
  * @returns whether an error was worth another iteration.
  */
@@ -192,6 +197,7 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const squareB = wB * wB;
     let ca = -0.5 * squareA;
     let sa = wA * (1 - squareA * (1 / 6));
+    let isFar = false;
     let cb = -0.5 * squareB;
     let sb = wB * (1 - squareB * (1 / 6));
     if (squareA > SMALL_TURN * SMALL_TURN || squareB > SMALL_TURN * SMALL_TURN) {
@@ -199,6 +205,7 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
       sa = sin(wA);
       cb = cos(wB) - 1;
       sb = sin(wB);
+      isFar = true;
     }
     let ax = r[i + j.ARM_AX]!;
     let ay = r[i + j.ARM_AY]!;
@@ -216,13 +223,25 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     }
     const mA = q[a + d.INV_MASS]!;
     const mB = q[b + d.INV_MASS]!;
-    const i12 = r[i + j.I12]!;
-    let x = r[i + j.I11]! * cx + i12 * cy;
-    let y = i12 * cx + r[i + j.I22]! * cy;
     ax += dax;
     ay += day;
     bx += dbx;
     by += dby;
+    if (isFar) {
+      const iA = q[a + d.INV_INERTIA]!;
+      const iB = q[b + d.INV_INERTIA]!;
+      const m = mA + mB;
+      writeInverse(
+        r,
+        i,
+        m + iA * ay * ay + iB * by * by,
+        -iA * ax * ay - iB * bx * by,
+        m + iA * ax * ax + iB * bx * bx,
+      );
+    }
+    const i12 = r[i + j.I12]!;
+    let x = r[i + j.I11]! * cx + i12 * cy;
+    let y = i12 * cx + r[i + j.I22]! * cy;
     if (square > JOINT_SNAP * JOINT_SNAP) {
       r[i + j.POINT_CARRY] = 0;
       if (mA + mB > MIN_INVERSE_MASS) {
