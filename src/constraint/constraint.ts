@@ -232,6 +232,11 @@ export abstract class Constraint {
     this.fresh = true;
   }
 
+  /** @internal the lower bound, unless it can not be passed anyway */
+  lowerLimit(): number {
+    return this.lower;
+  }
+
   /** @internal its class, for messages */
   get kind(): string {
     return `${this.type[0]}${this.type.slice(1).toLowerCase()}Constraint`;

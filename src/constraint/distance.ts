@@ -46,6 +46,11 @@ export class DistanceConstraint extends AnchoredConstraint {
     this.setBounds(where, 'upperBound', this.lower, nonNegativeOrInfinite(where, 'upperBound', upperBound));
   }
 
+  /** @internal No distance is below 0, but its linear part is when a body passes the anchor. */
+  override lowerLimit(): number {
+    return this.lower === 0 && this.upper > 0 ? -Infinity : this.lower;
+  }
+
   /** @internal */
   measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
     this.link.add(1, pose, this.anchors, out, c, j);

@@ -152,7 +152,8 @@ function mergeTwins(data: SolverData, joint: Joint, jacobian: number): void {
  */
 function compareWithBounds(r: Float64Array, joint: Joint): void {
   const { at, layout, constraint } = joint;
-  const { lower, upper } = constraint;
+  const { upper } = constraint;
+  const lower = constraint.lowerLimit();
   const e = at + layout.error + layout.rows - 1;
   const value = r[e]!;
   const toUpper = upper - value;

@@ -1,6 +1,7 @@
 import { expect } from 'vitest';
 import {
   type Circle,
+  type Constraint,
   type Polygon,
   phys2D,
   type RigidBody,
@@ -63,6 +64,17 @@ export function addFloor(world: World, params: RigidBodyParams = {}, shape: Shap
 export function add(world: World, ...bodies: RigidBody[]): void {
   for (const body of bodies) {
     expect(world.addRigidBody(body)).toBe(true);
+  }
+}
+
+/** A static body without shapes, to tie others to. */
+export function staticBody(params: RigidBodyParams = {}): RigidBody {
+  return phys2D.createRigidBody({ type: 'static', ...params });
+}
+
+export function tie(world: World, ...constraints: Constraint[]): void {
+  for (const constraint of constraints) {
+    expect(world.addConstraint(constraint)).toBe(true);
   }
 }
 

@@ -1,0 +1,277 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { add, DT, heavy, near, plainBody, speed, staticBody, steps, tie, weightless } from './setting.js';
+
+function addPlain(world: World, params: Parameters<typeof plainBody>[0] = {}): RigidBody {
+  const body = plainBody(params);
+  add(world, body);
+  return body;
+}
+
+describe('17 Constraints: kinds', () => {
+  it('C-190 POINT: pulls a body in from afar and leaves the static one, whichever is A [D-19]', () => {
+    for (const swapped of [false, true]) {
+      const world = weightless();
+      const anchor = staticBody();
+      const body = addPlain(world, { position: [5, 0] });
+      const [bodyA, bodyB] = swapped ? [body, anchor] : [anchor, body];
+      tie(world, phys2D.createPointConstraint({ bodyA, bodyB }));
+      steps(world, 5);
+      near(body.getPosition(), [0, 0], 0.01);
+      near(anchor.getPosition(), [0, 0], 0);
+      expect(speed(body)).toBeLessThan(0.01);
+    }
+  });
+
+  it('C-191 POINT: a pendulum keeps its length', () => {
+    const world = heavy();
+    const body = addPlain(world, { position: [2, 0] });
+    tie(world, phys2D.createPointConstraint({ bodyA: staticBody(), bodyB: body, anchorB: [-2, 0] }));
+    for (let i = 0; i < 300; i += 1) {
+      world.step(DT);
+      const [x, y] = body.getPosition();
+      near(Math.sqrt(x * x + y * y), 2, 0.01);
+    }
+  });
+
+  it('C-192 WELD: phase and anchors', () => {
+    const world = weightless();
+    const a = addPlain(world);
+    const b = addPlain(world, { position: [2, 0], angularVelocity: 3 });
+    const weld = { bodyA: a, bodyB: b, anchorA: [1, 0], anchorB: [-1, 0], phase: 0.5 };
+    tie(world, phys2D.createWeldConstraint(weld));
+    steps(world, 60);
+    near(b.getRotation() - a.getRotation(), 0.5, 0.01);
+    const [x, y] = b.transformLocalPointToWorld([-1, 0]);
+    near(a.transformLocalPointToWorld([1, 0]), [x, y], 0.01);
+  });
+
+  it('C-193 DISTANCE: from beyond either bound to it; slack between them', () => {
+    for (const [start, end] of [
+      [5, 3],
+      [1, 2],
+      [2.5, 2.5],
+    ] as const) {
+      const world = weightless();
+      const body = addPlain(world, { position: [start, 0] });
+      tie(world, phys2D.createDistanceConstraint({ bodyA: staticBody(), bodyB: body, lowerBound: 2, upperBound: 3 }));
+      steps(world, 5);
+      near(body.getPosition(), [end, 0], 0.01);
+      expect(speed(body)).toBeLessThan(0.01);
+    }
+    const world = weightless();
+    const body = addPlain(world, { position: [2.5, 0], velocity: [1, 2] });
+    tie(world, phys2D.createDistanceConstraint({ bodyA: staticBody(), bodyB: body, lowerBound: 2, upperBound: 3 }));
+    steps(world, 10);
+    near(body.getPosition(), [2.5 + 1 / 6, 1 / 3]);
+    near(body.getVelocity(), [1, 2]);
+  });
+
+  it('C-194 LINE: the axis is a unit vector, always; default bounds [R-15]', () => {
+    const line = phys2D.createLineConstraint({ bodyA: staticBody(), bodyB: plainBody(), axis: [3, 0] });
+    expect(line.getAxis()).toEqual([1, 0]);
+    line.setAxis([0, 5]);
+    expect(line.getAxis()).toEqual([0, 1]);
+    line.setAxis([0, 0]);
+    expect(line.getAxis()).toEqual([0, 1]);
+    expect(line.getLowerBound()).toBe(-Infinity);
+    expect(line.getUpperBound()).toBe(Infinity);
+  });
+
+  it('C-195, C-196 LINE: onto the line, and to its bound', () => {
+    for (const [start, end] of [
+      [
+        [0.5, 2],
+        [0.5, 0],
+      ],
+      [
+        [5, 0],
+        [1, 0],
+      ],
+      [
+        [-5, 3],
+        [-1, 0],
+      ],
+    ] as const) {
+      const world = weightless();
+      const body = addPlain(world, { position: start });
+      const bounds = { lowerBound: -1, upperBound: 1 };
+      tie(world, phys2D.createLineConstraint({ bodyA: staticBody(), bodyB: body, axis: [1, 0], ...bounds }));
+      steps(world, 5);
+      near(body.getPosition(), end, 0.01);
+      expect(speed(body)).toBeLessThan(0.01);
+    }
+  });
+
+  it('C-197 ANGLE: stops at the bound, with ratio', () => {
+    const world = weightless();
+    const body = addPlain(world, { angularVelocity: 4 });
+    const bounds = { lowerBound: -1, upperBound: 1 };
+    tie(world, phys2D.createAngleConstraint({ bodyA: staticBody(), bodyB: body, ratio: 2, ...bounds }));
+    steps(world, 60);
+    near(2 * body.getRotation(), 1, 0.01);
+    expect(Math.abs(body.getAngularVelocity())).toBeLessThan(0.01);
+  });
+
+  it('C-198 ANGLE: an error of 2 is gone after a step [D-18]', () => {
+    const world = weightless();
+    const body = addPlain(world, { rotation: 2 });
+    tie(world, phys2D.createAngleConstraint({ bodyA: staticBody(), bodyB: body }));
+    world.step(DT);
+    near(body.getRotation(), 2 * 0.5 ** 8, 0.01);
+  });
+
+  it('C-199 MOTOR: reaches its rate', () => {
+    const world = weightless();
+    const a = addPlain(world);
+    const b = addPlain(world, { position: [3, 0] });
+    tie(world, phys2D.createMotorConstraint({ bodyA: a, bodyB: b, ratio: 2, rate: 3 }));
+    steps(world, 5);
+    near(2 * b.getAngularVelocity() - a.getAngularVelocity(), 3, 1e-4);
+  });
+
+  it('C-200 MOTOR: no stronger than maxForce', () => {
+    const world = weightless();
+    const body = addPlain(world);
+    tie(world, phys2D.createMotorConstraint({ bodyA: staticBody(), bodyB: body, rate: 100, maxForce: 6 }));
+    world.step(DT);
+    near(body.getAngularVelocity(), 6 * DT);
+  });
+
+  it('C-201, C-202 PULLEY: keeps the sum, and its impulses are in its ratio [D-76]', () => {
+    const world = heavy();
+    const a = addPlain(world, { position: [-2, 5] });
+    const d = addPlain(world, { position: [2, 5] });
+    const [b, c] = [staticBody({ position: [-2, 0] }), staticBody({ position: [2, 0] })];
+    const bodies = { bodyA: a, bodyB: b, bodyC: c, bodyD: d };
+    const pulley = phys2D.createPulleyConstraint({ ...bodies, ratio: 2, lowerBound: 15, upperBound: 15 });
+    tie(world, pulley);
+    a.setVelocity([1, 0]);
+    for (let i = 0; i < 60; i += 1) {
+      world.step(DT);
+    }
+    const length = (p: RigidBody, q: RigidBody): number => {
+      const [px, py] = p.getPosition();
+      const [qx, qy] = q.getPosition();
+      return Math.sqrt((px - qx) ** 2 + (py - qy) ** 2);
+    };
+    near(length(a, b) + 2 * length(c, d), 15, 0.01);
+    expect(speed(a)).toBeGreaterThan(0.1);
+    const impulse = (body: RigidBody): number => {
+      const [x, y] = pulley.getImpulseForBody(body);
+      return Math.sqrt(x * x + y * y);
+    };
+    expect(impulse(a)).toBeGreaterThan(0.01);
+    near(impulse(d) / impulse(a), 2, 1e-3);
+    near(impulse(b), impulse(a), 1e-9);
+    near(impulse(c), impulse(d), 1e-9);
+  });
+
+  it('C-203 CUSTOM: an error of one metre is gone after a step', () => {
+    const world = weightless();
+    const body = addPlain(world, { position: [1, 0] });
+    const custom = phys2D.createCustomConstraint({
+      dimension: 1,
+      bodies: [body],
+      position(data, index) {
+        data[index] = body.getPosition()[0];
+      },
+      jacobian(data, index) {
+        data[index] = 1;
+        data[index + 1] = 0;
+        data[index + 2] = 0;
+      },
+    });
+    tie(world, custom);
+    world.step(DT);
+    near(body.getPosition(), [0, 0], 1e-4);
+    near(body.getVelocity(), [0, 0], 1e-4);
+  });
+
+  it('C-204 CUSTOM: order and number of calls', () => {
+    for (const [stiff, expected] of [
+      [true, 'constants jacobian vClamp vClamp constants position jacobian pClamp constants position jacobian pClamp'],
+      [false, 'constants position jacobian vClamp vClamp'],
+    ] as const) {
+      const world = weightless({ substeps: 1, velocityIterations: 2, positionIterations: 2 });
+      const body = addPlain(world);
+      const calls: string[] = [];
+      const note = (name: string) => () => calls.push(name);
+      const custom = phys2D.createCustomConstraint({
+        stiff,
+        dimension: 1,
+        bodies: [body],
+        positionConstants: note('constants'),
+        position: note('position'),
+        jacobian: note('jacobian'),
+        velocityClamp: note('vClamp'),
+        positionClamp: note('pClamp'),
+      });
+      tie(world, custom);
+      world.step(DT);
+      expect(calls.join(' ')).toBe(expected);
+    }
+  });
+
+  it('C-204 CUSTOM: the same totals with sub-steps', () => {
+    const world = weightless();
+    const body = addPlain(world);
+    const counts = { constants: 0, position: 0, jacobian: 0, velocityClamp: 0, positionClamp: 0 };
+    const custom = phys2D.createCustomConstraint({
+      dimension: 1,
+      bodies: [body],
+      positionConstants: () => {
+        counts.constants += 1;
+      },
+      position: () => {
+        counts.position += 1;
+      },
+      jacobian: () => {
+        counts.jacobian += 1;
+      },
+      velocityClamp: () => {
+        counts.velocityClamp += 1;
+      },
+      positionClamp: () => {
+        counts.positionClamp += 1;
+      },
+    });
+    tie(world, custom);
+    world.step(DT);
+    expect(counts).toEqual({ constants: 9, position: 8, jacobian: 9, velocityClamp: 8, positionClamp: 8 });
+  });
+
+  it('C-205 CUSTOM: velocity-only constraints respect maxForce [D-25]', () => {
+    const world = weightless();
+    const body = addPlain(world, { velocity: [1, 0] });
+    const custom = phys2D.createCustomConstraint({
+      dimension: 1,
+      bodies: [body],
+      maxForce: 1,
+      jacobian(data, index) {
+        data[index] = 1;
+      },
+    });
+    tie(world, custom);
+    world.step(DT);
+    near(body.getVelocity(), [1 - DT, 0], 1e-9);
+  });
+
+  it('C-206 CUSTOM: `this` is the constraint, and `bodies` a copy', () => {
+    const world = weightless();
+    const list = [addPlain(world)];
+    const contexts = new Set<unknown>();
+    function note(this: unknown): void {
+      contexts.add(this);
+    }
+    const callbacks = { positionConstants: note, position: note, jacobian: note, velocityClamp: note };
+    const custom = phys2D.createCustomConstraint({ dimension: 1, bodies: list, ...callbacks, positionClamp: note });
+    tie(world, custom);
+    expect(custom.bodies).toEqual(list);
+    expect(custom.bodies).not.toBe(list);
+    list.pop();
+    expect(custom.bodies).toHaveLength(1);
+    world.step(DT);
+    expect([...contexts]).toEqual([custom]);
+  });
+});
