@@ -1,6 +1,6 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { phys2D, type RigidBody } from '../../src/index.js';
-import { add, addFloor, disc, heavy, plainBody, steps, weightless } from './setting.js';
+import { add, addFloor, disc, heavy, near, plainBody, steps, tie, weightless } from './setting.js';
 
 describe('world: membership and lists', () => {
   it('C-062 a new world is empty', () => {
@@ -79,6 +79,37 @@ describe('world: membership and lists', () => {
     expect([...world.rigidBodies, ...world.liveDynamics, ...world.liveKinematics]).toEqual([]);
   });
 
+  it('C-069 a removed body takes its constraints along', () => {
+    const world = weightless();
+    const p = plainBody();
+    const q = plainBody({ position: [3, 0] });
+    add(world, p, q);
+    const constraint = phys2D.createDistanceConstraint({ bodyA: p, bodyB: q, upperBound: 5 });
+    tie(world, constraint);
+    const broken = vi.fn();
+    constraint.addEventListener('break', broken);
+    world.removeRigidBody(p);
+    expect([world.constraints, world.liveConstraints, p.constraints, q.constraints]).toEqual([[], [], [], []]);
+    expect(constraint.world).toBeNull();
+    steps(world, 1);
+    expect(broken).not.toHaveBeenCalled();
+  });
+
+  it('C-070 a constraint is added once and removed once', () => {
+    const world = weightless();
+    const a = plainBody();
+    const b = plainBody({ position: [3, 0] });
+    add(world, a, b);
+    const constraint = phys2D.createDistanceConstraint({ bodyA: a, bodyB: b, upperBound: 5 });
+    expect([world.addConstraint(constraint), world.addConstraint(constraint)]).toEqual([true, false]);
+    expect(constraint.world).toBe(world);
+    expect([a.constraints, b.constraints, world.constraints]).toEqual([[constraint], [constraint], [constraint]]);
+    expect(weightless().removeConstraint(constraint)).toBe(false);
+    expect([world.removeConstraint(constraint), world.removeConstraint(constraint)]).toEqual([true, false]);
+    expect(constraint.world).toBeNull();
+    expect([a.constraints, b.constraints, world.constraints]).toEqual([[], [], []]);
+  });
+
   it('C-071 clear empties the lists and keeps the time', () => {
     const world = heavy();
     const floor = addFloor(world);
@@ -133,20 +164,68 @@ describe('world: membership and lists', () => {
     expect(body.sleeping).toBe(false);
   });
 
+  it('C-075 a pulley over four bodies is removed from all of them [D-02]', () => {
+    const world = weightless();
+    const bodies = [0, 1, 2, 3].map((i) => plainBody({ position: [3 * i, 0] }));
+    add(world, ...bodies);
+    const [bodyA, bodyB, bodyC, bodyD] = bodies as [RigidBody, RigidBody, RigidBody, RigidBody];
+    const other = phys2D.createAngleConstraint({ bodyA: bodyB, bodyB: bodyC });
+    const pulley = phys2D.createPulleyConstraint({ bodyA, bodyB, bodyC, bodyD, upperBound: 20 });
+    tie(world, other, pulley);
+    expect(world.removeConstraint(pulley)).toBe(true);
+    expect(bodies.map((body) => body.constraints)).toEqual([[], [other], [other], []]);
+    for (const body of bodies) {
+      expect(world.removeRigidBody(body)).toBe(true);
+    }
+    expect(world.constraints).toEqual([]);
+  });
+
+  it('C-076 a static body in no world is an anchor', () => {
+    const world = heavy();
+    const anchor = phys2D.createRigidBody({ type: 'static', position: [1, 2], rotation: 1 });
+    const body = plainBody({ position: [1, 3] });
+    add(world, body);
+    tie(world, phys2D.createPointConstraint({ bodyA: anchor, bodyB: body, anchorB: [0, -1] }));
+    steps(world, 120);
+    near(body.getPosition(), [1, 3], 1e-3);
+    near(anchor.getPosition(), [1, 2], 0);
+  });
+
+  it('C-077 a dynamic body in no world makes a constraint inert [D-05]', () => {
+    const world = heavy();
+    const outside = plainBody();
+    const body = plainBody({ position: [0, 1] });
+    add(world, body);
+    const constraint = phys2D.createPointConstraint({ bodyA: outside, bodyB: body, anchorB: [0, -1] });
+    tie(world, constraint);
+    steps(world, 60);
+    near(outside.getPosition(), [0, 0], 0);
+    near(body.getVelocity(), [0, 10], 1e-6);
+    add(world, outside);
+    steps(world, 60);
+    near(body.transformLocalPointToWorld([0, -1]), outside.getPosition() as [number, number], 0.01);
+  });
+
   it('C-074 nothing is added or removed in a preSolve handler', () => {
     const world = weightless();
     const a = plainBody();
     const b = plainBody({ position: [0.5, 0] });
     const stranger = plainBody({ position: [9, 9] });
+    const tied = phys2D.createAngleConstraint({ bodyA: a, bodyB: b });
+    const untied = phys2D.createAngleConstraint({ bodyA: a, bodyB: b });
+    tie(world, tied);
     const results: boolean[] = [];
     a.shapes[0]!.addEventListener('preSolve', () => {
       results.push(world.addRigidBody(stranger), world.removeRigidBody(b));
+      results.push(world.addConstraint(untied), world.removeConstraint(tied));
       results.push(a.addShape(disc(1)), a.removeShape(a.shapes[0]!));
     });
     add(world, a, b);
     steps(world, 1);
-    expect(results).toEqual([false, false, false, false]);
+    expect(results).toEqual([false, false, false, false, false, false]);
     expect(world.rigidBodies).toEqual([a, b]);
+    expect(world.constraints).toEqual([tied]);
+    expect(a.constraints).toEqual([tied]);
     expect(a.shapes).toHaveLength(1);
   });
 

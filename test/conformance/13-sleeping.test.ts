@@ -1,8 +1,6 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
-import { add, addFloor, box, boxBody, disc, heavy, plainBody, steps, weightless } from './setting.js';
-
-// The statements about constraints (C-161 to C-164) come with the constraints.
+import { add, addFloor, box, boxBody, disc, heavy, near, plainBody, steps, tie, weightless } from './setting.js';
 
 /** Counts the `wake` and `sleep` events of a body. */
 function count(body: RigidBody): { wake: number; sleep: number } {
@@ -218,6 +216,62 @@ describe('sleeping and waking', () => {
     steps(world, 30);
     expect(body.getVelocity()).toEqual([1, 0]);
     expect(body.getPosition()[0]).toBeCloseTo(0.5, 9);
+  });
+
+  it('C-161 a body put to sleep beside a live constraint can be woken [D-40]', () => {
+    const world = weightless();
+    const p = plainBody();
+    const q = plainBody({ position: [3, 0], velocity: [0, 1] });
+    add(world, p, q);
+    tie(world, phys2D.createDistanceConstraint({ bodyA: p, bodyB: q, upperBound: 5 }));
+    p.sleep();
+    steps(world, 1);
+    p.wake();
+    expect(p.sleeping).toBe(false);
+    expect(world.liveDynamics).toContain(p);
+  });
+
+  it('C-162 a constraint keeps the partner of a moving body awake', () => {
+    const world = weightless();
+    const p = plainBody();
+    const q = plainBody({ position: [3, 0], torque: 0.2 });
+    add(world, p, q);
+    tie(world, phys2D.createDistanceConstraint({ bodyA: p, bodyB: q, upperBound: 5 }));
+    steps(world, 200);
+    near(p.getPosition(), [0, 0], 1e-9);
+    expect([p.sleeping, q.sleeping]).toEqual([false, false]);
+  });
+
+  it('C-163 a constraint falls asleep with its island', () => {
+    const world = weightless();
+    const p = plainBody();
+    const q = plainBody({ position: [3, 0] });
+    add(world, p, q);
+    const constraint = phys2D.createDistanceConstraint({ bodyA: p, bodyB: q, upperBound: 5 });
+    tie(world, constraint);
+    const slept = vi.fn();
+    const woken = vi.fn();
+    constraint.addEventListener('sleep', slept);
+    constraint.addEventListener('wake', woken);
+    steps(world, 80);
+    expect([p.sleeping, q.sleeping, constraint.sleeping]).toEqual([true, true, true]);
+    expect(world.liveConstraints).toEqual([]);
+    expect(slept).toHaveBeenCalledTimes(1);
+    p.applyImpulse([0, 1]);
+    expect([p.sleeping, q.sleeping, constraint.sleeping]).toEqual([false, false, false]);
+    steps(world, 1);
+    expect(woken).toHaveBeenCalledTimes(1);
+  });
+
+  it('C-164 a slack rope to a moving platform becomes taut [D-78]', () => {
+    const world = weightless();
+    const platform = phys2D.createRigidBody({ type: 'kinematic', velocity: [-0.5, 0], shapes: [disc(0.5)] });
+    const body = plainBody({ position: [3, 0] });
+    add(world, platform, body);
+    tie(world, phys2D.createDistanceConstraint({ bodyA: platform, bodyB: body, upperBound: 5 }));
+    steps(world, 1200);
+    expect(platform.getPosition()[0]).toBeCloseTo(-10, 6);
+    expect(body.getPosition()[0] - platform.getPosition()[0]).toBeLessThanOrEqual(5.05);
   });
 
   it('C-165 a removed body is awake', () => {
