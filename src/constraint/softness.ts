@@ -12,9 +12,13 @@ export const RATE = 2;
  *     Δλ = s · K⁻¹ · (−C · rate − J·v) − γ · s · λ
  *     γ = 1 / (h · w · (2ζ + w·h)),   s = 1 / (1 + γ),   rate = w / (2ζ + w·h)
  *
+ * The scheme itself damps by about w·h / 2. Where a step is divided into several `parts` that is taken off ζ, as far as there is any, so
+ * that what is left is the damping asked for (at 5 Hz, ζ = 0.1 and h = 1/960 s it would be a sixth too strong); it stays stable, as it
+ * is with ζ = 0. A step in one part is the plain formula.
+ *
  * Writes s, γ · s and rate; for a rigid constraint 1, 0, 0.
  */
-export function writeSoftness(constraint: Constraint, h: number, out: Float64Array, at: number): void {
+export function writeSoftness(constraint: Constraint, h: number, parts: number, out: Float64Array, at: number): void {
   if (constraint.stiff || !constraint.positional) {
     out[at + SOFTNESS] = 1;
     out[at + FEEDBACK] = 0;
@@ -22,7 +26,8 @@ export function writeSoftness(constraint: Constraint, h: number, out: Float64Arr
     return;
   }
   const w = 2 * Math.PI * constraint.frequency;
-  const stiffness = 2 * constraint.damping + w * h;
+  const damping = parts > 1 ? Math.max(0, constraint.damping - (w * h) / 2) : constraint.damping;
+  const stiffness = 2 * damping + w * h;
   const gamma = 1 / (h * w * stiffness);
   const softness = 1 / (1 + gamma);
   out[at + SOFTNESS] = softness;

@@ -220,7 +220,7 @@ export function packHead(data: JointData, joint: Joint): void {
   const { records: r, h, parts } = data;
   const { constraint, at } = joint;
   const { stiff, positional, breakUnderForce, breakUnderError, maxForce, maxError } = constraint;
-  writeSoftness(constraint, h, r, at);
+  writeSoftness(constraint, h, parts, r, at);
   const elastic = !stiff && positional;
   r[at + MAX_BIAS] = elastic && !breakUnderError ? maxError : Infinity;
   r[at + LIMIT] = !breakUnderForce && (elastic || !positional) ? maxForce * h : Infinity;
