@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest';
+import { type PointConstraint, phys2D, type RigidBody } from '../../src/index.js';
+import { box, DT, disc, heavy, staticBody } from '../conformance/setting.js';
+import { worstGap } from '../scenes/joint-grid.js';
+
+const APART = { group: 2, mask: 1 };
+const LINKS = 10;
+const LINK_MASS = 0.2;
+
+/** m. The widest gap of a chain that falls from the horizontal, a ball at its end: in all steps, and in those from 300 to 600. */
+function gaps(massRatio: number): { all: number; late: number } {
+  const world = heavy({ allowSleeping: false });
+  const joints: PointConstraint[] = [];
+  let last: RigidBody = staticBody();
+  const append = (body: RigidBody, anchorA: [number, number], anchorB: [number, number]): void => {
+    world.addRigidBody(body);
+    const joint = phys2D.createPointConstraint({ bodyA: last, bodyB: body, anchorA, anchorB });
+    world.addConstraint(joint);
+    joints.push(joint);
+    last = body;
+  };
+  const free = { linearDrag: 0, angularDrag: 0 };
+  for (let i = 0; i < LINKS; i += 1) {
+    const link = phys2D.createRigidBody({ position: [i + 0.5, 0], shapes: [box(1, 0.2, APART)], ...free });
+    append(link, i === 0 ? [0, 0] : [0.5, 0], [-0.5, 0]);
+  }
+  const mass = massRatio * LINK_MASS;
+  const ball = { mass, inertia: mass / 2, position: [LINKS + 1, 0], shapes: [disc(1, APART)], ...free };
+  append(phys2D.createRigidBody(ball), [0.5, 0], [-1, 0]);
+  let all = 0;
+  let late = 0;
+  for (let i = 0; i < 600; i += 1) {
+    world.step(DT);
+    const gap = worstGap(joints);
+    all = Math.max(all, gap);
+    late = i < 300 ? 0 : Math.max(late, gap);
+  }
+  return { all, late };
+}
+
+describe('chain of ten links with a ball at the end', () => {
+  it('holds 100 times the mass of a link within 0.06 m', () => {
+    for (const massRatio of [1, 100, 1000]) {
+      const { all, late } = gaps(massRatio);
+      const target = massRatio === 100 ? ' (target 0.06)' : '';
+      console.log(`chain, ${massRatio}:1: widest gap ${late.toFixed(4)} m${target}, from the start ${all.toFixed(4)}`);
+      expect(late).toBeLessThanOrEqual(massRatio <= 100 ? 0.06 : 0.2);
+    }
+  });
+});
