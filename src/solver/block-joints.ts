@@ -17,6 +17,9 @@ export function packBlock(data: SolverData, joint: Joint): void {
   const { records: r, bodies } = data.joints;
   const { at, layout, constraint, first } = joint;
   r.fill(0, at + layout.impulse, at + layout.size);
+  if (constraint instanceof CustomConstraint) {
+    constraint.failed = false;
+  }
   r[at + layout.low] = -Infinity;
   r[at + layout.high] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {

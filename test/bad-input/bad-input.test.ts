@@ -1,76 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
 import { add, box, disc, plainBody, weightless } from '../conformance/setting.js';
+import {
+  type Bad,
+  factory,
+  NOT_BITS,
+  NOT_BOOLEAN,
+  NOT_COUNT,
+  NOT_FINITE,
+  NOT_MASS,
+  NOT_NON_NEGATIVE,
+  NOT_NUMBERS,
+  NOT_POSITIVE,
+  NOT_VECTOR,
+  refuses,
+} from './refuses.js';
 
 // Every factory and setter refuses bad arguments before anything changes; the message names function, argument, rule and value.
-
-type Bad = readonly [value: unknown, kind: typeof TypeError | typeof RangeError, shown?: string];
-
-const NOT_NUMBERS: Bad[] = [
-  ['1', TypeError, '"1"'],
-  [null, TypeError, 'null'],
-  [{}, TypeError, 'an object'],
-];
-const NOT_FINITE: Bad[] = [...NOT_NUMBERS, [NaN, RangeError, 'NaN'], [Infinity, RangeError], [-Infinity, RangeError]];
-const NOT_NON_NEGATIVE: Bad[] = [...NOT_FINITE, [-1, RangeError, '-1']];
-const NOT_POSITIVE: Bad[] = [...NOT_NON_NEGATIVE, [0, RangeError, '0']];
-const NOT_MASS: Bad[] = [...NOT_NUMBERS, [NaN, RangeError], [0, RangeError], [-3, RangeError, '-3']];
-const NOT_COUNT: Bad[] = [...NOT_FINITE, [0, RangeError], [1.5, RangeError, '1.5'], [-1, RangeError]];
-const NOT_BITS: Bad[] = [...NOT_FINITE, [0.5, RangeError], [2 ** 32, RangeError], [-(2 ** 31) - 1, RangeError]];
-const NOT_BOOLEAN: Bad[] = [
-  [1, TypeError, '1'],
-  ['true', TypeError, '"true"'],
-  [null, TypeError],
-];
-const NOT_VECTOR: Bad[] = [
-  [1, TypeError, '1'],
-  [null, TypeError],
-  [[1], TypeError, 'an array of length 1'],
-];
-
-/** Calls with a bad value; the error is of the right kind and its message starts with function and argument and shows the value. */
-function refuses(call: (value: never) => unknown, where: string, name: string, [value, kind, shown]: Bad): void {
-  let thrown: unknown;
-  try {
-    call(value as never);
-  } catch (error) {
-    thrown = error;
-  }
-  expect(thrown, `${where} with ${name} = ${String(value)}`).toBeInstanceOf(kind);
-  const { message } = thrown as Error;
-  expect(message.startsWith(`${where}: ${name} must be `), message).toBe(true);
-  expect(message).toContain(`, got ${shown ?? String(value)}`);
-}
-
-/** A factory and the values that each of its options refuses. */
-function factory(
-  where: string,
-  make: (options: never) => unknown,
-  valid: object,
-  options: Record<string, readonly Bad[]>,
-): void {
-  describe(where, () => {
-    for (const [name, values] of Object.entries(options)) {
-      it(`refuses bad ${name}`, () => {
-        for (const bad of values) {
-          refuses((value) => make({ ...valid, [name]: value } as never), where, name, bad);
-        }
-      });
-      it(`takes an undefined ${name} as left out`, () => {
-        if (!(name in valid)) {
-          expect(() => make({ ...valid, [name]: undefined } as never)).not.toThrow();
-        } else {
-          expect(() => make({ ...valid, [name]: undefined } as never)).toThrow(TypeError);
-        }
-      });
-    }
-    it('refuses options that are no object', () => {
-      for (const value of [1, 'x', null]) {
-        refuses(make, where, 'params', [value, TypeError, typeof value === 'string' ? '"x"' : String(value)]);
-      }
-    });
-  });
-}
 
 const SHAPE = {
   sensor: NOT_BOOLEAN,
