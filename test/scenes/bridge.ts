@@ -1,4 +1,5 @@
 import type { Physics2DDevice, PointConstraint, RigidBody, World } from '../../src/index.js';
+import { hang } from './hanging.js';
 
 export interface Bridge {
   readonly planks: readonly RigidBody[];
@@ -6,12 +7,16 @@ export interface Bridge {
   readonly load: readonly RigidBody[];
 }
 
+/** Joints do not brake, so what swings is stopped by the air alone. */
+const DRAG = { linearDrag: 0.5, angularDrag: 0.5 };
+
 /** Planks of 1 m between two anchors, joined at their ends, and boxes that fall on them. */
 export function buildBridge(phys2D: Physics2DDevice, world: World, count = 16): Bridge {
   const box = (width: number, height: number) =>
     phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, height) });
-  const left = phys2D.createRigidBody({ type: 'static', position: [-count / 2, 0] });
-  const right = phys2D.createRigidBody({ type: 'static', position: [count / 2, 0] });
+  const { span, links } = hang(count, 1, 0.3);
+  const left = phys2D.createRigidBody({ type: 'static', position: [-span / 2, 0] });
+  const right = phys2D.createRigidBody({ type: 'static', position: [span / 2, 0] });
   const planks: RigidBody[] = [];
   const joints: PointConstraint[] = [];
   const join = (bodyA: RigidBody, anchorA: [number, number], bodyB: RigidBody, anchorB: [number, number]): void => {
@@ -19,10 +24,11 @@ export function buildBridge(phys2D: Physics2DDevice, world: World, count = 16): 
     world.addConstraint(joint);
     joints.push(joint);
   };
-  for (let i = 0; i < count; i += 1) {
-    const plank = phys2D.createRigidBody({ position: [i + 0.5 - count / 2, 0], shapes: [box(1, 0.2)] });
+  for (const place of links) {
+    const plank = phys2D.createRigidBody({ ...place, shapes: [box(1, 0.2)], ...DRAG });
+    const last = planks[planks.length - 1];
     world.addRigidBody(plank);
-    join(planks[i - 1] ?? left, i === 0 ? [0, 0] : [0.5, 0], plank, [-0.5, 0]);
+    join(last ?? left, last === undefined ? [0, 0] : [0.5, 0], plank, [-0.5, 0]);
     planks.push(plank);
   }
   join(planks[count - 1]!, [0.5, 0], right, [0, 0]);

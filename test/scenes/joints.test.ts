@@ -48,14 +48,14 @@ describe('scenes with joints', () => {
     const world = phys2D.createWorld();
     const { planks, joints, load } = buildBridge(phys2D, world);
     let gap = 0;
-    run(world, 15, () => {
+    run(world, 30, () => {
       gap = Math.max(gap, worstGap(joints));
     });
     const sag = Math.max(...planks.map((plank) => plank.getPosition()[1]));
     const awake = world.liveDynamics.length;
     console.log(`bridge: widest gap ${(1000 * gap).toFixed(2)} mm, sag ${sag.toFixed(2)} m, ${awake} bodies awake`);
-    expect(gap).toBeLessThan(0.01);
-    expect(worstGap(joints)).toBeLessThan(0.001);
+    expect(gap).toBeLessThan(0.02);
+    expect(worstGap(joints)).toBeLessThan(0.002);
     expect(sag).toBeLessThan(1.5);
     expect(load.every((body) => body.getPosition()[1] < sag)).toBe(true);
     expect(awake).toBe(0);
@@ -95,7 +95,8 @@ describe('scenes with joints', () => {
     console.log(
       `ragdoll: widest gap ${(1000 * gap).toFixed(2)} mm, ${beyond.toFixed(4)} rad beyond its limits, ${awake} parts awake`,
     );
-    expect(gap).toBeLessThan(0.02);
+    expect(gap).toBeLessThan(0.04);
+    expect(worstGap(joints)).toBeLessThan(0.001);
     expect(beyond).toBeLessThan(0.05);
     expect(awake).toBe(0);
   });
