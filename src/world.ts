@@ -11,6 +11,7 @@ import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.
 import type { Shape } from './shape/shape.js';
 import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
+import { JointData } from './solver/joint-data.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeConstraint } from './solver/sleep.js';
@@ -80,7 +81,7 @@ export class World {
   /** @internal */
   readonly events = new EventQueue();
   /** @internal */
-  readonly solver = new SolverData();
+  readonly solver = new SolverData(new JointData());
   /** @internal */
   readonly islandWork = new IslandWork();
 

@@ -4,7 +4,7 @@ import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
-import * as j from './joint-data.js';
+import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
 
 /**

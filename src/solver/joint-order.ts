@@ -1,7 +1,7 @@
 import { DYNAMIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
-import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-data.js';
+import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-layout.js';
 
 /**
  * Lists the live constraints, those that hang together next to each other, breadth-first from what cannot move, equals as they were

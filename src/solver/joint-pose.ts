@@ -6,7 +6,8 @@ import { cos, sin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import { IMPULSE_X, type Joint, POINT } from './joint-data.js';
+import type { Joint } from './joint-data.js';
+import { IMPULSE_X, POINT } from './joint-layout.js';
 
 /** Placements of the awake bodies as the step begins. */
 export function packPoses(world: World): void {

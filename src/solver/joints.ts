@@ -10,18 +10,8 @@ import {
   warmStartBlock,
 } from './block-joints.js';
 import type { SolverData } from './data.js';
-import {
-  BLOCK,
-  CARRY,
-  CUSTOM,
-  type Joint,
-  type JointData,
-  POINT,
-  POINT_CARRY,
-  PUSH,
-  packHead,
-  ROW,
-} from './joint-data.js';
+import { type Joint, type JointData, packHead } from './joint-data.js';
+import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, PUSH, ROW } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
 import {
@@ -105,41 +95,42 @@ function sweepsOf({ joints }: SolverData): number {
   return wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
 }
 
-/** Calls `action` with the part of each run that is strained, or with all of it. */
-function forRuns(
-  { joints }: SolverData,
-  isWhole: boolean,
-  action: (kernel: number, start: number, end: number) => void,
-): void {
-  const { runs, strained } = joints;
-  const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
-  const from = isWhole ? 0 : strained[0]! - margin;
-  const to = isWhole ? joints.joints.length : strained[1]! + margin;
-  for (const { kernel, start, end } of runs) {
-    if (start < to && end > from) {
-      action(kernel, start > from ? start : from, end < to ? end : to);
-    }
-  }
+/** The joints of a sweep: all, or those that are strained and near that; first … */
+function firstOf({ joints: { strained } }: SolverData, isWhole: boolean): number {
+  return isWhole ? 0 : strained[0]! - JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
+}
+
+/** … and the one after the last. */
+function endOf({ joints: { strained, joints } }: SolverData, isWhole: boolean): number {
+  return isWhole ? joints.length : strained[1]! + JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
 }
 
 /** Velocity iteration `i` of `count`. */
 export function solveVelocityJoints(data: SolverData, i: number, count: number): void {
-  const { joints } = data.joints;
+  const { runs } = data.joints;
   const sweeps = sweepsOf(data);
   const after = Math.floor(((i + 1) * sweeps) / count);
   solveVelocityCustoms(data);
   for (let sweep = Math.floor((i * sweeps) / count); sweep < after; sweep += 1) {
-    forRuns(data, sweep === sweeps - 1, (kernel, start, end) => {
-      if (kernel === POINT) {
-        solveVelocityPoints(data, start, end);
-      } else if (kernel === ROW) {
-        solveVelocityRows(data, start, end);
-      } else if (kernel === BLOCK) {
-        for (let k = start; k < end; k += 1) {
-          solveVelocityBlock(data, joints[k]!);
-        }
+    const first = firstOf(data, sweep === sweeps - 1);
+    const last = endOf(data, sweep === sweeps - 1);
+    for (const { kernel, start, end } of runs) {
+      if (start < last && end > first) {
+        solveVelocityRun(data, kernel, start > first ? start : first, end < last ? end : last);
       }
-    });
+    }
+  }
+}
+
+function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): void {
+  if (kernel === POINT) {
+    solveVelocityPoints(data, start, end);
+  } else if (kernel === ROW) {
+    solveVelocityRows(data, start, end);
+  } else if (kernel === BLOCK) {
+    for (let k = start; k < end; k += 1) {
+      solveVelocityBlock(data, data.joints.joints[k]!);
+    }
   }
 }
 
@@ -155,7 +146,7 @@ function solveVelocityCustoms(data: SolverData): void {
 
 /** Position iteration `i` of `count`. @returns whether there may be something left for another. */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
-  const { joints, runs } = data.joints;
+  const { runs } = data.joints;
   const sweeps = sweepsOf(data);
   const before = Math.floor((i * sweeps) / count);
   const after = Math.floor(((i + 1) * sweeps) / count);
@@ -164,19 +155,29 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
     found = linearise(data) || found;
   }
   for (let sweep = before; sweep < after; sweep += 1) {
-    forRuns(data, sweep === sweeps - 1, (kernel, start, end) => {
-      if (kernel === POINT) {
-        found = pushPoints(data, start, end) || found;
-      } else if (kernel === ROW) {
-        pushRows(data, start, end);
-      } else if (kernel === BLOCK) {
-        for (let k = start; k < end; k += 1) {
-          pushBlock(data, joints[k]!);
-        }
+    const first = firstOf(data, sweep === sweeps - 1);
+    const last = endOf(data, sweep === sweeps - 1);
+    for (const { kernel, start, end } of runs) {
+      if (start < last && end > first) {
+        found = pushRun(data, kernel, start > first ? start : first, end < last ? end : last) || found;
       }
-    });
+    }
   }
   return found || (after < sweeps && runs.length > 0);
+}
+
+function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  if (kernel === POINT) {
+    return pushPoints(data, start, end);
+  }
+  if (kernel === ROW) {
+    pushRows(data, start, end);
+  } else if (kernel === BLOCK) {
+    for (let k = start; k < end; k += 1) {
+      pushBlock(data, data.joints.joints[k]!);
+    }
+  }
+  return false;
 }
 
 function linearise(data: SolverData): boolean {

@@ -5,7 +5,7 @@ import { cos, sin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
-import * as j from './joint-data.js';
+import * as j from './joint-layout.js';
 
 /**
  * Rigid point joints that do not break; all others are block joints. The error is C = Δ(x + r) between the bodies, and by velocities

@@ -1,0 +1,105 @@
+/**
+ * Offsets; a file without imports, as only then the numbers stand in the loops themselves.
+ *
+ * Joints: the packed form of constraints, in the order in which they are solved. A record begins with what is common to all, of which
+ * the first three numbers are those of softness.ts; the rest depends on the kernel that solves it.
+ */
+export const SOFTNESS = 0;
+export const FEEDBACK = 1;
+export const RATE = 2;
+/** Largest correcting speed. */
+export const MAX_BIAS = 3;
+/** The impulse of a sub-step is cut to this; that of the step breaks the joint above the next. */
+export const LIMIT = 4;
+export const BREAK = 5;
+/** An error above this breaks the joint. */
+export const MAX_ERROR = 6;
+/** s⁻¹. What a position correction is multiplied by to become momentum. */
+export const CARRY = 7;
+/** 1 if position errors are corrected. */
+export const PUSH = 8;
+/** 1 if LIMIT or BREAK is finite. */
+export const CHECKED = 9;
+/** 1 if the last position iteration did without turning. */
+export const SNAPPED = 10;
+export const HEAD = 11;
+
+/**
+ * Rigid point joints have records without such a head: two rows with unit columns, so their arms say all. Arms, K⁻¹ and impulse in
+ * velocity iterations; error at the start of the sub-step and corrections so far in position iterations …
+ */
+export const ARM_AX = 0;
+export const ARM_AY = 1;
+export const ARM_BX = 2;
+export const ARM_BY = 3;
+export const I11 = 4;
+export const I12 = 5;
+export const I22 = 6;
+export const IMPULSE_X = 7;
+export const IMPULSE_Y = 8;
+export const ERROR_X = 9;
+export const ERROR_Y = 10;
+export const PUSH_X = 11;
+export const PUSH_Y = 12;
+/** … anchors in the coordinates of their bodies, of immovable ones in the world … */
+export const ANCHOR_AX = 13;
+export const ANCHOR_AY = 14;
+export const ANCHOR_BX = 15;
+export const ANCHOR_BY = 16;
+/** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
+export const SUM_X = 17;
+export const SUM_Y = 18;
+export const SUM_WA = 19;
+export const SUM_WB = 20;
+export const POINT_CARRY = 21;
+export const POINT_STRIDE = 22;
+
+/** Kernels: rigid point joints that do not break … */
+export const POINT = 0;
+/** … one row between two bodies … */
+export const ROW = 1;
+/** … any number of rows and bodies … */
+export const BLOCK = 2;
+/** … and the same by callbacks. */
+export const CUSTOM = 3;
+
+/** Where things are in the record of a joint of D rows and N members. */
+export class BlockLayout {
+  /** λ, corrections of this sub-step, bias, error (in position iterations less its linear part), scratch, λ of the step: D each. */
+  readonly impulse: number;
+  readonly push: number;
+  readonly bias: number;
+  readonly error: number;
+  readonly work: number;
+  readonly total: number;
+  /** Range of the last row's impulse. */
+  readonly low: number;
+  readonly high: number;
+  /** Jacobian of velocity iterations, and of position iterations. */
+  readonly jacobian: number;
+  readonly turned: number;
+  /** K, factored. */
+  readonly matrix: number;
+  /** What the step gave to each member so far. */
+  readonly given: number;
+  readonly size: number;
+
+  constructor(
+    readonly rows: number,
+    readonly members: number,
+  ) {
+    this.impulse = HEAD;
+    this.push = HEAD + rows;
+    this.bias = HEAD + 2 * rows;
+    this.error = HEAD + 3 * rows;
+    this.work = HEAD + 4 * rows;
+    this.total = HEAD + 5 * rows;
+    this.low = HEAD + 6 * rows;
+    this.high = this.low + 1;
+    this.jacobian = this.low + 2;
+    this.turned = this.jacobian + 3 * members * rows;
+    this.matrix = this.turned + 3 * members * rows;
+    this.given = this.matrix + rows * rows;
+    this.size = this.given + 3 * members;
+  }
+}
