@@ -229,11 +229,11 @@ export class World {
     for (const shape of body.shapes) {
       shape.handle = this.broadphase.insert(shape, widened(shape), body.asleep);
     }
+    this.jointsStale = true;
     if (!body.asleep) {
       enliven(this, body);
+      wakeTies(this, body);
     }
-    this.jointsStale = true;
-    wakeTies(this, body);
     return true;
   }
 

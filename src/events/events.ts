@@ -23,6 +23,9 @@ export const IN_STEP = 1;
 /** … and those before what the solver found out. */
 export const FOUND_LATE = 2;
 
+/** Stands where shape ids do, above all of them. */
+const AFTER_BODIES = Number.MAX_SAFE_INTEGER;
+
 /** One handler to be called for an event; noted when the event is, so that later changes of the listeners do not touch it. */
 interface QueuedEvent {
   readonly group: number;
@@ -90,12 +93,12 @@ export class EventQueue {
     }
   }
 
-  /** Notes `wake`, `sleep` or `break` of a constraint. */
+  /** Notes `wake`, `sleep` or `break` of a constraint; bodies come before constraints. */
   constraint(type: ConstraintEventType, constraint: Constraint): void {
     for (const { type: wanted, handler } of constraint.listeners) {
       if (wanted === type) {
         const call = () => handler.call(constraint);
-        this.queue.push({ group: IN_STEP, type, idA: constraint.order, idB: -1, call });
+        this.queue.push({ group: IN_STEP, type, idA: AFTER_BODIES, idB: constraint.order, call });
       }
     }
   }

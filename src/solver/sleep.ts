@@ -133,12 +133,13 @@ function spreadFromConstraint(
   }
 }
 
-/** An island wakes as a whole, and what was put to sleep by hand between its bodies. */
+/** An island wakes as a whole, and with it what was put to sleep by hand: constraints on its bodies, bodies of its constraints. */
 function raiseIsland(world: World, island: Island, quiet: Woken, found: (RigidBody | Constraint)[]): void {
   for (const constraint of island.constraints) {
     if (constraint.island === island) {
       constraint.island = null;
       riseConstraint(world, constraint, constraint === quiet);
+      found.push(constraint);
     }
   }
   for (const body of island.bodies) {

@@ -122,7 +122,7 @@ export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
 /** Wakes the sleeping constraints of a body, as it joins the world. */
 export function wakeTies(world: World, body: RigidBody): void {
   for (const constraint of body.constraints) {
-    if (constraint.owner === world && constraint.enabled) {
+    if (constraint.owner === world && constraint.asleep) {
       wakeConstraint(world, constraint, false);
     }
   }
