@@ -10,6 +10,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import * as source from '../../src/index.js';
 import { stateHash } from '../scenes/hash.js';
 import { buildPyramid } from '../scenes/pyramid.js';
+import { Tangle } from '../scenes/tangle.js';
 
 // The bundles as built, loaded in every way that users load them.
 
@@ -37,14 +38,16 @@ const DROP = `
   body.getPosition()[1];
 `;
 
-/** State after a pyramid has settled for a while. */
+/** State after a pyramid has settled for a while, and of a tangle of constraints of all kinds. */
 function simulate(phys2D: source.Physics2DDevice): string {
   const world = phys2D.createWorld({ velocityIterations: 8 });
   buildPyramid(phys2D, world, 6);
+  const { world: tangled } = new Tangle(phys2D, phys2D.createWorld(), 3, 30, 40);
   for (let i = 0; i < 120; i += 1) {
     world.step(1 / 60);
+    tangled.step(1 / 60);
   }
-  return stateHash(world);
+  return stateHash(world) + stateHash(tangled);
 }
 
 /** Runs a bundle as a script tag does: in a context that has the language and nothing else. */

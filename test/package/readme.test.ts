@@ -3,14 +3,23 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 
-// The example of the README is examples/readme.ts, which the type check and the build read as well.
+// The examples of the README are files of examples/, which the type check and the build read as well.
 
 const root = join(import.meta.dirname, '../..');
 const read = (name: string): string => readFileSync(join(root, name), 'utf8');
 
-it('the README shows the example to the letter', () => {
+it('the README shows the examples to the letter', () => {
   const blocks = [...read('README.md').matchAll(/```ts\n([\s\S]*?)```/g)].map(([, code]) => code);
-  expect(blocks).toContain(read('examples/readme.ts'));
+  expect(blocks).toEqual([read('examples/readme.ts'), read('examples/custom.ts')]);
+});
+
+it('the bead of the second example stays on its wire', () => {
+  const output = execFileSync(process.execPath, [join(root, 'dist/examples/custom.js')], { encoding: 'utf8' });
+  const places = [...output.matchAll(/\((-?[\d.]+), (-?[\d.]+)\)/g)].map(([, x, y]) => [Number(x), Number(y)]);
+  expect(places).toHaveLength(3);
+  for (const [x, y] of places) {
+    expect(Math.abs(y! - x! * x!)).toBeLessThan(0.03 * Math.abs(x!) + 0.01);
+  }
 });
 
 it('the example has 20 lines and prints what the README says', () => {
