@@ -25,7 +25,7 @@ export class Tangle {
       this.addBody();
     }
     for (let i = 0; i < constraints; i += 1) {
-      const constraint = this.constraint();
+      const constraint = this.makeConstraint();
       world.addConstraint(constraint);
       this.constraints.push(constraint);
     }
@@ -72,7 +72,8 @@ export class Tangle {
     return [this.span(-far, far), this.span(-far, far)];
   }
 
-  private constraint(): Constraint {
+  /** A constraint of some kind between some of the bodies; not added. */
+  makeConstraint(): Constraint {
     const { phys2D } = this;
     const [bodyA, bodyB, bodyD] = [this.pick(this.bodies), this.pick(this.bodies), this.pick(this.bodies)];
     const common = {

@@ -1,6 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { type Arbiter, Polygon, phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
+import {
+  type Arbiter,
+  type Constraint,
+  Polygon,
+  phys2D,
+  type RigidBody,
+  type Shape,
+  type World,
+} from '../../src/index.js';
 import { generator } from '../scenes/mixed.js';
+import { Tangle } from '../scenes/tangle.js';
 
 // Random programs: anything may be called at any time, also from handlers. After every step the lists must be exact, all
 // numbers finite, and each `begin` must have found its `end` before the next.
@@ -14,11 +23,14 @@ class Program {
   private readonly bodies: RigidBody[] = [];
   private readonly random: () => number;
   private readonly running = new Set<string>();
+  private readonly ties: Tangle;
+  private readonly constraints: Constraint[] = [];
 
   constructor(seed: number) {
     this.random = generator(seed);
     const broadphase = seed % 2 ? phys2D.createBoxTreeBroadphase() : phys2D.createSweepAndPruneBroadphase();
     this.world = phys2D.createWorld({ broadphase, substeps: 1 + (seed % 4) });
+    this.ties = new Tangle(phys2D, this.world, seed, 0, 0);
     for (let i = 0; i < 6; i += 1) {
       this.addBody();
     }
@@ -45,7 +57,20 @@ class Program {
       shapes: [this.shape()],
     });
     this.bodies.push(body);
+    this.ties.bodies.push(body);
     this.world.addRigidBody(body);
+  }
+
+  private addConstraint(): void {
+    const constraint = this.ties.makeConstraint();
+    this.constraints.push(constraint);
+    this.world.addConstraint(constraint);
+    constraint.addEventListener('break', () => {
+      expect(constraint.world === null || constraint.isDisabled()).toBe(true);
+      if (this.random() < 0.3) {
+        this.change();
+      }
+    });
   }
 
   private vertices() {
@@ -91,7 +116,17 @@ class Program {
     const { world } = this;
     const body = this.bodies[Math.floor(this.span(0, this.bodies.length))]!;
     const [first] = body.shapes;
+    const constraint = this.constraints[Math.floor(this.span(0, this.constraints.length))];
     const changes: (() => unknown)[] = [
+      () => this.addConstraint(),
+      () => this.addConstraint(),
+      () => constraint && world.addConstraint(constraint),
+      () => constraint && world.removeConstraint(constraint),
+      () => constraint?.enable(),
+      () => constraint?.disable(),
+      () => constraint?.wake(),
+      () => constraint?.sleep(),
+      () => constraint?.configure({ ignoreInteractions: this.random() < 0.5, stiff: this.random() < 0.5 }),
       () => this.addBody(),
       () => this.addBody(),
       () => world.removeRigidBody(body),
@@ -123,8 +158,27 @@ class Program {
   }
 }
 
+/** Everything that the documentation says of the lists of constraints. */
+function checkConstraints(world: World): void {
+  const live = new Set(world.liveConstraints);
+  expect(new Set(world.constraints).size).toBe(world.constraints.length);
+  for (const constraint of world.constraints) {
+    expect(constraint.world).toBe(world);
+    expect(live.has(constraint)).toBe(constraint.isEnabled() && !constraint.sleeping);
+  }
+  expect(world.liveConstraints.every(({ world: own }) => own === world)).toBe(true);
+  for (const body of world.rigidBodies) {
+    expect(new Set(body.constraints).size).toBe(body.constraints.length);
+    for (const constraint of body.constraints) {
+      expect(world.constraints).toContain(constraint);
+      expect(constraint.getImpulseForBody(body).every(Number.isFinite)).toBe(true);
+    }
+  }
+}
+
 /** Everything that the documentation says of the lists of a world. */
 function checkLists(world: World): void {
+  checkConstraints(world);
   const bodies = new Set(world.rigidBodies);
   const listed = new Set([...world.dynamicArbiters, ...world.staticArbiters]);
   const live = new Set([...world.liveDynamics, ...world.liveKinematics]);
