@@ -174,6 +174,13 @@ export abstract class BodyState {
     return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
   }
 
+  /** @internal after a teleport or a change of type: constraints look at the body anew */
+  touchConstraints(): void {
+    for (const constraint of this.constraints) {
+      constraint.touch();
+    }
+  }
+
   /** @internal after a change of `angle` */
   refreshTurn(): void {
     turn[0] = this.angle;

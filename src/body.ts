@@ -454,9 +454,7 @@ export class RigidBody extends BodyState {
     }
     this.x = x;
     this.y = y;
-    for (const constraint of this.constraints) {
-      constraint.touch();
-    }
+    this.touchConstraints();
     this.moved();
   }
 
@@ -489,6 +487,7 @@ export class RigidBody extends BodyState {
       this.owner.changeKind(this, kind);
     } else {
       this.kind = kind;
+      this.touchConstraints();
     }
     if (kind === STATIC) {
       this.vx = 0;

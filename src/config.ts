@@ -56,7 +56,8 @@ export const JOINT_SWEEP_MARGIN = 2;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
- * neutral; a little less than that never gains.
+ * neutral; a little less than that never gains. Joints of bodies in contact have none: contacts push without, and where the two
+ * push against each other momentum would be made of nothing.
  */
 export const JOINT_MOMENTUM = 0.999;
 

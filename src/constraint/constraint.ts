@@ -222,7 +222,13 @@ export abstract class Constraint {
     this.fresh = true;
     if (this.owner !== null) {
       this.owner.jointsTouched = true;
+      this.owner.jointsStale ||= this.members.some((body) => body.owner !== this.owner);
     }
+  }
+
+  /** @internal where a member is in the arrays of the constraint's world; 0 for what that world cannot move */
+  slotOf(body: RigidBody): number {
+    return body.owner === this.owner ? body.slot : 0;
   }
 
   /** @internal nothing is kept of earlier impulses */

@@ -26,7 +26,11 @@ export function packBlock(data: SolverData, joint: Joint): void {
     r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
   }
   for (let k = 0; k < layout.members; k += 1) {
-    bodies[first + k] = constraint.members[k]!.slot * d.BODY_STRIDE;
+    const b = constraint.slotOf(constraint.members[k]!) * d.BODY_STRIDE;
+    bodies[first + k] = b;
+    if (data.drive[b + d.TOUCHED] === 1) {
+      r[at + j.CARRY] = 0;
+    }
   }
 }
 

@@ -40,6 +40,7 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[]): void 
       }
     }
   }
+  data.drive[d.TOUCHED] = 0;
 }
 
 function packContact(data: SolverData, pair: Arbiter): void {

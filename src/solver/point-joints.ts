@@ -33,30 +33,35 @@ export function packPoint(data: SolverData, joint: Joint): void {
 function packAnchor(data: SolverData, joint: Joint, k: number): void {
   const { records: r, bodies } = data.joints;
   const { at, first } = joint;
-  const { members, anchors } = joint.constraint as PointConstraint;
+  const constraint = joint.constraint as PointConstraint;
+  const { members, anchors } = constraint;
   const body = members[k]!;
+  const slot = constraint.slotOf(body);
   const x = anchors[2 * k]!;
   const y = anchors[2 * k + 1]!;
-  const isImmovable = body.slot === 0;
+  const isImmovable = slot === 0;
   r[at + j.ANCHOR_AX + 2 * k] = isImmovable ? body.x + body.cos * x - body.sin * y : x;
   r[at + j.ANCHOR_AY + 2 * k] = isImmovable ? body.y + body.sin * x + body.cos * y : y;
-  bodies[first + k] = body.slot * d.BODY_STRIDE;
+  bodies[first + k] = slot * d.BODY_STRIDE;
 }
 
 /** Starts a step. */
 export function beginPoints(data: SolverData, start: number, end: number): void {
-  const { records: r, joints, h } = data.joints;
+  const { records: r, joints, bodies, h } = data.joints;
+  const { drive } = data;
   const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
   let i = joints[start]!.at;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET) {
+  let n = joints[start]!.first;
+  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const isTouched = drive[bodies[n]! + d.TOUCHED] === 1 || drive[bodies[n + 1]! + d.TOUCHED] === 1;
     r[i + j.IMPULSE_X] = r[i + j.IMPULSE_X]! * scale;
     r[i + j.IMPULSE_Y] = r[i + j.IMPULSE_Y]! * scale;
     r[i + j.SUM_X] = 0;
     r[i + j.SUM_Y] = 0;
     r[i + j.SUM_WA] = 0;
     r[i + j.SUM_WB] = 0;
-    r[i + j.POINT_CARRY] = carry;
+    r[i + j.POINT_CARRY] = isTouched ? 0 : carry;
   }
 }
 

@@ -13,8 +13,8 @@ export function prepare(world: World, h: number): void {
   packBodies(world, h);
   data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
   data.previousH = h;
-  packJoints(world, h);
   packContacts(data, world.pairs.sorted);
+  packJoints(world, h);
 }
 
 function packBodies(world: World, h: number): void {

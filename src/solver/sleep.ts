@@ -109,7 +109,7 @@ function spreadFromBody(world: World, body: RigidBody, quiet: Woken, found: (Rig
   if (body.kind !== STATIC) {
     rise(world, body, body === quiet, found);
   } else {
-    found.push(...body.constraints.filter((constraint) => constraint.asleep && constraint.enabled));
+    pushSleepingTies(world, body, found);
   }
 }
 
@@ -169,6 +169,10 @@ function rise(world: World, body: RigidBody, silent: boolean, found: (RigidBody 
   if (!silent && body.kind === DYNAMIC) {
     world.events.body('wake', body);
   }
+  pushSleepingTies(world, body, found);
+}
+
+function pushSleepingTies(world: World, body: RigidBody, found: (RigidBody | Constraint)[]): void {
   for (const constraint of body.constraints) {
     if (constraint.asleep && constraint.enabled && constraint.owner === world) {
       found.push(constraint);

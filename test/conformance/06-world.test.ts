@@ -95,7 +95,24 @@ describe('world: membership and lists', () => {
     expect(broken).not.toHaveBeenCalled();
   });
 
-  it('C-070 a constraint is added once and removed once', () => {
+  it('C-069 whichever of its bodies it is, static ones too', () => {
+    for (let k = 0; k < 4; k += 1) {
+      const world = weightless();
+      const bodies = (['dynamic', 'kinematic', 'static', 'dynamic'] as const).map((type, i) =>
+        plainBody({ type, position: [3 * i, 0] }),
+      );
+      add(world, ...bodies);
+      const [bodyA, bodyB, bodyC, bodyD] = bodies as [RigidBody, RigidBody, RigidBody, RigidBody];
+      const pulley = phys2D.createPulleyConstraint({ bodyA, bodyB, bodyC, bodyD, upperBound: 20 });
+      const custom = phys2D.createCustomConstraint({ dimension: 1, bodies, jacobian() {} });
+      tie(world, pulley, custom);
+      world.removeRigidBody(bodies[k]!);
+      expect([pulley.world, custom.world, world.constraints]).toEqual([null, null, []]);
+      expect(bodies.map((body) => body.constraints)).toEqual([[], [], [], []]);
+    }
+  });
+
+ and removed once', () => {
     const world = weightless();
     const a = plainBody();
     const b = plainBody({ position: [3, 0] });
@@ -191,7 +208,24 @@ describe('world: membership and lists', () => {
     near(anchor.getPosition(), [1, 2], 0);
   });
 
-  it('C-077 a dynamic body in no world makes a constraint inert [D-05]', () => {
+  it('C-076 a kinematic one too; whichever role it has', () => {
+    for (const type of ['static', 'kinematic'] as const) {
+      for (const isA of [true, false]) {
+        const world = heavy();
+        const anchor = phys2D.createRigidBody({ type, position: [1, 2] });
+        const body = plainBody({ position: [1, 3] });
+        add(world, body);
+        const own = { bodyA: anchor, bodyB: body, anchorB: [0, -1] } as const;
+        const exchanged = { bodyA: body, bodyB: anchor, anchorA: [0, -1] } as const;
+        tie(world, phys2D.createPointConstraint(isA ? own : exchanged));
+        steps(world, 120);
+        near(body.getPosition(), [1, 3], 1e-3);
+        near(anchor.getPosition(), [1, 2], 0);
+      }
+    }
+  });
+
+ makes a constraint inert [D-05]', () => {
     const world = heavy();
     const outside = plainBody();
     const body = plainBody({ position: [0, 1] });

@@ -231,7 +231,27 @@ describe('sleeping and waking', () => {
     expect(world.liveDynamics).toContain(p);
   });
 
-  it('C-162 a constraint keeps the partner of a moving body awake', () => {
+  it('C-161 so can the other one, after any number of steps', () => {
+    const world = weightless();
+    const p = plainBody();
+    const q = plainBody({ position: [3, 0], velocity: [0, 1] });
+    add(world, p, q);
+    const constraint = phys2D.createDistanceConstraint({ bodyA: q, bodyB: p, upperBound: 5 });
+    tie(world, constraint);
+    for (const count of [0, 1, 100]) {
+      p.sleep();
+      q.sleep();
+      steps(world, count);
+      expect([p.sleeping, q.sleeping]).toEqual([true, true]);
+      p.wake();
+      q.wake();
+      expect([p.sleeping, q.sleeping, constraint.sleeping]).toEqual([false, false, false]);
+      expect(world.liveDynamics).toHaveLength(2);
+      expect(world.liveConstraints).toEqual([constraint]);
+    }
+  });
+
+ the partner of a moving body awake', () => {
     const world = weightless();
     const p = plainBody();
     const q = plainBody({ position: [3, 0], torque: 0.2 });
@@ -242,7 +262,26 @@ describe('sleeping and waking', () => {
     expect([p.sleeping, q.sleeping]).toEqual([false, false]);
   });
 
-  it('C-163 a constraint falls asleep with its island', () => {
+  it('C-162 whichever of the two is moving, a pulley or a custom constraint likewise', () => {
+    for (const moving of [0, 1, 2]) {
+      const world = weightless();
+      const bodies = [0, 1, 2].map((i) => plainBody({ position: [3 * i, 0] }));
+      add(world, ...bodies);
+      const [a, b, c] = bodies as [RigidBody, RigidBody, RigidBody];
+      const anchor = phys2D.createRigidBody({ type: 'static', position: [0, 9] });
+      tie(
+        world,
+        phys2D.createPulleyConstraint({ bodyA: a, bodyB: anchor, bodyC: anchor, bodyD: b, upperBound: 99 }),
+        phys2D.createCustomConstraint({ dimension: 1, bodies: [anchor, b, c], jacobian() {} }),
+      );
+      bodies[moving]!.setForce([0, 0.01]);
+      bodies[moving]!.setVelocity([0, 0.1]);
+      steps(world, 100);
+      expect(bodies.map((body) => body.sleeping)).toEqual([false, false, false]);
+    }
+  });
+
+ asleep with its island', () => {
     const world = weightless();
     const p = plainBody();
     const q = plainBody({ position: [3, 0] });
@@ -274,7 +313,26 @@ describe('sleeping and waking', () => {
     expect(body.getPosition()[0] - platform.getPosition()[0]).toBeLessThanOrEqual(5.05);
   });
 
-  it('C-165 a removed body is awake', () => {
+  it('C-164 the same with the roles exchanged, and while the platform turns', () => {
+    const world = weightless();
+    const platform = phys2D.createRigidBody({ type: 'kinematic', angularVelocity: 0.1 });
+    const body = plainBody({ position: [3, 0] });
+    add(world, platform, body);
+    const rope = phys2D.createDistanceConstraint({ bodyA: body, bodyB: platform, upperBound: 5 });
+    tie(world, rope);
+    steps(world, 200);
+    expect([body.sleeping, rope.sleeping]).toEqual([false, false]);
+    platform.setVelocity([-0.5, 0]);
+    steps(world, 1200);
+    expect(body.getPosition()[0] - platform.getPosition()[0]).toBeLessThanOrEqual(5.05);
+    platform.setVelocity([0, 0]);
+    platform.setAngularVelocity(0);
+    body.setVelocity([0, 0]);
+    steps(world, 120);
+    expect([body.sleeping, rope.sleeping]).toEqual([true, true]);
+  });
+
+ is awake', () => {
     const { world, body } = sleeper();
     const floor = addFloor(world, { position: [0, 5] });
     world.removeRigidBody(body);

@@ -23,7 +23,23 @@ describe('17 Constraints: kinds', () => {
     }
   });
 
-  it('C-191 POINT: a pendulum keeps its length', () => {
+  it('C-190 POINT: two dynamic bodies meet half-way, a kinematic one stays', () => {
+    const world = weightless();
+    const [a, b] = [addPlain(world), addPlain(world, { position: [5, 0] })];
+    const point = { anchorA: [0.5, 0], anchorB: [-0.5, 0] } as const;
+    tie(world, phys2D.createPointConstraint({ bodyA: a, bodyB: b, ...point }));
+    steps(world, 5);
+    near([a.getPosition()[0], b.getPosition()[0]], [2, 3], 0.01);
+    const other = weightless();
+    const platform = addPlain(other, { type: 'kinematic' });
+    const body = addPlain(other, { position: [5, 0] });
+    tie(other, phys2D.createPointConstraint({ bodyA: body, bodyB: platform, anchorA: [-1, 0] }));
+    steps(other, 5);
+    near(platform.getPosition(), [0, 0], 0);
+    near(body.getPosition(), [1, 0], 0.01);
+  });
+
+ keeps its length', () => {
     const world = heavy();
     const body = addPlain(world, { position: [2, 0] });
     tie(world, phys2D.createPointConstraint({ bodyA: staticBody(), bodyB: body, anchorB: [-2, 0] }));
@@ -46,7 +62,32 @@ describe('17 Constraints: kinds', () => {
     near(a.transformLocalPointToWorld([1, 0]), [x, y], 0.01);
   });
 
-  it('C-193 DISTANCE: from beyond either bound to it; slack between them', () => {
+  it('C-192 WELD: the same on a static body, whichever is A, stiff or elastic', () => {
+    for (const stiff of [true, false]) {
+      for (const swapped of [false, true]) {
+        const world = weightless();
+        const anchor = staticBody({ rotation: 0.2 });
+        const body = addPlain(world, { position: [2, 0], angularVelocity: 3 });
+        const own = { bodyA: anchor, bodyB: body, anchorA: [1, 0], anchorB: [-1, 0] } as const;
+        const exchanged = { bodyA: body, bodyB: anchor, anchorA: [-1, 0], anchorB: [1, 0] } as const;
+        tie(world, phys2D.createWeldConstraint({ ...(swapped ? exchanged : own), phase: 0.5, stiff }));
+        steps(world, 60);
+        near(body.getRotation(), swapped ? -0.3 : 0.7, 0.01);
+        near(body.transformLocalPointToWorld([-1, 0]), anchor.transformLocalPointToWorld([1, 0]), 0.01);
+        near(anchor.getPosition(), [0, 0], 0);
+      }
+    }
+  });
+
+  it('C-192 WELD: rotations are not wrapped', () => {
+    const world = weightless();
+    const body = addPlain(world, { rotation: 2 * Math.PI });
+    tie(world, phys2D.createWeldConstraint({ bodyA: staticBody(), bodyB: body }));
+    steps(world, 10);
+    near(body.getRotation(), 0, 0.01);
+  });
+
+ beyond either bound to it; slack between them', () => {
     for (const [start, end] of [
       [5, 3],
       [1, 2],
@@ -67,7 +108,26 @@ describe('17 Constraints: kinds', () => {
     near(body.getVelocity(), [1, 2]);
   });
 
-  it('C-194 LINE: the axis is a unit vector, always; default bounds [R-15]', () => {
+  it('C-193 DISTANCE: the same with the roles exchanged, and elastic', () => {
+    for (const stiff of [true, false]) {
+      for (const [start, end] of [
+        [5, 3],
+        [1, 2],
+        [2.5, 2.5],
+      ] as const) {
+        const world = weightless();
+        const anchor = staticBody();
+        const body = addPlain(world, { position: [start, 0] });
+        const bounds = { lowerBound: 2, upperBound: 3, stiff };
+        tie(world, phys2D.createDistanceConstraint({ bodyA: body, bodyB: anchor, ...bounds }));
+        steps(world, stiff ? 5 : 40);
+        near(body.getPosition(), [end, 0], 0.01);
+        near(anchor.getPosition(), [0, 0], 0);
+      }
+    }
+  });
+
+ is a unit vector, always; default bounds [R-15]', () => {
     const line = phys2D.createLineConstraint({ bodyA: staticBody(), bodyB: plainBody(), axis: [3, 0] });
     expect(line.getAxis()).toEqual([1, 0]);
     line.setAxis([0, 5]);
@@ -103,7 +163,31 @@ describe('17 Constraints: kinds', () => {
     }
   });
 
-  it('C-197 ANGLE: stops at the bound, with ratio', () => {
+  it('C-195, C-196 LINE: the same with the line on the moving body, and elastic', () => {
+    for (const stiff of [true, false]) {
+      for (const swapped of [false, true]) {
+        for (const start of [
+          [0.5, 2],
+          [5, 0],
+          [-5, 3],
+        ] as const) {
+          const world = weightless();
+          const anchor = staticBody();
+          const body = addPlain(world, { position: start });
+          const [bodyA, bodyB] = swapped ? [body, anchor] : [anchor, body];
+          const bounds = { lowerBound: -1, upperBound: 1, stiff };
+          tie(world, phys2D.createLineConstraint({ bodyA, bodyB, axis: [1, 0], ...bounds }));
+          steps(world, stiff ? 10 : 60);
+          const [x, y] = bodyA.transformWorldPointToLocal(bodyB.getPosition());
+          near(y, 0, 0.01);
+          expect(Math.abs(x)).toBeLessThan(1.01);
+          near(anchor.getPosition(), [0, 0], 0);
+        }
+      }
+    }
+  });
+
+ at the bound, with ratio', () => {
     const world = weightless();
     const body = addPlain(world, { angularVelocity: 4 });
     const bounds = { lowerBound: -1, upperBound: 1 };
@@ -113,7 +197,26 @@ describe('17 Constraints: kinds', () => {
     expect(Math.abs(body.getAngularVelocity())).toBeLessThan(0.01);
   });
 
-  it('C-198 ANGLE: an error of 2 is gone after a step [D-18]', () => {
+  it('C-197 ANGLE: the same on body A, from below, and elastic', () => {
+    for (const stiff of [true, false]) {
+      for (const [spin, swapped, end] of [
+        [-4, false, -0.5],
+        [4, true, 1],
+        [-4, true, -1],
+      ] as const) {
+        const world = weightless();
+        const body = addPlain(world, { angularVelocity: spin });
+        const [bodyA, bodyB] = swapped ? [body, staticBody()] : [staticBody(), body];
+        const bounds = { ratio: 2, lowerBound: -1, upperBound: 1, stiff };
+        tie(world, phys2D.createAngleConstraint({ bodyA, bodyB, ...bounds }));
+        steps(world, 60);
+        near(body.getRotation(), end, 0.01);
+        expect(Math.abs(body.getAngularVelocity())).toBeLessThan(0.02);
+      }
+    }
+  });
+
+ of 2 is gone after a step [D-18]', () => {
     const world = weightless();
     const body = addPlain(world, { rotation: 2 });
     tie(world, phys2D.createAngleConstraint({ bodyA: staticBody(), bodyB: body }));
@@ -121,7 +224,18 @@ describe('17 Constraints: kinds', () => {
     near(body.getRotation(), 2 * 0.5 ** 8, 0.01);
   });
 
-  it('C-199 MOTOR: reaches its rate', () => {
+  it('C-198 ANGLE: with ratio, and whichever body is A', () => {
+    for (const swapped of [false, true]) {
+      const world = weightless();
+      const body = addPlain(world, { rotation: 1 });
+      const [bodyA, bodyB] = swapped ? [body, staticBody()] : [staticBody(), body];
+      tie(world, phys2D.createAngleConstraint({ bodyA, bodyB, ratio: 2 }));
+      world.step(DT);
+      near((swapped ? 1 : 2) * body.getRotation(), 0, 0.01);
+    }
+  });
+
+ its rate', () => {
     const world = weightless();
     const a = addPlain(world);
     const b = addPlain(world, { position: [3, 0] });
@@ -130,7 +244,21 @@ describe('17 Constraints: kinds', () => {
     near(2 * b.getAngularVelocity() - a.getAngularVelocity(), 3, 1e-4);
   });
 
-  it('C-200 MOTOR: no stronger than maxForce', () => {
+  it('C-199 MOTOR: between a body and a static one, whichever is A', () => {
+    for (const [swapped, rate] of [
+      [false, 1.5],
+      [true, -3],
+    ] as const) {
+      const world = weightless();
+      const body = addPlain(world);
+      const [bodyA, bodyB] = swapped ? [body, staticBody()] : [staticBody(), body];
+      tie(world, phys2D.createMotorConstraint({ bodyA, bodyB, ratio: 2, rate: 3 }));
+      steps(world, 5);
+      near(body.getAngularVelocity(), rate, 1e-4);
+    }
+  });
+
+ than maxForce', () => {
     const world = weightless();
     const body = addPlain(world);
     tie(world, phys2D.createMotorConstraint({ bodyA: staticBody(), bodyB: body, rate: 100, maxForce: 6 }));
@@ -138,7 +266,27 @@ describe('17 Constraints: kinds', () => {
     near(body.getAngularVelocity(), 6 * DT);
   });
 
-  it('C-201, C-202 PULLEY: keeps the sum, and its impulses are in its ratio [D-76]', () => {
+  it('C-200 MOTOR: with ratio, whichever body is A, whether stiff or not', () => {
+    for (const stiff of [true, false]) {
+      for (const [swapped, change] of [
+        [false, 12],
+        [true, -6],
+      ] as const) {
+        const world = weightless();
+        const body = addPlain(world);
+        const [bodyA, bodyB] = swapped ? [body, staticBody()] : [staticBody(), body];
+        const motor = phys2D.createMotorConstraint({ bodyA, bodyB, ratio: 2, rate: 100, maxForce: 6, stiff });
+        tie(world, motor);
+        for (let i = 1; i <= 5; i += 1) {
+          world.step(DT);
+          near(body.getAngularVelocity(), i * change * DT, 1e-9);
+          near(motor.getImpulseForBody(body), [0, 0, change * DT], 1e-9);
+        }
+      }
+    }
+  });
+
+: keeps the sum, and its impulses are in its ratio [D-76]', () => {
     const world = heavy();
     const a = addPlain(world, { position: [-2, 5] });
     const d = addPlain(world, { position: [2, 5] });
@@ -167,7 +315,25 @@ describe('17 Constraints: kinds', () => {
     near(impulse(c), impulse(d), 1e-9);
   });
 
-  it('C-203 CUSTOM: an error of one metre is gone after a step', () => {
+  it('C-201 PULLEY: a rope between its bounds is slack, below and above them it is not', () => {
+    for (const stiff of [true, false]) {
+      for (const [y, sum] of [
+        [6, 15],
+        [1, 9],
+        [4, 12],
+      ] as const) {
+        const world = weightless();
+        const [a, d] = [addPlain(world, { position: [-2, y] }), addPlain(world, { position: [2, y] })];
+        const [b, c] = [staticBody({ position: [-2, 0] }), staticBody({ position: [2, 0] })];
+        const bodies = { bodyA: a, bodyB: b, bodyC: c, bodyD: d };
+        tie(world, phys2D.createPulleyConstraint({ ...bodies, ratio: 2, lowerBound: 9, upperBound: 15, stiff }));
+        steps(world, 40);
+        near(a.getPosition()[1] + 2 * d.getPosition()[1], sum, 0.01);
+      }
+    }
+  });
+
+ of one metre is gone after a step', () => {
     const world = weightless();
     const body = addPlain(world, { position: [1, 0] });
     const custom = phys2D.createCustomConstraint({
@@ -188,7 +354,33 @@ describe('17 Constraints: kinds', () => {
     near(body.getVelocity(), [0, 0], 1e-4);
   });
 
-  it('C-204 CUSTOM: order and number of calls', () => {
+  it('C-203 CUSTOM: in any row, of any body; elastic in its time', () => {
+    for (const stiff of [true, false]) {
+      const world = weightless();
+      const [a, b] = [addPlain(world), addPlain(world, { position: [3, 2], rotation: 1 })];
+      const custom = phys2D.createCustomConstraint({
+        stiff,
+        dimension: 2,
+        bodies: [a, b],
+        position(data, index) {
+          data[index] = b.getRotation() - a.getRotation();
+          data[index + 1] = b.getPosition()[1] - a.getPosition()[1];
+        },
+        jacobian(data, index) {
+          data[index + 2] = -1;
+          data[index + 5] = 1;
+          data[index + 7] = -1;
+          data[index + 10] = 1;
+        },
+      });
+      tie(world, custom);
+      steps(world, stiff ? 1 : 40);
+      near([a.getRotation(), b.getRotation()], [0.5, 0.5], stiff ? 1e-4 : 0.01);
+      near([...a.getPosition(), ...b.getPosition()], [0, 1, 3, 1], stiff ? 1e-4 : 0.01);
+    }
+  });
+
+ and number of calls', () => {
     for (const [stiff, expected] of [
       [true, 'constants jacobian vClamp vClamp constants position jacobian pClamp constants position jacobian pClamp'],
       [false, 'constants position jacobian vClamp vClamp'],
@@ -213,7 +405,74 @@ describe('17 Constraints: kinds', () => {
     }
   });
 
-  it('C-204 CUSTOM: the same totals with sub-steps', () => {
+  it('C-204 CUSTOM: without `position` it is one of velocities, stiff or not', () => {
+    for (const stiff of [true, false]) {
+      const world = weightless({ substeps: 1, velocityIterations: 2, positionIterations: 2 });
+      const calls: string[] = [];
+      const note = (name: string) => () => calls.push(name);
+      const custom = phys2D.createCustomConstraint({
+        stiff,
+        dimension: 1,
+        bodies: [addPlain(world)],
+        positionConstants: note('constants'),
+        jacobian: note('jacobian'),
+        velocityClamp: note('vClamp'),
+        positionClamp: note('pClamp'),
+      });
+      tie(world, custom);
+      world.step(DT);
+      expect(calls.join(' ')).toBe('constants jacobian vClamp vClamp');
+    }
+  });
+
+  it('C-204 CUSTOM: nothing is called while it is disabled, asleep, or has no dynamic body', () => {
+    const world = weightless();
+    const body = addPlain(world);
+    let calls = 0;
+    const jacobian = (): void => {
+      calls += 1;
+    };
+    const custom = phys2D.createCustomConstraint({ dimension: 1, bodies: [body], jacobian, disabled: true });
+    const idle = phys2D.createCustomConstraint({ dimension: 1, bodies: [staticBody()], jacobian });
+    tie(world, custom, idle);
+    world.step(DT);
+    custom.enable();
+    custom.sleep();
+    world.step(DT);
+    expect(calls).toBe(0);
+    custom.wake();
+    world.step(DT);
+    expect(calls).toBe(1);
+  });
+
+  it('C-204 CUSTOM: the clamps change impulses and corrections in place', () => {
+    const world = weightless({ substeps: 1 });
+    const body = addPlain(world, { position: [1, 0], velocity: [0, 3] });
+    const held = phys2D.createCustomConstraint({
+      dimension: 2,
+      bodies: [body],
+      position(data, index) {
+        data[index] = body.getPosition()[0];
+      },
+      jacobian(data, index) {
+        data[index] = 1;
+        data[index + 4] = 1;
+      },
+      velocityClamp(data, index) {
+        data[index + 1] = Math.max(-2, data[index + 1]!);
+      },
+      positionClamp(data, index) {
+        data[index] = Math.max(-0.01, data[index]!);
+      },
+    });
+    tie(world, held);
+    world.step(DT);
+    near(body.getPosition()[0], 1 - 8 * 0.01, 1e-9);
+    near(body.getVelocity()[1], 1, 1e-9);
+    near(held.getImpulseForBody(body)[1], -2, 1e-9);
+  });
+
+ with sub-steps', () => {
     const world = weightless();
     const body = addPlain(world);
     const counts = { constants: 0, position: 0, jacobian: 0, velocityClamp: 0, positionClamp: 0 };
@@ -257,7 +516,30 @@ describe('17 Constraints: kinds', () => {
     near(body.getVelocity(), [1 - DT, 0], 1e-9);
   });
 
-  it('C-206 CUSTOM: `this` is the constraint, and `bodies` a copy', () => {
+  it('C-205 CUSTOM: the length over all rows, stiff or not', () => {
+    for (const stiff of [true, false]) {
+      const world = weightless();
+      const body = addPlain(world, { velocity: [3, 4] });
+      const custom = phys2D.createCustomConstraint({
+        stiff,
+        dimension: 2,
+        bodies: [body],
+        maxForce: 1,
+        jacobian(data, index) {
+          data[index] = 1;
+          data[index + 4] = 1;
+        },
+      });
+      tie(world, custom);
+      world.step(DT);
+      near(speed(body), 5 - DT, 1e-9);
+      custom.configure({ breakUnderForce: true });
+      world.step(DT);
+      expect(custom.world).toBeNull();
+    }
+  });
+
+ is the constraint, and `bodies` a copy', () => {
     const world = weightless();
     const list = [addPlain(world)];
     const contexts = new Set<unknown>();

@@ -34,7 +34,7 @@ export function buildBridge(phys2D: Physics2DDevice, world: World, count = 16): 
   join(planks[count - 1]!, [0.5, 0], right, [0, 0]);
   const load: RigidBody[] = [];
   for (let i = 0; i < 5; i += 1) {
-    const body = phys2D.createRigidBody({ position: [1.5 * (i - 2), -3], shapes: [box(0.8, 0.8)] });
+    const body = phys2D.createRigidBody({ position: [1.5 * (i - 2), -3], shapes: [box(0.8, 0.8)], ...DRAG });
     world.addRigidBody(body);
     load.push(body);
   }

@@ -1,10 +1,23 @@
-import type { AngleConstraint, Physics2DDevice, PointConstraint, RigidBody, Vec2, World } from '../../src/index.js';
+import type {
+  AngleConstraint,
+  MotorConstraint,
+  Physics2DDevice,
+  PointConstraint,
+  RigidBody,
+  Vec2,
+  World,
+} from '../../src/index.js';
 
 export interface Ragdoll {
   readonly parts: readonly RigidBody[];
   readonly joints: readonly PointConstraint[];
   readonly limits: readonly AngleConstraint[];
+  /** Motors of rate 0: what brakes the joints. */
+  readonly brakes: readonly MotorConstraint[];
 }
+
+/** N·m. Without it an arm that hangs free swings for a minute. */
+const FRICTION = 0.05;
 
 /** Name, centre, size, what it hangs on and where, and how far it turns against that. */
 const PARTS: readonly (readonly [string, Vec2, Vec2, string | null, Vec2, Vec2])[] = [
@@ -25,6 +38,7 @@ export function buildRagdoll(phys2D: Physics2DDevice, world: World, at: Vec2): R
   const bodies = new Map<string, RigidBody>();
   const joints: PointConstraint[] = [];
   const limits: AngleConstraint[] = [];
+  const brakes: MotorConstraint[] = [];
   for (const [name, centre, size, parentName, point, range] of PARTS) {
     const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(size[0], size[1]) })];
     const bodyB = phys2D.createRigidBody({ position: [at[0] + centre[0], at[1] + centre[1]], shapes });
@@ -42,12 +56,15 @@ export function buildRagdoll(phys2D: Physics2DDevice, world: World, at: Vec2): R
       });
       const limit = phys2D.createAngleConstraint({ bodyA, bodyB, lowerBound: range[0], upperBound: range[1] });
       world.addConstraint(joint);
+      const brake = phys2D.createMotorConstraint({ bodyA, bodyB, maxForce: FRICTION });
       world.addConstraint(limit);
+      world.addConstraint(brake);
       joints.push(joint);
       limits.push(limit);
+      brakes.push(brake);
     }
   }
-  return { parts: [...bodies.values()], joints, limits };
+  return { parts: [...bodies.values()], joints, limits, brakes };
 }
 
 /** Steps that go down to the right, and the floor they end on. */

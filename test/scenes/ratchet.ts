@@ -40,3 +40,27 @@ export function buildRatchet(phys2D: Physics2DDevice, world: World): Ratchet {
   world.addConstraint(pawl);
   return { wheel, pawl };
 }
+
+/** Hangs a weight on a rope from the rim of the wheel, on the right (1), which turns it clockwise, or on the left (−1). @returns the weight. */
+export function hangWeight(
+  phys2D: Physics2DDevice,
+  world: World,
+  wheel: RigidBody,
+  side: 1 | -1,
+  mass: number,
+): RigidBody {
+  const [x, y] = wheel.getPosition();
+  const shapes = [phys2D.createCircleShape({ radius: 0.2 })];
+  const weight = phys2D.createRigidBody({ position: [x + side, y + 1.5], mass, shapes });
+  world.addRigidBody(weight);
+  world.addConstraint(
+    phys2D.createDistanceConstraint({
+      bodyA: wheel,
+      bodyB: weight,
+      anchorA: wheel.transformWorldPointToLocal([x + side, y]),
+      upperBound: 1.5,
+      ignoreInteractions: true,
+    }),
+  );
+  return weight;
+}
