@@ -56,8 +56,8 @@ export const JOINT_SWEEP_MARGIN = 2;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
- * neutral; a little less than that never gains. Joints of bodies in contact have none: contacts push without, and where the two
- * push against each other momentum would be made of nothing.
+ * neutral; a little less than that never gains. Where a body is in contact only errors made in the same sub-step count: contacts
+ * push without momentum, and where the two push against each other it would be made of nothing.
  */
 export const JOINT_MOMENTUM = 0.999;
 
@@ -65,10 +65,10 @@ export const JOINT_MOMENTUM = 0.999;
 export const JOINT_TOLERANCE = 1e-4;
 
 /**
- * m, rad. An error beyond this is no drift: it is corrected by moving bodies without turning them, and without momentum. Less
- * would take the momentum from overloaded joints, more would throw apart what is built badly.
+ * m, rad. After a change of a constraint, or a teleport, a larger error is corrected by moving the bodies without turning them. In later steps
+ * it is not: of joints that pull against each other either all make momentum of their corrections, which cancel, or none.
  */
-export const JOINT_SNAP = 0.5;
+export const JOINT_SNAP = 0.05;
 
 /** kg⁻¹. An inverse effective mass below this counts as immovable. */
 export const MIN_INVERSE_MASS = 1e-10;

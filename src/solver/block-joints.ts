@@ -6,6 +6,7 @@ import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
+import { carryOf } from './point-joints.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
@@ -29,7 +30,7 @@ export function packBlock(data: SolverData, joint: Joint): void {
     const b = constraint.slotOf(constraint.members[k]!) * d.BODY_STRIDE;
     bodies[first + k] = b;
     if (data.drive[b + d.TOUCHED] === 1) {
-      r[at + j.CARRY] = 0;
+      r[at + j.TOUCHED] = 1;
     }
   }
 }
@@ -48,6 +49,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     foresee(data, joint);
   }
   r.fill(0, at + layout.push, at + layout.push + rows);
+  r.copyWithin(at + layout.start, at + layout.error, at + layout.error + rows);
   writeMatrix(data, joint, layout.jacobian);
   if (!constraint.positional) {
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
@@ -287,9 +289,11 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     data.joints.break(joint);
     return false;
   }
-  r[at + j.SNAPPED] = error > JOINT_SNAP ? 1 : 0;
-  if (error > JOINT_SNAP) {
-    r[at + j.CARRY] = 0;
+  if (r[at + j.TOUCHED] !== 0 && isFirstOfPart(r, joint)) {
+    r[at + j.CARRY] = carryOf(data.joints.h, madeInPart(r, joint, violated), error * error);
+  }
+  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.CARRY] === 0 ? 1 : 0;
+  if (r[at + j.SNAPPED] !== 0) {
     dropTurning(data, joint);
   }
   writeMatrix(data, joint, turned);
@@ -298,6 +302,21 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     r[e] = r[e]! - rowDot(data, joint, turned, n, true);
   }
   return error > JOINT_TOLERANCE;
+}
+
+/** Nothing was corrected yet in this sub-step. */
+function isFirstOfPart(r: Float64Array, { at, layout }: Joint): boolean {
+  return lengthOf(r, at + layout.push, layout.rows) === 0;
+}
+
+/** C · (C − C₀), over `count` rows. */
+function madeInPart(r: Float64Array, { at, layout }: Joint, count: number): number {
+  let sum = 0;
+  for (let n = 0; n < count; n += 1) {
+    const error = r[at + layout.error + n]!;
+    sum += error * (error - r[at + layout.start + n]!);
+  }
+  return sum;
 }
 
 /** Rows that can be corrected without turning the bodies will be. */

@@ -19,6 +19,7 @@ import {
   RATE,
   SNAPPED,
   SOFTNESS,
+  TOUCHED,
 } from './joint-layout.js';
 
 /** A constraint's place in the packed arrays. */
@@ -142,5 +143,6 @@ export function packHead(data: JointData, joint: Joint): void {
   r[at + CARRY] = elastic || constraint.fresh ? 0 : JOINT_MOMENTUM / h;
   r[at + PUSH] = stiff && positional ? 1 : 0;
   r[at + SNAPPED] = 0;
+  r[at + TOUCHED] = 0;
   r[at + CHECKED] = r[at + LIMIT]! < Infinity || r[at + BREAK]! < Infinity ? 1 : 0;
 }

@@ -22,7 +22,9 @@ export const PUSH = 8;
 export const CHECKED = 9;
 /** 1 if the last position iteration did without turning. */
 export const SNAPPED = 10;
-export const HEAD = 11;
+/** 1 if one of its bodies is in contact. */
+export const TOUCHED = 11;
+export const HEAD = 12;
 
 /**
  * Rigid point joints have records without such a head: two rows with unit columns, so their arms say all. Arms, K⁻¹ and impulse in
@@ -52,7 +54,9 @@ export const SUM_Y = 18;
 export const SUM_WA = 19;
 export const SUM_WB = 20;
 export const POINT_CARRY = 21;
-export const POINT_STRIDE = 22;
+/** 1 if one of its bodies is in contact. */
+export const POINT_TOUCHED = 22;
+export const POINT_STRIDE = 23;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
@@ -65,11 +69,13 @@ export const CUSTOM = 3;
 
 /** Where things are in the record of a joint of D rows and N members. */
 export class BlockLayout {
-  /** λ, corrections of this sub-step, bias, error (in position iterations less its linear part), scratch, λ of the step: D each. */
+  /** λ, corrections of this sub-step, bias … */
   readonly impulse: number;
   readonly push: number;
   readonly bias: number;
+  /** … error (in position iterations less its linear part), that at the start of the sub-step, scratch, λ of the step: D each. */
   readonly error: number;
+  readonly start: number;
   readonly work: number;
   readonly total: number;
   /** Range of the last row's impulse. */
@@ -92,9 +98,10 @@ export class BlockLayout {
     this.push = HEAD + rows;
     this.bias = HEAD + 2 * rows;
     this.error = HEAD + 3 * rows;
-    this.work = HEAD + 4 * rows;
-    this.total = HEAD + 5 * rows;
-    this.low = HEAD + 6 * rows;
+    this.start = HEAD + 4 * rows;
+    this.work = HEAD + 5 * rows;
+    this.total = HEAD + 6 * rows;
+    this.low = HEAD + 7 * rows;
     this.high = this.low + 1;
     this.jacobian = this.low + 2;
     this.turned = this.jacobian + 3 * members * rows;

@@ -9,6 +9,11 @@ import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-layout.js';
  */
 export function orderJoints(world: World): void {
   const acting = world.liveConstraints.filter((constraint) => acts(world, constraint));
+  for (const constraint of world.liveConstraints) {
+    if (!acts(world, constraint)) {
+      constraint.forget();
+    }
+  }
   acting.sort((a, b) => a.order - b.order);
   const { joints } = world.solver;
   joints.reset();

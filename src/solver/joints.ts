@@ -11,7 +11,7 @@ import {
 } from './block-joints.js';
 import type { SolverData } from './data.js';
 import { type Joint, type JointData, packHead } from './joint-data.js';
-import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, PUSH, ROW } from './joint-layout.js';
+import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
 import {
@@ -68,6 +68,7 @@ function steadyFresh({ joints, records }: JointData): void {
     if (constraint.fresh) {
       constraint.fresh = false;
       records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
+      records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 0;
     }
   }
 }
@@ -144,16 +145,14 @@ function solveVelocityCustoms(data: SolverData): void {
   }
 }
 
-/** Position iteration `i` of `count`. @returns whether there may be something left for another. */
+/** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { runs } = data.joints;
   const sweeps = sweepsOf(data);
-  const before = Math.floor((i * sweeps) / count);
-  const after = Math.floor(((i + 1) * sweeps) / count);
-  let found = pushCustoms(data);
-  if (after > before) {
-    found = linearise(data) || found;
-  }
+  const before = Math.ceil((i * sweeps) / count);
+  const after = Math.ceil(((i + 1) * sweeps) / count);
+  const isAsked = pushCustoms(data);
+  let found = after > before && linearise(data);
   for (let sweep = before; sweep < after; sweep += 1) {
     const first = firstOf(data, sweep === sweeps - 1);
     const last = endOf(data, sweep === sweeps - 1);
@@ -163,7 +162,7 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
       }
     }
   }
-  return found || (after < sweeps && runs.length > 0);
+  return isAsked || (found && after < sweeps);
 }
 
 function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {

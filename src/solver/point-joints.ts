@@ -61,7 +61,8 @@ export function beginPoints(data: SolverData, start: number, end: number): void 
     r[i + j.SUM_Y] = 0;
     r[i + j.SUM_WA] = 0;
     r[i + j.SUM_WB] = 0;
-    r[i + j.POINT_CARRY] = isTouched ? 0 : carry;
+    r[i + j.POINT_CARRY] = carry;
+    r[i + j.POINT_TOUCHED] = isTouched ? 1 : 0;
   }
 }
 
@@ -177,6 +178,11 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
   }
 }
 
+/** s⁻¹. Of an error C, |C|² = `square`, as much of its correction becomes momentum as was `made` in this sub-step: C · (C − C₀). */
+export function carryOf(h: number, made: number, square: number): number {
+  return made <= 0 ? 0 : ((made < square ? made / square : 1) * JOINT_MOMENTUM) / h;
+}
+
 /**
  * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the
  * start of the sub-step a pendulum is 1 mm off after 5 s.
@@ -224,6 +230,10 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
       found = true;
     }
+    if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
+      const made = square - (cx * r[i + j.ERROR_X]! + cy * r[i + j.ERROR_Y]!);
+      r[i + j.POINT_CARRY] = carryOf(data.joints.h, made, square);
+    }
     const mA = q[a + d.INV_MASS]!;
     const mB = q[b + d.INV_MASS]!;
     ax += dax;
@@ -243,16 +253,13 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
       x = r[i + j.I11]! * cx + r[i + j.I12]! * cy;
       y = r[i + j.I12]! * cx + r[i + j.I22]! * cy;
     }
-    if (square > JOINT_SNAP * JOINT_SNAP) {
-      r[i + j.POINT_CARRY] = 0;
-      if (mA + mB > MIN_INVERSE_MASS) {
-        x = cx / (mA + mB);
-        y = cy / (mA + mB);
-        ax = 0;
-        ay = 0;
-        bx = 0;
-        by = 0;
-      }
+    if (square > JOINT_SNAP * JOINT_SNAP && r[i + j.POINT_CARRY] === 0 && m > MIN_INVERSE_MASS) {
+      x = cx / m;
+      y = cy / m;
+      ax = 0;
+      ay = 0;
+      bx = 0;
+      by = 0;
     }
     r[i + j.PUSH_X] = r[i + j.PUSH_X]! - x;
     r[i + j.PUSH_Y] = r[i + j.PUSH_Y]! - y;

@@ -50,8 +50,14 @@ const four = { ...two, bodyC: plainBody(), bodyD: plainBody() };
 const custom = { dimension: 1, bodies: [plainBody()], jacobian() {} };
 
 factory('createPointConstraint', (p) => phys2D.createPointConstraint(p), two, { ...COMMON_NEW, ...BODIES, ...ANCHORS });
-factory('createWeldConstraint', (p) => phys2D.createWeldConstraint(p), two, { ...BODIES, phase: NOT_FINITE });
+factory('createWeldConstraint', (p) => phys2D.createWeldConstraint(p), two, {
+  ...COMMON_NEW,
+  ...BODIES,
+  ...ANCHORS,
+  phase: NOT_FINITE,
+});
 factory('createDistanceConstraint', (p) => phys2D.createDistanceConstraint(p), two, {
+  ...COMMON_NEW,
   ...BODIES,
   ...ANCHORS,
   ...BOUNDS,
@@ -63,6 +69,7 @@ factory(
   (p) => phys2D.createLineConstraint(p),
   { ...two, axis: [1, 0] },
   {
+    ...COMMON_NEW,
     ...BODIES,
     ...ANCHORS,
     ...BOUNDS,
@@ -70,16 +77,19 @@ factory(
   },
 );
 factory('createAngleConstraint', (p) => phys2D.createAngleConstraint(p), two, {
+  ...COMMON_NEW,
   ...BODIES,
   ...BOUNDS,
   ratio: NOT_RATIO,
 });
 factory('createMotorConstraint', (p) => phys2D.createMotorConstraint(p), two, {
+  ...COMMON_NEW,
   ...BODIES,
   ratio: NOT_RATIO,
   rate: NOT_FINITE,
 });
 factory('createPulleyConstraint', (p) => phys2D.createPulleyConstraint(p), four, {
+  ...COMMON_NEW,
   ...BODIES,
   bodyC: NOT_BODY,
   bodyD: NOT_BODY,
@@ -105,6 +115,61 @@ factory('createCustomConstraint', (p) => phys2D.createCustomConstraint(p), custo
   debugDraw: NOT_FUNCTION,
 });
 
+describe('constraints: bounds and bodies', () => {
+  it('bounds that do not fit are refused, and the message shows both', () => {
+    const makers: [string, (bounds: { lowerBound?: number; upperBound?: number }) => unknown][] = [
+      ['createDistanceConstraint', (bounds) => phys2D.createDistanceConstraint({ ...two, ...bounds })],
+      ['createLineConstraint', (bounds) => phys2D.createLineConstraint({ ...two, axis: [1, 0], ...bounds })],
+      ['createAngleConstraint', (bounds) => phys2D.createAngleConstraint({ ...two, ...bounds })],
+      ['createPulleyConstraint', (bounds) => phys2D.createPulleyConstraint({ ...four, ...bounds })],
+    ];
+    for (const [where, make] of makers) {
+      expect(() => make({ lowerBound: 4, upperBound: 3 })).toThrow(RangeError);
+      expect(() => make({ lowerBound: 4, upperBound: 3 })).toThrow(
+        `${where}: upperBound must be >= lowerBound (4), got 3`,
+      );
+      expect(() => make({ lowerBound: 3, upperBound: 3 })).not.toThrow();
+      expect(() => make({ lowerBound: 0, upperBound: Infinity })).not.toThrow();
+    }
+    expect(() => phys2D.createAngleConstraint({ ...two, lowerBound: 1 })).toThrow(
+      'createAngleConstraint: lowerBound must be <= upperBound (0), got 1',
+    );
+    expect(() => phys2D.createPulleyConstraint({ ...four, lowerBound: 1 })).toThrow('lowerBound must be <= upperBound');
+    expect(() => phys2D.createLineConstraint({ ...two, axis: [1, 0], lowerBound: -Infinity })).not.toThrow();
+  });
+
+  it('the body of a list that is none is named', () => {
+    for (const wrong of [undefined, null, {}, 1, two]) {
+      const bodies = [plainBody(), wrong] as never;
+      expect(() => phys2D.createCustomConstraint({ ...custom, bodies })).toThrow(TypeError);
+      expect(() => phys2D.createCustomConstraint({ ...custom, bodies })).toThrow(
+        'createCustomConstraint: bodies[1] must be a RigidBody, got ',
+      );
+    }
+  });
+
+  it('a constraint or a world is no body, a body no constraint', () => {
+    const angle = phys2D.createAngleConstraint(two);
+    const world = weightless();
+    for (const wrong of [angle, world, two.bodyA.shapes[0]]) {
+      expect(() => phys2D.createAngleConstraint({ bodyA: wrong as never, bodyB: two.bodyB })).toThrow(
+        'createAngleConstraint: bodyA must be a RigidBody, got an object',
+      );
+    }
+    expect(() => world.addConstraint(two.bodyA as never)).toThrow(
+      'World.addConstraint: constraint must be a Constraint',
+    );
+    expect(() => world.addRigidBody(angle as never)).toThrow('World.addRigidBody: body must be a RigidBody');
+    expect([world.constraints, world.rigidBodies]).toEqual([[], []]);
+  });
+
+  it('a refused factory leaves the bodies alone', () => {
+    const body = plainBody({ sleeping: true });
+    expect(() => phys2D.createPointConstraint({ bodyA: body, bodyB: body, frequency: 0 })).toThrow(RangeError);
+    expect([body.sleeping, body.constraints]).toEqual([true, []]);
+  });
+});
+
 describe('constraints: setters', () => {
   it('refuse bad values, and change and wake nothing', () => {
     const world = weightless();
@@ -118,12 +183,15 @@ describe('constraints: setters', () => {
     const motor = phys2D.createMotorConstraint(bodies);
     const pulley = phys2D.createPulleyConstraint({ ...bodies, bodyC: a, bodyD: b, upperBound: 20 });
     const weld = phys2D.createWeldConstraint({ ...bodies, anchorA: [3, 0] });
-    tie(world, rope, line, gear, motor, pulley, weld);
+    const point = phys2D.createPointConstraint({ ...bodies, anchorA: [3, 0] });
+    tie(world, rope, line, gear, motor, pulley, weld, point);
     steps(world, 63);
     expect(world.liveConstraints).toEqual([]);
     const state = () => [
       [rope.getLowerBound(), rope.getUpperBound(), rope.getAnchorA(), rope.getAnchorB()],
       [line.getAxis(), line.getLowerBound(), line.getUpperBound()],
+      [line, pulley, weld, point].map((constraint) => [constraint.getAnchorA(), constraint.getAnchorB()]),
+      [gear.getLowerBound(), gear.getUpperBound(), pulley.getLowerBound(), pulley.getUpperBound(), pulley.getRatio()],
       [gear.getRatio(), motor.getRatio(), motor.getRate(), pulley.getAnchorC(), pulley.getAnchorD(), weld.getPhase()],
     ];
     const before = state();
@@ -135,8 +203,19 @@ describe('constraints: setters', () => {
         [
           [6, RangeError],
           [-1, RangeError],
+          [NaN, RangeError],
+          [Infinity, RangeError],
+          ['1', TypeError, '"1"'],
         ],
       ],
+      ['PointConstraint.setAnchorA', 'anchor', (v) => point.setAnchorA(v), NOT_VECTOR],
+      ['PointConstraint.setAnchorB', 'anchor', (v) => point.setAnchorB(v), NOT_VECTOR],
+      ['WeldConstraint.setAnchorA', 'anchor', (v) => weld.setAnchorA(v), NOT_VECTOR],
+      ['WeldConstraint.setAnchorB', 'anchor', (v) => weld.setAnchorB(v), NOT_VECTOR],
+      ['LineConstraint.setAnchorA', 'anchor', (v) => line.setAnchorA(v), NOT_VECTOR],
+      ['LineConstraint.setAnchorB', 'anchor', (v) => line.setAnchorB(v), NOT_VECTOR],
+      ['PulleyConstraint.setAnchorA', 'anchor', (v) => pulley.setAnchorA(v), NOT_VECTOR],
+      ['PulleyConstraint.setAnchorB', 'anchor', (v) => pulley.setAnchorB(v), NOT_VECTOR],
       ['DistanceConstraint.setUpperBound', 'upperBound', (v) => rope.setUpperBound(v), NOT_LIMIT],
       ['DistanceConstraint.setAnchorA', 'anchor', (v) => rope.setAnchorA(v), NOT_VECTOR],
       ['DistanceConstraint.setAnchorB', 'anchor', (v) => rope.setAnchorB(v), NOT_VECTOR],
@@ -151,8 +230,18 @@ describe('constraints: setters', () => {
       ['PulleyConstraint.setRatio', 'ratio', (v) => pulley.setRatio(v), NOT_RATIO],
       ['PulleyConstraint.setAnchorC', 'anchor', (v) => pulley.setAnchorC(v), NOT_VECTOR],
       ['PulleyConstraint.setAnchorD', 'anchor', (v) => pulley.setAnchorD(v), NOT_VECTOR],
-      ['PulleyConstraint.setLowerBound', 'lowerBound', (v) => pulley.setLowerBound(v), NOT_BOUND],
-      ['PulleyConstraint.setUpperBound', 'upperBound', (v) => pulley.setUpperBound(v), NOT_BOUND],
+      [
+        'PulleyConstraint.setLowerBound',
+        'lowerBound',
+        (v) => pulley.setLowerBound(v),
+        [...NOT_BOUND, [21, RangeError]],
+      ],
+      [
+        'PulleyConstraint.setUpperBound',
+        'upperBound',
+        (v) => pulley.setUpperBound(v),
+        [...NOT_BOUND, [-1, RangeError]],
+      ],
       ['WeldConstraint.setPhase', 'phase', (v) => weld.setPhase(v), NOT_FINITE],
       ['Constraint.getImpulseForBody', 'body', (v) => weld.getImpulseForBody(v), NOT_BODY],
       ['Constraint.addEventListener', 'handler', (v) => weld.addEventListener('break', v), NOT_FUNCTION],
@@ -170,6 +259,8 @@ describe('constraints: setters', () => {
       }
     }
     refuses((value) => rope.configure(value), 'Constraint.configure', 'params', [null, TypeError]);
+    expect(() => weld.setAnchorA([0, NaN])).toThrow('WeldConstraint.setAnchorA: anchor[1] must be a finite number');
+    expect(() => line.setAxis([Infinity, 0])).toThrow('LineConstraint.setAxis: axis[0] must be a finite number');
     expect(state()).toEqual(before);
     expect(world.liveConstraints).toEqual([]);
     expect([a.sleeping, b.sleeping]).toEqual([true, true]);
@@ -248,6 +339,83 @@ describe('custom constraints: callbacks', () => {
       near(hung.getPosition(), [5, 1], 1e-3);
     });
   }
+
+  it('the row and the place in it are named, in every scheme; others still hold', () => {
+    for (const params of [{}, { stiff: false }, { stiff: false, breakUnderForce: true, maxForce: 1e6 }]) {
+      for (const substeps of [1, 4]) {
+        for (const name of ['position', 'jacobian', 'velocityClamp', 'positionClamp', undefined] as const) {
+          if (name === 'positionClamp' && params.stiff === false) {
+            continue;
+          }
+          const world = heavy({ substeps });
+          const [a, b] = [plainBody({ position: [0, 2] }), plainBody({ position: [3, 2] })];
+          const hung = plainBody({ position: [5, 1] });
+          add(world, a, b, hung);
+          const anchor = staticBody({ position: [5, 0] });
+          const before = phys2D.createDistanceConstraint({ bodyA: anchor, bodyB: hung, lowerBound: 1, upperBound: 1 });
+          let fails = false;
+          const spoil = (data: { [index: number]: number }, index: number): void => {
+            data[index + (name === 'jacobian' ? 10 : 1)] = -Infinity;
+          };
+          const constraint = phys2D.createCustomConstraint({
+            ...params,
+            dimension: 2,
+            bodies: [a, b],
+            position(data, index) {
+              data[index] = a.getPosition()[1] - 2;
+              data[index + 1] = b.getPosition()[1] - 2;
+              if (fails && name === 'position') spoil(data, index);
+            },
+            jacobian(data, index) {
+              data[index + 1] = 1;
+              data[index + 10] = 1;
+              if (fails && name === 'jacobian') spoil(data, index);
+            },
+            positionConstants() {
+              if (fails && name === undefined) throw new Error('constants');
+            },
+            velocityClamp(data, index) {
+              if (fails && name === 'velocityClamp') spoil(data, index);
+            },
+            positionClamp(data, index) {
+              if (fails && name === 'positionClamp') spoil(data, index);
+            },
+          });
+          tie(world, before, constraint);
+          steps(world, 30);
+          fails = true;
+          const message =
+            name === undefined
+              ? 'constants'
+              : `CustomConstraint.${name} of world.constraints[1]: data[index + ${name === 'jacobian' ? 10 : 1}] must be`;
+          for (let i = 1; i <= 20; i += 1) {
+            expect(() => world.step(DT)).toThrow(message);
+            expect(world.timeStamp).toBe(30 + i);
+            for (const body of [a, b, hung]) {
+              expect([...body.getPosition(), ...body.getVelocity(), body.getRotation()].every(Number.isFinite)).toBe(
+                true,
+              );
+              expect(constraint.getImpulseForBody(body).every(Number.isFinite)).toBe(true);
+            }
+          }
+          near(hung.getPosition(), [5, 1], 1e-3);
+          fails = false;
+          steps(world, 60);
+          near([...a.getPosition(), ...b.getPosition()], [0, 2, 3, 2], params.stiff === false ? 0.05 : 1e-3);
+          expect(world.constraints).toEqual([before, constraint]);
+        }
+      }
+    }
+  });
+
+  it('the index in the message is the present one', () => {
+    const { world, state } = setUp('jacobian', (data, index) => {
+      data[index] = NaN;
+    });
+    state.fails = true;
+    world.removeConstraint(world.constraints[0]!);
+    expect(() => world.step(DT)).toThrow('CustomConstraint.jacobian of world.constraints[0]: data[index + 0]');
+  });
 
   it('cannot step, add or remove', () => {
     const { world, body, state } = setUp('jacobian', () => {

@@ -112,7 +112,7 @@ describe('world: membership and lists', () => {
     }
   });
 
- and removed once', () => {
+  it('C-070 a constraint is added once and removed once', () => {
     const world = weightless();
     const a = plainBody();
     const b = plainBody({ position: [3, 0] });
@@ -225,7 +225,7 @@ describe('world: membership and lists', () => {
     }
   });
 
- makes a constraint inert [D-05]', () => {
+  it('C-077 a dynamic body in no world makes a constraint inert [D-05]', () => {
     const world = heavy();
     const outside = plainBody();
     const body = plainBody({ position: [0, 1] });

@@ -251,7 +251,7 @@ describe('sleeping and waking', () => {
     }
   });
 
- the partner of a moving body awake', () => {
+  it('C-162 a constraint keeps the partner of a moving body awake', () => {
     const world = weightless();
     const p = plainBody();
     const q = plainBody({ position: [3, 0], torque: 0.2 });
@@ -281,7 +281,7 @@ describe('sleeping and waking', () => {
     }
   });
 
- asleep with its island', () => {
+  it('C-163 a constraint falls asleep with its island', () => {
     const world = weightless();
     const p = plainBody();
     const q = plainBody({ position: [3, 0] });
@@ -332,7 +332,7 @@ describe('sleeping and waking', () => {
     expect([body.sleeping, rope.sleeping]).toEqual([true, true]);
   });
 
- is awake', () => {
+  it('C-165 a removed body is awake', () => {
     const { world, body } = sleeper();
     const floor = addFloor(world, { position: [0, 5] });
     world.removeRigidBody(body);
