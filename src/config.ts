@@ -56,8 +56,8 @@ export const JOINT_SWEEP_MARGIN = 2;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
- * neutral; a little less than that never gains. Where a body is in contact only errors made in the same sub-step count: contacts
- * push without momentum, and where the two push against each other it would be made of nothing.
+ * neutral; a little less than that never gains. What contacts undo of a correction does not count when it is corrected again: they
+ * push without momentum, so it would be made of nothing.
  */
 export const JOINT_MOMENTUM = 0.999;
 

@@ -74,6 +74,8 @@ export abstract class Constraint {
   listeners: Listeners<ConstraintHandler> = NO_LISTENERS;
   /** @internal impulse λ of the last sub-step, to start the next one with */
   readonly impulse: Float64Array;
+  /** @internal what contacts made of the error after its last correction */
+  readonly undone: Float64Array;
   /** @internal what the latest step gave to each member: x, y, angular */
   readonly given: Float64Array;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
@@ -88,6 +90,7 @@ export abstract class Constraint {
     this.dimension = dimension;
     this.members = members;
     this.impulse = new Float64Array(dimension);
+    this.undone = new Float64Array(dimension);
     this.given = new Float64Array(3 * members.length);
     Object.assign(this, config);
   }
@@ -234,6 +237,7 @@ export abstract class Constraint {
   /** @internal nothing is kept of earlier impulses */
   forget(): void {
     this.impulse.fill(0);
+    this.undone.fill(0);
     this.given.fill(0);
     this.fresh = true;
   }

@@ -1,4 +1,4 @@
-import { JOINT_SNAP, JOINT_SWEEP_ERROR, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_SWEEP_ERROR, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
@@ -6,7 +6,7 @@ import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
-import { carryOf } from './point-joints.js';
+import { shareOf } from './point-joints.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
@@ -25,12 +25,14 @@ export function packBlock(data: SolverData, joint: Joint): void {
   r[at + layout.high] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
     r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
+    r[at + layout.undone + n] = constraint.undone[n]!;
   }
   for (let k = 0; k < layout.members; k += 1) {
     const b = constraint.slotOf(constraint.members[k]!) * d.BODY_STRIDE;
     bodies[first + k] = b;
     if (data.drive[b + d.TOUCHED] === 1) {
       r[at + j.TOUCHED] = 1;
+      data.joints.isTouched = true;
     }
   }
 }
@@ -49,7 +51,6 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     foresee(data, joint);
   }
   r.fill(0, at + layout.push, at + layout.push + rows);
-  r.copyWithin(at + layout.start, at + layout.error, at + layout.error + rows);
   writeMatrix(data, joint, layout.jacobian);
   if (!constraint.positional) {
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
@@ -289,8 +290,9 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     data.joints.break(joint);
     return false;
   }
-  if (r[at + j.TOUCHED] !== 0 && isFirstOfPart(r, joint)) {
-    r[at + j.CARRY] = carryOf(data.joints.h, madeInPart(r, joint, violated), error * error);
+  if (r[at + j.TOUCHED] !== 0 && lengthOf(r, at + layout.push, rows) === 0) {
+    r[at + j.CARRY] = (JOINT_MOMENTUM / data.joints.h) * shareMade(r, joint, violated);
+    r.fill(0, at + layout.undone, at + layout.undone + rows);
   }
   r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.CARRY] === 0 ? 1 : 0;
   if (r[at + j.SNAPPED] !== 0) {
@@ -302,21 +304,6 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     r[e] = r[e]! - rowDot(data, joint, turned, n, true);
   }
   return error > JOINT_TOLERANCE;
-}
-
-/** Nothing was corrected yet in this sub-step. */
-function isFirstOfPart(r: Float64Array, { at, layout }: Joint): boolean {
-  return lengthOf(r, at + layout.push, layout.rows) === 0;
-}
-
-/** C · (C − C₀), over `count` rows. */
-function madeInPart(r: Float64Array, { at, layout }: Joint, count: number): number {
-  let sum = 0;
-  for (let n = 0; n < count; n += 1) {
-    const error = r[at + layout.error + n]!;
-    sum += error * (error - r[at + layout.start + n]!);
-  }
-  return sum;
 }
 
 /** Rows that can be corrected without turning the bodies will be. */
@@ -363,6 +350,35 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   apply(data, joint, turned, work, 1, true);
 }
 
+/** The share of the error, of its first `count` rows, that is not the doing of contacts. */
+function shareMade(r: Float64Array, { at, layout }: Joint, count: number): number {
+  let made = 0;
+  let square = 0;
+  for (let n = 0; n < count; n += 1) {
+    const error = r[at + layout.error + n]!;
+    square += error * error;
+    made += error * (error - r[at + layout.undone + n]!);
+  }
+  return shareOf(made, square);
+}
+
+/** As for point joints, by the linear part of the error. */
+export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boolean): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  if (r[at + j.TOUCHED] === 0 || r[at + j.PUSH] === 0) {
+    return;
+  }
+  for (let n = 0; n < layout.rows; n += 1) {
+    const error = r[at + layout.error + n]! + rowDot(data, joint, layout.turned, n, true);
+    if (isAfterContacts) {
+      r[at + layout.undone + n] = r[at + layout.undone + n]! + error - r[at + layout.left + n]!;
+    } else {
+      r[at + layout.left + n] = error;
+    }
+  }
+}
+
 /** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
 export function finishBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
@@ -392,6 +408,7 @@ export function storeBlock(data: SolverData, joint: Joint): void {
   const { at, layout, constraint } = joint;
   for (let n = 0; n < layout.rows; n += 1) {
     constraint.impulse[n] = r[at + layout.impulse + n]!;
+    constraint.undone[n] = r[at + j.TOUCHED] === 0 ? 0 : r[at + layout.undone + n]!;
   }
   for (let k = 0; k < 3 * layout.members; k += 1) {
     constraint.given[k] = r[at + layout.given + k]!;

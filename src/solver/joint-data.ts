@@ -54,6 +54,8 @@ export class JointData {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   parts = 1;
+  /** Some joint's body is in contact. */
+  isTouched = false;
   /** The square of the worst error as the sub-step starts … */
   readonly worst = new Float64Array(1);
   /** … and which joints have one above JOINT_SWEEP_ERROR: the first, and the one after the last. */

@@ -56,7 +56,12 @@ export const SUM_WB = 20;
 export const POINT_CARRY = 21;
 /** 1 if one of its bodies is in contact. */
 export const POINT_TOUCHED = 22;
-export const POINT_STRIDE = 23;
+/** … then: the error that joints left, and how much of one contacts made since. */
+export const LEFT_X = 23;
+export const LEFT_Y = 24;
+export const UNDONE_X = 25;
+export const UNDONE_Y = 26;
+export const POINT_STRIDE = 27;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
@@ -73,9 +78,11 @@ export class BlockLayout {
   readonly impulse: number;
   readonly push: number;
   readonly bias: number;
-  /** … error (in position iterations less its linear part), that at the start of the sub-step, scratch, λ of the step: D each. */
+  /** … error (in position iterations less its linear part), that which joints left, what contacts made of it since … */
   readonly error: number;
-  readonly start: number;
+  readonly left: number;
+  readonly undone: number;
+  /** … scratch, λ of the step: D each. */
   readonly work: number;
   readonly total: number;
   /** Range of the last row's impulse. */
@@ -98,10 +105,11 @@ export class BlockLayout {
     this.push = HEAD + rows;
     this.bias = HEAD + 2 * rows;
     this.error = HEAD + 3 * rows;
-    this.start = HEAD + 4 * rows;
-    this.work = HEAD + 5 * rows;
-    this.total = HEAD + 6 * rows;
-    this.low = HEAD + 7 * rows;
+    this.left = HEAD + 4 * rows;
+    this.undone = HEAD + 5 * rows;
+    this.work = HEAD + 6 * rows;
+    this.total = HEAD + 7 * rows;
+    this.low = HEAD + 8 * rows;
     this.high = this.low + 1;
     this.jacobian = this.low + 2;
     this.turned = this.jacobian + 3 * members * rows;

@@ -3,6 +3,7 @@ import type { World } from '../world.js';
 import {
   finishBlock,
   lineariseBlock,
+  noteBlock,
   packBlock,
   pushBlock,
   solveVelocityBlock,
@@ -17,6 +18,7 @@ import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js
 import {
   beginPoints,
   finishPoints,
+  notePoints,
   packPoint,
   pushPoints,
   solveVelocityPoints,
@@ -35,6 +37,7 @@ export function packJoints(world: World, h: number): void {
   }
   world.jointsStale = false;
   world.jointsTouched = false;
+  joints.isTouched = false;
   joints.h = h;
   joints.parts = world.substeps;
   if (joints.runs.length > 0) {
@@ -151,6 +154,9 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
   const sweeps = sweepsOf(data);
   const before = Math.ceil((i * sweeps) / count);
   const after = Math.ceil(((i + 1) * sweeps) / count);
+  if (i > 0 && after > before) {
+    noteErrors(data, true);
+  }
   const isAsked = pushCustoms(data);
   let found = after > before && linearise(data);
   for (let sweep = before; sweep < after; sweep += 1) {
@@ -162,7 +168,24 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
       }
     }
   }
+  if (after > before) {
+    noteErrors(data, false);
+  }
   return isAsked || (found && after < sweeps);
+}
+
+/** Of joints in contact: what contacts do to their errors must not become momentum. */
+function noteErrors(data: SolverData, isAfterContacts: boolean): void {
+  const { runs, joints, isTouched } = data.joints;
+  for (const { kernel, start, end } of isTouched ? runs : []) {
+    if (kernel === POINT) {
+      notePoints(data, start, end, isAfterContacts);
+    } else {
+      for (let k = start; k < end; k += 1) {
+        noteBlock(data, joints[k]!, isAfterContacts);
+      }
+    }
+  }
 }
 
 function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
@@ -207,6 +230,7 @@ function pushCustoms(data: SolverData): boolean {
 /** Ends a sub-step. */
 export function finishJoints(data: SolverData): void {
   const { runs, joints } = data.joints;
+  noteErrors(data, true);
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       finishPoints(data, start, end);

@@ -26,6 +26,8 @@ export function packPoint(data: SolverData, joint: Joint): void {
   const { at, constraint } = joint;
   packAnchor(data, joint, 0);
   packAnchor(data, joint, 1);
+  r[at + j.UNDONE_X] = constraint.undone[0]!;
+  r[at + j.UNDONE_Y] = constraint.undone[1]!;
   r[at + j.IMPULSE_X] = constraint.impulse[0]!;
   r[at + j.IMPULSE_Y] = constraint.impulse[1]!;
 }
@@ -62,7 +64,14 @@ export function beginPoints(data: SolverData, start: number, end: number): void 
     r[i + j.SUM_WA] = 0;
     r[i + j.SUM_WB] = 0;
     r[i + j.POINT_CARRY] = carry;
-    r[i + j.POINT_TOUCHED] = isTouched ? 1 : 0;
+    if (isTouched) {
+      data.joints.isTouched = true;
+      r[i + j.POINT_TOUCHED] = 1;
+    } else {
+      r[i + j.POINT_TOUCHED] = 0;
+      r[i + j.UNDONE_X] = 0;
+      r[i + j.UNDONE_Y] = 0;
+    }
   }
 }
 
@@ -178,9 +187,39 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
   }
 }
 
-/** s⁻¹. Of an error C, |C|² = `square`, as much of its correction becomes momentum as was `made` in this sub-step: C · (C − C₀). */
-export function carryOf(h: number, made: number, square: number): number {
-  return made <= 0 ? 0 : ((made < square ? made / square : 1) * JOINT_MOMENTUM) / h;
+/** part / whole, not below 0 nor above 1. */
+export function shareOf(part: number, whole: number): number {
+  return part <= 0 ? 0 : part < whole ? part / whole : 1;
+}
+
+/** Of joints in contact: notes the error that is left after a sweep, or adds what contacts made of it since to what they made before. */
+export function notePoints(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
+  const { records: r, bodies, joints } = data.joints;
+  const { motion: q } = data;
+  for (let k = start; k < end; k += 1) {
+    const { at: i, first } = joints[k]!;
+    if (r[i + j.POINT_TOUCHED] !== 0) {
+      const a = bodies[first]!;
+      const b = bodies[first + 1]!;
+      const ca = cos(q[a + d.QW]!) - 1;
+      const sa = sin(q[a + d.QW]!);
+      const cb = cos(q[b + d.QW]!) - 1;
+      const sb = sin(q[b + d.QW]!);
+      const ax = r[i + j.ARM_AX]!;
+      const ay = r[i + j.ARM_AY]!;
+      const bx = r[i + j.ARM_BX]!;
+      const by = r[i + j.ARM_BY]!;
+      const cx = r[i + j.ERROR_X]! + q[b + d.QX]! - q[a + d.QX]! + (cb * bx - sb * by) - (ca * ax - sa * ay);
+      const cy = r[i + j.ERROR_Y]! + q[b + d.QY]! - q[a + d.QY]! + (sb * bx + cb * by) - (sa * ax + ca * ay);
+      if (isAfterContacts) {
+        r[i + j.UNDONE_X] = r[i + j.UNDONE_X]! + cx - r[i + j.LEFT_X]!;
+        r[i + j.UNDONE_Y] = r[i + j.UNDONE_Y]! + cy - r[i + j.LEFT_Y]!;
+      } else {
+        r[i + j.LEFT_X] = cx;
+        r[i + j.LEFT_Y] = cy;
+      }
+    }
+  }
 }
 
 /**
@@ -231,8 +270,10 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
       found = true;
     }
     if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
-      const made = square - (cx * r[i + j.ERROR_X]! + cy * r[i + j.ERROR_Y]!);
-      r[i + j.POINT_CARRY] = carryOf(data.joints.h, made, square);
+      const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
+      r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * shareOf(made, square);
+      r[i + j.UNDONE_X] = 0;
+      r[i + j.UNDONE_Y] = 0;
     }
     const mA = q[a + d.INV_MASS]!;
     const mB = q[b + d.INV_MASS]!;
@@ -310,7 +351,9 @@ export function finishPoints(data: SolverData, start: number, end: number): void
 export function storePoint(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at: i, constraint } = joint;
-  const { impulse, given } = constraint;
+  const { impulse, given, undone } = constraint;
+  undone[0] = r[i + j.UNDONE_X]!;
+  undone[1] = r[i + j.UNDONE_Y]!;
   impulse[0] = r[i + j.IMPULSE_X]!;
   impulse[1] = r[i + j.IMPULSE_Y]!;
   given[0] = -r[i + j.SUM_X]!;
