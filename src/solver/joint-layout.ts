@@ -43,24 +43,24 @@ export const ERROR_X = 9;
 export const ERROR_Y = 10;
 export const PUSH_X = 11;
 export const PUSH_Y = 12;
+/** 1 if one of its bodies is in contact … */
+export const POINT_TOUCHED = 13;
+/** … then: the error that joints left, and how much of one contacts made since … */
+export const LEFT_X = 14;
+export const LEFT_Y = 15;
+export const UNDONE_X = 16;
+export const UNDONE_Y = 17;
 /** … anchors in the coordinates of their bodies, of immovable ones in the world … */
-export const ANCHOR_AX = 13;
-export const ANCHOR_AY = 14;
-export const ANCHOR_BX = 15;
-export const ANCHOR_BY = 16;
+export const ANCHOR_AX = 18;
+export const ANCHOR_AY = 19;
+export const ANCHOR_BX = 20;
+export const ANCHOR_BY = 21;
 /** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
-export const SUM_X = 17;
-export const SUM_Y = 18;
-export const SUM_WA = 19;
-export const SUM_WB = 20;
-export const POINT_CARRY = 21;
-/** 1 if one of its bodies is in contact. */
-export const POINT_TOUCHED = 22;
-/** … then: the error that joints left, and how much of one contacts made since. */
-export const LEFT_X = 23;
-export const LEFT_Y = 24;
-export const UNDONE_X = 25;
-export const UNDONE_Y = 26;
+export const SUM_X = 22;
+export const SUM_Y = 23;
+export const SUM_WA = 24;
+export const SUM_WB = 25;
+export const POINT_CARRY = 26;
 export const POINT_STRIDE = 27;
 
 /** Kernels: rigid point joints that do not break … */

@@ -177,7 +177,10 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
 /** Of joints in contact: what contacts do to their errors must not become momentum. */
 function noteErrors(data: SolverData, isAfterContacts: boolean): void {
   const { runs, joints, isTouched } = data.joints;
-  for (const { kernel, start, end } of isTouched ? runs : []) {
+  if (!isTouched) {
+    return;
+  }
+  for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       notePoints(data, start, end, isAfterContacts);
     } else {
