@@ -61,6 +61,9 @@ export const JOINT_SWEEP_MARGIN = 2;
  */
 export const JOINT_MOMENTUM = 0.999;
 
+/** steps. A joint that bears more than its breaking force with all its momentum for this long breaks. Fewer break chains as they are built. */
+export const BREAK_STEPS = 10;
+
 /** m, rad. If no joint's error was larger, the sub-step needs no further position iteration. */
 export const JOINT_TOLERANCE = 1e-4;
 

@@ -78,6 +78,8 @@ export abstract class Constraint {
   readonly undone: Float64Array;
   /** @internal what the latest step gave to each member: x, y, angular */
   readonly given: Float64Array;
+  /** @internal for how many steps its whole impulse has been too large */
+  strainedSteps = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;
 
@@ -239,6 +241,7 @@ export abstract class Constraint {
     this.impulse.fill(0);
     this.undone.fill(0);
     this.given.fill(0);
+    this.strainedSteps = 0;
     this.fresh = true;
   }
 

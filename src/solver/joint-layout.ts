@@ -82,9 +82,10 @@ export class BlockLayout {
   readonly error: number;
   readonly left: number;
   readonly undone: number;
-  /** … scratch, λ of the step: D each. */
+  /** … scratch, λ of the step, momentum of corrections of the step: D each. */
   readonly work: number;
   readonly total: number;
+  readonly carried: number;
   /** Range of the last row's impulse. */
   readonly low: number;
   readonly high: number;
@@ -109,7 +110,8 @@ export class BlockLayout {
     this.undone = HEAD + 5 * rows;
     this.work = HEAD + 6 * rows;
     this.total = HEAD + 7 * rows;
-    this.low = HEAD + 8 * rows;
+    this.carried = HEAD + 8 * rows;
+    this.low = HEAD + 9 * rows;
     this.high = this.low + 1;
     this.jacobian = this.low + 2;
     this.turned = this.jacobian + 3 * members * rows;

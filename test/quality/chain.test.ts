@@ -48,3 +48,51 @@ describe('chain of ten links with a ball at the end', () => {
     }
   });
 });
+
+/** Breaks of a hanging chain as it is built, at rest: each joint bears `strength` times what hangs on it. */
+function breaks(links: number, endMass: number, strength: number): number {
+  const world = heavy();
+  const masses = Array.from({ length: links }, (_, i) => (i === links - 1 ? endMass : 1));
+  let last: RigidBody = staticBody();
+  let broken = 0;
+  for (const [i, mass] of masses.entries()) {
+    const body = phys2D.createRigidBody({
+      position: [0, i + 1],
+      mass,
+      inertia: 0.1 * mass,
+      shapes: [disc(0.2, APART)],
+    });
+    world.addRigidBody(body);
+    const weight = 10 * masses.slice(i).reduce((sum, value) => sum + value, 0);
+    const joint = phys2D.createPointConstraint({
+      bodyA: last,
+      bodyB: body,
+      anchorA: [0, 0.5],
+      anchorB: [0, -0.5],
+      breakUnderForce: true,
+      maxForce: strength * weight,
+    });
+    joint.addEventListener('break', () => {
+      broken += 1;
+    });
+    world.addConstraint(joint);
+    last = body;
+  }
+  for (let i = 0; i < 120; i += 1) {
+    world.step(DT);
+  }
+  return broken;
+}
+
+describe('breakable chain, built at rest', () => {
+  it('holds what it is made for, and not more', () => {
+    for (const [links, endMass] of [
+      [1, 1],
+      [2, 50],
+      [10, 1],
+    ] as const) {
+      expect(breaks(links, endMass, 1.02), `${links} links, ${endMass}:1`).toBe(0);
+      expect(breaks(links, endMass, 0.98), `${links} links, ${endMass}:1`).toBeGreaterThan(0);
+    }
+  });
+});
