@@ -250,6 +250,11 @@ export abstract class Constraint {
     return this.lower;
   }
 
+  /** @internal a spring */
+  get isElastic(): boolean {
+    return this.positional && !this.stiff;
+  }
+
   /** @internal its class, for messages */
   get kind(): string {
     return `${this.type[0]}${this.type.slice(1).toLowerCase()}Constraint`;

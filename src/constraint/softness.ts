@@ -19,7 +19,7 @@ export const RATE = 2;
  * Writes s, γ · s and rate; for a rigid constraint 1, 0, 0.
  */
 export function writeSoftness(constraint: Constraint, h: number, parts: number, out: Float64Array, at: number): void {
-  if (constraint.stiff || !constraint.positional) {
+  if (!constraint.isElastic) {
     out[at + SOFTNESS] = 1;
     out[at + FEEDBACK] = 0;
     out[at + RATE] = 0;

@@ -51,7 +51,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   const { at, layout, constraint } = joint;
   const { rows } = layout;
   const isCustom = constraint instanceof CustomConstraint;
-  const isElastic = constraint.positional && !constraint.stiff;
+  const { isElastic } = constraint;
   if (isFirst || !isCustom) {
     measure(data, joint, layout.jacobian, false, isElastic);
   } else if (isElastic) {
@@ -63,14 +63,12 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
   } else if (isElastic) {
     writeElasticBias(data, joint);
-  } else if (constraint.bounded) {
+  } else {
     const last = rows - 1;
     r[at + layout.bias + last] = isSlack(r, joint) ? r[at + layout.error + last]! / data.joints.h : 0;
   }
   if (r[at + j.PUSH] !== 0) {
-    const violated = rows - (constraint.bounded && isSlack(r, joint) ? 1 : 0);
-    const error = lengthOf(r, at + layout.error, violated);
-    noteError(data, index, error);
+    noteError(data, index, lengthOf(r, at + layout.error, violatedRows(r, joint)));
   }
   apply(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
@@ -101,13 +99,18 @@ function isSlack(r: Float64Array, joint: Joint): boolean {
   return (r[at + layout.high] === 0 && error < 0) || (r[at + layout.low] === 0 && error > 0);
 }
 
+/** How many rows have an error: a slack last one has none. */
+function violatedRows(r: Float64Array, joint: Joint): number {
+  return isSlack(r, joint) ? joint.layout.rows - 1 : joint.layout.rows;
+}
+
 /** The velocity towards the target; none while slack. Breaks under too large an error. */
 function writeElasticBias(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
-  const { at, layout, constraint } = joint;
+  const { at, layout } = joint;
   const { rows } = layout;
   const last = at + layout.error + rows - 1;
-  if (constraint.bounded && isSlack(r, joint)) {
+  if (isSlack(r, joint)) {
     r[at + layout.low] = 0;
     r[at + layout.high] = 0;
     r[last] = 0;
@@ -282,7 +285,7 @@ function isBroken(data: SolverData, joint: Joint): boolean {
 /** Starts a position iteration; the sweeps that follow work with its linear part. @returns whether the error is worth another. */
 export function lineariseBlock(data: SolverData, joint: Joint): boolean {
   const { records: r } = data.joints;
-  const { at, layout, constraint } = joint;
+  const { at, layout } = joint;
   const { rows, turned } = layout;
   if (r[at + j.PUSH] === 0) {
     return false;
@@ -291,7 +294,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
   if (r[at + j.PUSH] === 0) {
     return false;
   }
-  const violated = rows - (constraint.bounded && isSlack(r, joint) ? 1 : 0);
+  const violated = violatedRows(r, joint);
   const error = lengthOf(r, at + layout.error, violated);
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
@@ -390,16 +393,17 @@ export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boole
 export function finishBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
-  const { rows, members, push, impulse, jacobian, work, total, given, turned } = layout;
+  const { rows, members, push, impulse, jacobian, total, carried, given, turned } = layout;
   const carry = r[at + j.CARRY]!;
   if (carry !== 0) {
     apply(data, joint, jacobian, push, carry, false);
   }
   for (let n = 0; n < rows; n += 1) {
-    const lambda = r[at + impulse + n]! + carry * r[at + push + n]!;
-    r[at + work + n] = lambda;
-    r[at + total + n] = r[at + total + n]! + r[at + impulse + n]!;
-    r[at + layout.carried + n] = r[at + layout.carried + n]! + carry * r[at + push + n]!;
+    const held = r[at + impulse + n]!;
+    const pushed = carry * r[at + push + n]!;
+    const lambda = held + pushed;
+    r[at + total + n] = r[at + total + n]! + held;
+    r[at + carried + n] = r[at + carried + n]! + pushed;
     for (let k = 0; k < 3 * members; k += 1) {
       const g = at + given + k;
       r[g] = r[g]! + r[at + jacobian + 3 * n * members + k]! * lambda;

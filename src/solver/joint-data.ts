@@ -63,7 +63,7 @@ export class JointData {
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);
   /** Bodies that callbacks were shown elsewhere than where the step began, and where that was. */
-  readonly shown: { readonly body: RigidBody; readonly start: readonly number[] }[] = [];
+  readonly shown = new Map<RigidBody, Float64Array>();
   private size = 0;
   private members = 0;
 
@@ -135,14 +135,13 @@ function twinsOf(members: Constraint['members']): [number, number][] {
 export function packHead(data: JointData, joint: Joint): void {
   const { records: r, h, parts } = data;
   const { constraint, at } = joint;
-  const { stiff, positional, breakUnderForce, breakUnderError, maxForce, maxError } = constraint;
+  const { isElastic, stiff, positional, breakUnderForce, breakUnderError, maxForce, maxError } = constraint;
   writeSoftness(constraint, h, parts, r, at);
-  const elastic = !stiff && positional;
-  r[at + MAX_BIAS] = elastic && !breakUnderError ? maxError : Infinity;
-  r[at + LIMIT] = !breakUnderForce && (elastic || !positional) ? maxForce * h : Infinity;
+  r[at + MAX_BIAS] = isElastic && !breakUnderError ? maxError : Infinity;
+  r[at + LIMIT] = !breakUnderForce && (isElastic || !positional) ? maxForce * h : Infinity;
   r[at + BREAK] = breakUnderForce ? maxForce * h * parts : Infinity;
   r[at + MAX_ERROR] = breakUnderError && positional ? maxError : Infinity;
-  r[at + CARRY] = elastic || constraint.fresh ? 0 : JOINT_MOMENTUM / h;
+  r[at + CARRY] = isElastic || constraint.fresh ? 0 : JOINT_MOMENTUM / h;
   r[at + PUSH] = stiff && positional ? 1 : 0;
   r[at + SNAPPED] = 0;
   r[at + TOUCHED] = 0;

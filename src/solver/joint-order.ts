@@ -8,9 +8,11 @@ import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-layout.js';
  * added: so a sweep carries a load from where it hangs to where it ends. In any other order a chain under a heavy ball stretches twice as far.
  */
 export function orderJoints(world: World): void {
-  const acting = world.liveConstraints.filter((constraint) => acts(world, constraint));
+  const acting: Constraint[] = [];
   for (const constraint of world.liveConstraints) {
-    if (!acts(world, constraint)) {
+    if (acts(world, constraint)) {
+      acting.push(constraint);
+    } else {
       constraint.forget();
     }
   }

@@ -176,7 +176,11 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
     const b = bodies[first + k]!;
     const p = k * POSE;
     if (b !== 0) {
-      shown.push({ body, start: [body.x, body.y, body.cos, body.sin, body.angle] });
+      if (!shown.has(body)) {
+        const start = new Float64Array(POSE);
+        writePose(body, start, 0);
+        shown.set(body, start);
+      }
       body.x = pose[p + X]!;
       body.y = pose[p + Y]!;
       body.cos = pose[p + COS]!;
@@ -189,16 +193,15 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
   });
 }
 
-/** Puts them back, last first, to where the step began; the end of the step adds their motion to that. */
+/** Puts them back to where the step began; the end of the step adds their motion to that. */
 export function hidePoses(data: SolverData): void {
   const { shown } = data.joints;
-  for (let i = shown.length - 1; i >= 0; i -= 1) {
-    const { body, start } = shown[i]!;
+  for (const [body, start] of shown) {
     body.x = start[X]!;
     body.y = start[Y]!;
     body.cos = start[COS]!;
     body.sin = start[SIN]!;
     body.angle = start[ANGLE]!;
   }
-  shown.length = 0;
+  shown.clear();
 }

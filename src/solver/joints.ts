@@ -99,34 +99,35 @@ function sweepsOf({ joints }: SolverData): number {
   return wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
 }
 
-/** The joints of a sweep: all, or those that are strained and near that; first … */
-function firstOf({ joints: { strained } }: SolverData, isWhole: boolean): number {
-  return isWhole ? 0 : strained[0]! - JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
-}
+/** Solves a part of a run. @returns whether it was worth another sweep. */
+type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
 
-/** … and the one after the last. */
-function endOf({ joints: { strained, joints } }: SolverData, isWhole: boolean): number {
-  return isWhole ? joints.length : strained[1]! + JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
+/** One sweep: over all joints if it is the last, else over those that are strained and near that. */
+function sweepOver(data: SolverData, isLast: boolean, solve: Solve): boolean {
+  const { runs, joints, strained } = data.joints;
+  const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
+  const from = isLast ? 0 : strained[0]! - margin;
+  const to = isLast ? joints.length : strained[1]! + margin;
+  let found = false;
+  for (const { kernel, start, end } of runs) {
+    if (start < to && end > from) {
+      found = solve(data, kernel, start > from ? start : from, end < to ? end : to) || found;
+    }
+  }
+  return found;
 }
 
 /** Velocity iteration `i` of `count`. */
 export function solveVelocityJoints(data: SolverData, i: number, count: number): void {
-  const { runs } = data.joints;
   const sweeps = sweepsOf(data);
   const after = Math.floor(((i + 1) * sweeps) / count);
   solveVelocityCustoms(data);
   for (let sweep = Math.floor((i * sweeps) / count); sweep < after; sweep += 1) {
-    const first = firstOf(data, sweep === sweeps - 1);
-    const last = endOf(data, sweep === sweeps - 1);
-    for (const { kernel, start, end } of runs) {
-      if (start < last && end > first) {
-        solveVelocityRun(data, kernel, start > first ? start : first, end < last ? end : last);
-      }
-    }
+    sweepOver(data, sweep === sweeps - 1, solveVelocityRun);
   }
 }
 
-function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): void {
+function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): boolean {
   if (kernel === POINT) {
     solveVelocityPoints(data, start, end);
   } else if (kernel === ROW) {
@@ -136,6 +137,7 @@ function solveVelocityRun(data: SolverData, kernel: number, start: number, end: 
       solveVelocityBlock(data, data.joints.joints[k]!);
     }
   }
+  return false;
 }
 
 /** Custom constraints, whose callbacks are called once in each iteration. */
@@ -150,7 +152,6 @@ function solveVelocityCustoms(data: SolverData): void {
 
 /** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
-  const { runs } = data.joints;
   const sweeps = sweepsOf(data);
   const before = Math.ceil((i * sweeps) / count);
   const after = Math.ceil(((i + 1) * sweeps) / count);
@@ -160,13 +161,7 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
   const isAsked = pushCustoms(data);
   let found = after > before && linearise(data);
   for (let sweep = before; sweep < after; sweep += 1) {
-    const first = firstOf(data, sweep === sweeps - 1);
-    const last = endOf(data, sweep === sweeps - 1);
-    for (const { kernel, start, end } of runs) {
-      if (start < last && end > first) {
-        found = pushRun(data, kernel, start > first ? start : first, end < last ? end : last) || found;
-      }
-    }
+    found = sweepOver(data, sweep === sweeps - 1, pushRun) || found;
   }
   if (after > before) {
     noteErrors(data, false);

@@ -17,9 +17,6 @@ import * as j from './joint-layout.js';
 /** A matrix whose determinant is below this share of the product of its diagonal has rank 1. */
 const SINGULAR = 1e-12;
 
-/** rad. Up to this turn the first terms of sine and cosine are exact to a ten-millionth of the arm; the next sub-step removes that. */
-const SMALL_TURN = 0.05;
-
 /** What changes seldom: anchors, bodies, and the impulse to start with. */
 export function packPoint(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
@@ -245,11 +242,12 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const wB = q[b + d.QW]!;
     const squareA = wA * wA;
     const squareB = wB * wB;
+    // Up to a small turn the first terms are exact to a ten-millionth of the arm; the next sub-step removes that.
     let ca = -0.5 * squareA;
     let sa = wA * (1 - squareA * (1 / 6));
     let cb = -0.5 * squareB;
     let sb = wB * (1 - squareB * (1 / 6));
-    if (squareA > SMALL_TURN * SMALL_TURN || squareB > SMALL_TURN * SMALL_TURN) {
+    if (squareA > d.SMALL_TURN * d.SMALL_TURN || squareB > d.SMALL_TURN * d.SMALL_TURN) {
       ca = cos(wA) - 1;
       sa = sin(wA);
       cb = cos(wB) - 1;
