@@ -1,7 +1,7 @@
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { RigidBodyParams } from './body-params.js';
 import { BodyState } from './body-state.js';
-import { type Listeners, withListener, withoutListener } from './events/listeners.js';
+import { takeListeners, withListener, withoutListener } from './events/listeners.js';
 import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
 import { callable, finite, instance, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
@@ -402,21 +402,12 @@ export class RigidBody extends BodyState {
       return false;
     }
     const added = { type: eventType, handler, mask: undefined, deterministic: false };
-    return this.replaceListeners(withListener(this.listeners, added));
+    return takeListeners(this, withListener(this.listeners, added), this);
   }
 
   /** Removes a handler. @returns whether it was there. */
   removeEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
-    return this.replaceListeners(withoutListener(this.listeners, eventType, handler, undefined));
-  }
-
-  private replaceListeners(list: Listeners<BodyHandler> | null): boolean {
-    if (list === null) {
-      return false;
-    }
-    this.listeners = list;
-    this.wake();
-    return true;
+    return takeListeners(this, withoutListener(this.listeners, eventType, handler, undefined), this);
   }
 
   /** @internal the automatic wake: with a `wake` event if the body was asleep */

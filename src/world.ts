@@ -348,12 +348,13 @@ export class World {
   }
 
   /** @internal */
-  switchConstraint(constraint: Constraint): void {
-    if (constraint.enabled) {
-      switchOn(this, constraint);
-    } else {
-      switchOff(this, constraint);
-    }
+  switchOn(constraint: Constraint): void {
+    switchOn(this, constraint);
+  }
+
+  /** @internal */
+  switchOff(constraint: Constraint): void {
+    switchOff(this, constraint);
   }
 
   /** @internal a constraint gave way in this step */

@@ -1,4 +1,4 @@
-import { notNaN, optional } from '../validate.js';
+import { optional } from '../validate.js';
 import { ANGLE, POSE } from './layout.js';
 import { type Bounds, checkedRatio, TwoBodyConstraint, type TwoBodyParams, takeBounds } from './two-body.js';
 
@@ -16,8 +16,6 @@ export interface AngleConstraintParams extends TwoBodyParams, Bounds {
 export class AngleConstraint extends TwoBodyConstraint {
   readonly type = 'ANGLE';
 
-  private ratio: number;
-
   /** @internal use `createAngleConstraint` */
   constructor(params: AngleConstraintParams) {
     const where = 'createAngleConstraint';
@@ -32,11 +30,7 @@ export class AngleConstraint extends TwoBodyConstraint {
 
   /** Sets the ratio, not 0. */
   setRatio(ratio: number): void {
-    checkedRatio('AngleConstraint.setRatio', ratio);
-    if (ratio !== this.ratio) {
-      this.ratio = ratio;
-      this.rouse();
-    }
+    this.changeRatio(ratio);
   }
 
   /** rad. */
@@ -46,8 +40,7 @@ export class AngleConstraint extends TwoBodyConstraint {
 
   /** Not above the upper bound. */
   setLowerBound(lowerBound: number): void {
-    const where = 'AngleConstraint.setLowerBound';
-    this.setBounds(where, 'lowerBound', notNaN(where, 'lowerBound', lowerBound), this.upper);
+    this.setLower(lowerBound);
   }
 
   /** rad. */
@@ -57,8 +50,7 @@ export class AngleConstraint extends TwoBodyConstraint {
 
   /** Not below the lower bound. */
   setUpperBound(upperBound: number): void {
-    const where = 'AngleConstraint.setUpperBound';
-    this.setBounds(where, 'upperBound', this.lower, notNaN(where, 'upperBound', upperBound));
+    this.setUpper(upperBound);
   }
 
   /** @internal */

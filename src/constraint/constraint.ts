@@ -1,8 +1,8 @@
 import { RigidBody } from '../body.js';
-import { type Listeners, NO_LISTENERS, withListener, withoutListener } from '../events/listeners.js';
+import { type Listeners, NO_LISTENERS, takeListeners, withListener, withoutListener } from '../events/listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
 import type { Island } from '../solver/sleep.js';
-import { boolean, callable, instance, optional, rangeError } from '../validate.js';
+import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
 
@@ -135,19 +135,27 @@ export abstract class Constraint {
 
   /** Lets the constraint act again, from rest. In a world wakes its bodies. */
   enable(): void {
-    if (!this.enabled) {
+    if (this.enabled) {
+      return;
+    }
+    if (this.owner !== null) {
+      this.owner.switchOn(this);
+    } else {
       this.enabled = true;
       this.asleep = false;
-      this.owner?.switchConstraint(this);
     }
   }
 
   /** Stops the constraint from acting; it stays in the world. Wakes its bodies if it was asleep. */
   disable(): void {
-    if (this.enabled) {
-      this.wake();
+    if (!this.enabled) {
+      return;
+    }
+    this.wake();
+    if (this.owner !== null) {
+      this.owner.switchOff(this);
+    } else {
       this.enabled = false;
-      this.owner?.switchConstraint(this);
       this.forget();
     }
   }
@@ -195,21 +203,12 @@ export abstract class Constraint {
       return false;
     }
     const added = { type: eventType, handler, mask: undefined, deterministic: false };
-    return this.replaceListeners(withListener(this.listeners, added));
+    return takeListeners(this, withListener(this.listeners, added), this);
   }
 
   /** Removes a handler. @returns whether it was there. */
   removeEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
-    return this.replaceListeners(withoutListener(this.listeners, eventType, handler, undefined));
-  }
-
-  private replaceListeners(list: Listeners<ConstraintHandler> | null): boolean {
-    if (list === null) {
-      return false;
-    }
-    this.listeners = list;
-    this.wake();
-    return true;
+    return takeListeners(this, withoutListener(this.listeners, eventType, handler, undefined), this);
   }
 
   /** @internal the automatic wake, after a change: with a `wake` event if the constraint was asleep */
@@ -261,7 +260,23 @@ export abstract class Constraint {
   }
 
   /** @internal */
-  setBounds(where: string, name: string, lower: number, upper: number): void {
+  protected setLower(lowerBound: number): void {
+    const where = `${this.kind}.setLowerBound`;
+    this.setBounds(where, 'lowerBound', this.checkedBound(where, 'lowerBound', lowerBound), this.upper);
+  }
+
+  /** @internal */
+  protected setUpper(upperBound: number): void {
+    const where = `${this.kind}.setUpperBound`;
+    this.setBounds(where, 'upperBound', this.lower, this.checkedBound(where, 'upperBound', upperBound));
+  }
+
+  /** @internal what a single bound has to be */
+  protected checkedBound(where: string, name: string, bound: number): number {
+    return notNaN(where, name, bound);
+  }
+
+  private setBounds(where: string, name: string, lower: number, upper: number): void {
     checkBounds(where, name, lower, upper);
     if (lower !== this.lower || upper !== this.upper) {
       this.lower = lower;

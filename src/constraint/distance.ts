@@ -31,8 +31,7 @@ export class DistanceConstraint extends AnchoredConstraint {
 
   /** Between 0 and the upper bound, m. */
   setLowerBound(lowerBound: number): void {
-    const where = 'DistanceConstraint.setLowerBound';
-    this.setBounds(where, 'lowerBound', nonNegativeOrInfinite(where, 'lowerBound', lowerBound), this.upper);
+    this.setLower(lowerBound);
   }
 
   /** m. */
@@ -42,8 +41,12 @@ export class DistanceConstraint extends AnchoredConstraint {
 
   /** Not below the lower bound, m. */
   setUpperBound(upperBound: number): void {
-    const where = 'DistanceConstraint.setUpperBound';
-    this.setBounds(where, 'upperBound', this.lower, nonNegativeOrInfinite(where, 'upperBound', upperBound));
+    this.setUpper(upperBound);
+  }
+
+  /** @internal */
+  protected override checkedBound(where: string, name: string, bound: number): number {
+    return nonNegativeOrInfinite(where, name, bound);
   }
 
   /** @internal No distance is below 0, but its linear part is when a body passes the anchor. */

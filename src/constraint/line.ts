@@ -1,5 +1,5 @@
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
-import { notNaN, rangeError, vector } from '../validate.js';
+import { rangeError, vector } from '../validate.js';
 import { COS, POSE, SIN, X, Y } from './layout.js';
 import { AnchoredConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
 
@@ -59,8 +59,7 @@ export class LineConstraint extends AnchoredConstraint {
 
   /** Not above the upper bound. */
   setLowerBound(lowerBound: number): void {
-    const where = 'LineConstraint.setLowerBound';
-    this.setBounds(where, 'lowerBound', notNaN(where, 'lowerBound', lowerBound), this.upper);
+    this.setLower(lowerBound);
   }
 
   /** m. */
@@ -70,8 +69,7 @@ export class LineConstraint extends AnchoredConstraint {
 
   /** Not below the lower bound. */
   setUpperBound(upperBound: number): void {
-    const where = 'LineConstraint.setUpperBound';
-    this.setBounds(where, 'upperBound', this.lower, notNaN(where, 'upperBound', upperBound));
+    this.setUpper(upperBound);
   }
 
   /** @internal */

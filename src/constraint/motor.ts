@@ -17,7 +17,6 @@ export interface MotorConstraintParams extends TwoBodyParams {
 export class MotorConstraint extends TwoBodyConstraint {
   readonly type = 'MOTOR';
 
-  private ratio: number;
   private rate: number;
 
   /** @internal use `createMotorConstraint` */
@@ -35,11 +34,7 @@ export class MotorConstraint extends TwoBodyConstraint {
 
   /** Sets the ratio, not 0. */
   setRatio(ratio: number): void {
-    checkedRatio('MotorConstraint.setRatio', ratio);
-    if (ratio !== this.ratio) {
-      this.ratio = ratio;
-      this.rouse();
-    }
+    this.changeRatio(ratio);
   }
 
   /** rad/s. */

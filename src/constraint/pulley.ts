@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
-import { notNaN, optional, options, vector } from '../validate.js';
+import { optional, options, vector } from '../validate.js';
 import { Link } from './link.js';
 import {
   AnchoredConstraint,
@@ -32,7 +32,6 @@ export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
 export class PulleyConstraint extends AnchoredConstraint {
   readonly type = 'PULLEY';
 
-  private ratio: number;
   private readonly first = new Link(0, 1);
   private readonly second = new Link(2, 3);
 
@@ -83,11 +82,7 @@ export class PulleyConstraint extends AnchoredConstraint {
 
   /** Sets the ratio, not 0. */
   setRatio(ratio: number): void {
-    checkedRatio('PulleyConstraint.setRatio', ratio);
-    if (ratio !== this.ratio) {
-      this.ratio = ratio;
-      this.rouse();
-    }
+    this.changeRatio(ratio);
   }
 
   /** m. */
@@ -97,8 +92,7 @@ export class PulleyConstraint extends AnchoredConstraint {
 
   /** Not above the upper bound. */
   setLowerBound(lowerBound: number): void {
-    const where = 'PulleyConstraint.setLowerBound';
-    this.setBounds(where, 'lowerBound', notNaN(where, 'lowerBound', lowerBound), this.upper);
+    this.setLower(lowerBound);
   }
 
   /** m. */
@@ -108,8 +102,7 @@ export class PulleyConstraint extends AnchoredConstraint {
 
   /** Not below the lower bound. */
   setUpperBound(upperBound: number): void {
-    const where = 'PulleyConstraint.setUpperBound';
-    this.setBounds(where, 'upperBound', this.lower, notNaN(where, 'upperBound', upperBound));
+    this.setUpper(upperBound);
   }
 
   /** @internal */

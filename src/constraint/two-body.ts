@@ -28,6 +28,9 @@ const ORIGIN: Vec2Like = [0, 0];
 
 /** A constraint between two bodies. They cannot be changed later. */
 export abstract class TwoBodyConstraint extends Constraint {
+  /** @internal of the kinds that have one */
+  ratio = 1;
+
   /** @internal */
   constructor(where: string, dimension: number, params: TwoBodyParams, ...more: RigidBody[]) {
     const { bodyA, bodyB } = options(where, params, true);
@@ -40,6 +43,15 @@ export abstract class TwoBodyConstraint extends Constraint {
 
   get bodyB(): RigidBody {
     return this.members[1]!;
+  }
+
+  /** @internal */
+  protected changeRatio(ratio: number): void {
+    checkedRatio(`${this.kind}.setRatio`, ratio);
+    if (ratio !== this.ratio) {
+      this.ratio = ratio;
+      this.rouse();
+    }
   }
 }
 

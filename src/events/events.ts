@@ -85,20 +85,23 @@ export class EventQueue {
 
   /** Notes `wake` or `sleep` of a body. */
   body(type: BodyEventType, body: RigidBody): void {
-    const id = body.shapes.length > 0 ? body.shapes[0]!.id : -1;
-    for (const { type: wanted, handler } of body.listeners) {
-      if (wanted === type) {
-        this.queue.push({ group: IN_STEP, type, idA: id, idB: -1, call: () => handler.call(body) });
-      }
-    }
+    this.object(type, body, body.shapes.length > 0 ? body.shapes[0]!.id : -1, -1);
   }
 
   /** Notes `wake`, `sleep` or `break` of a constraint; bodies come before constraints. */
   constraint(type: ConstraintEventType, constraint: Constraint): void {
-    for (const { type: wanted, handler } of constraint.listeners) {
+    this.object(type, constraint, AFTER_BODIES, constraint.order);
+  }
+
+  private object<T extends { listeners: Listeners<(this: T) => void> }>(
+    type: EventType,
+    object: T,
+    idA: number,
+    idB: number,
+  ): void {
+    for (const { type: wanted, handler } of object.listeners) {
       if (wanted === type) {
-        const call = () => handler.call(constraint);
-        this.queue.push({ group: IN_STEP, type, idA: AFTER_BODIES, idB: constraint.order, call });
+        this.queue.push({ group: IN_STEP, type, idA, idB, call: () => handler.call(object) });
       }
     }
   }

@@ -33,3 +33,17 @@ export function withoutListener<H>(
   const index = indexOf(list, type, handler, mask);
   return index < 0 ? null : list.filter((_, i) => i !== index);
 }
+
+/** Gives an object a list that was made for it and wakes it; `null` means that nothing changed. @returns whether it did. */
+export function takeListeners<H>(
+  object: { listeners: Listeners<H> },
+  list: Listeners<H> | null,
+  wakes: { wake(): void } | null,
+): boolean {
+  if (list === null) {
+    return false;
+  }
+  object.listeners = list;
+  wakes?.wake();
+  return true;
+}

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { type Listeners, NO_LISTENERS, withListener, withoutListener } from '../events/listeners.js';
+import { type Listeners, NO_LISTENERS, takeListeners, withListener, withoutListener } from '../events/listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
@@ -204,22 +204,13 @@ export abstract class Shape {
       return false;
     }
     const added = { type: eventType, handler, mask: checked, deterministic: isDeterministic };
-    return this.replaceListeners(withListener(this.listeners, added));
+    return takeListeners(this, withListener(this.listeners, added), this.owner);
   }
 
   /** Removes the handler added with the same (type, handler, mask). @returns whether there was one. */
   removeEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number): boolean {
     const checked = mask === undefined ? undefined : bits('Shape.removeEventListener', 'mask', mask);
-    return this.replaceListeners(withoutListener(this.listeners, eventType, handler, checked));
-  }
-
-  private replaceListeners(list: Listeners<ShapeHandler> | null): boolean {
-    if (list === null) {
-      return false;
-    }
-    this.listeners = list;
-    this.owner?.wake();
-    return true;
+    return takeListeners(this, withoutListener(this.listeners, eventType, handler, checked), this.owner);
   }
 
   /** @internal geometry may not change now: the world is stepping, or the body is static in a world */

@@ -67,22 +67,25 @@ export function wakeMembers(world: World, { members }: Constraint): void {
   }
 }
 
+/** Lets a constraint act again. */
 export function switchOn(world: World, constraint: Constraint): void {
-  countIgnoring(constraint, 1);
+  constraint.enabled = true;
+  constraint.asleep = false;
   constraint.fresh = true;
+  countIgnoring(constraint, 1);
   enlivenConstraint(world, constraint);
   wakeMembers(world, constraint);
 }
 
-/** The constraint is awake, and marked as disabled. */
+/** Stops a constraint from acting. */
 export function switchOff(world: World, constraint: Constraint): void {
-  if (constraint.ignoreInteractions) {
-    countMembers(constraint, -1);
-  }
+  countIgnoring(constraint, -1);
+  constraint.enabled = false;
   if (constraint.liveIndex >= 0) {
     quietenConstraint(world, constraint);
     constraint.asleep = false;
   }
+  constraint.forget();
 }
 
 /** A constraint gave way in this step. */
@@ -91,22 +94,16 @@ export function breakOff(world: World, constraint: Constraint): void {
   if (constraint.removeOnBreak) {
     untie(world, constraint);
   } else {
-    constraint.enabled = false;
     switchOff(world, constraint);
-    constraint.forget();
   }
 }
 
 /** Bodies count the constraints that keep them from interacting with others: most have none, and need not be asked for more. */
 export function countIgnoring(constraint: Constraint, change: number): void {
   if (constraint.enabled && constraint.ignoreInteractions) {
-    countMembers(constraint, change);
-  }
-}
-
-function countMembers(constraint: Constraint, change: number): void {
-  for (const body of distinct(constraint)) {
-    body.ignoring += change;
+    for (const body of distinct(constraint)) {
+      body.ignoring += change;
+    }
   }
 }
 
