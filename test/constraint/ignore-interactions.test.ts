@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type ConstraintParams, phys2D, type RigidBody } from '../../src/index.js';
-import { add, DT, plainBody, tie, weightless } from '../conformance/setting.js';
+import { add, DT, plainBody, steps, tie, weightless } from '../conformance/setting.js';
 
 describe('ignoreInteractions', () => {
   /** Two overlapping bodies, and whether they interact in the next step. */
@@ -114,5 +114,35 @@ describe('ignoreInteractions', () => {
     expect(meet()).toBe(true);
     tie(world, constraint);
     expect(meet()).toBe(false);
+  });
+
+  it('counts a constraint once that is switched off by a callback in the step in which it breaks', () => {
+    const world = weightless();
+    const a = plainBody({ velocity: [1, 0] });
+    const b = plainBody({ position: [0.5, 0] });
+    add(world, a, b);
+    let isDisabling = true;
+    const custom = phys2D.createCustomConstraint({
+      dimension: 1,
+      bodies: [a, b],
+      ignoreInteractions: true,
+      breakUnderForce: true,
+      removeOnBreak: false,
+      maxForce: 0,
+      jacobian(data, index) {
+        data[index] = 1;
+      },
+      velocityClamp() {
+        if (isDisabling) this.disable();
+      },
+    });
+    tie(world, custom);
+    steps(world, 1);
+    expect(custom.isDisabled()).toBe(true);
+    isDisabling = false;
+    custom.configure({ breakUnderForce: false });
+    custom.enable();
+    steps(world, 2);
+    expect(a.shapes[0]!.arbiters.filter(({ active }) => active)).toEqual([]);
   });
 });
