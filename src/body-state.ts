@@ -2,7 +2,7 @@ import type { BodyHandler } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
 import type { Constraint } from './constraint/constraint.js';
-import { type Listeners, NO_LISTENERS } from './events/listeners.js';
+import { type Listeners, NO_LISTENERS } from './listeners.js';
 import { cos, cosSin, sin } from './math/trig.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import type { Shape } from './shape/shape.js';
@@ -79,6 +79,8 @@ export abstract class BodyState {
   placeStale = true;
   /** @internal */
   asleep: boolean;
+  /** @internal its `wake` event waits for the next step */
+  woken = false;
   /** @internal */
   owner: World | null = null;
   /** @internal index in the world's list of bodies */

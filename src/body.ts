@@ -1,7 +1,7 @@
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { RigidBodyParams } from './body-params.js';
 import { BodyState } from './body-state.js';
-import { takeListeners, withListener, withoutListener } from './events/listeners.js';
+import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './listeners.js';
 import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
 import { callable, finite, instance, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
@@ -398,16 +398,12 @@ export class RigidBody extends BodyState {
   /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes the body silently otherwise. */
   addEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
     callable('RigidBody.addEventListener', 'handler', handler);
-    if (eventType !== 'wake' && eventType !== 'sleep') {
-      return false;
-    }
-    const added = { type: eventType, handler, mask: undefined, deterministic: false };
-    return takeListeners(this, withListener(this.listeners, added), this);
+    return addListener(this, plainListener(bitOf(eventType, OF_BODIES), handler), this);
   }
 
   /** Removes a handler. @returns whether it was there. */
   removeEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
-    return takeListeners(this, withoutListener(this.listeners, eventType, handler, undefined), this);
+    return removeListener(this, plainListener(bitOf(eventType, OF_BODIES), handler), this);
   }
 
   /** @internal the automatic wake: with a `wake` event if the body was asleep */

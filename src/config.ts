@@ -97,6 +97,9 @@ export const REST_SPIN_WEIGHT = 0.3;
 /** steps. How long an arbiter outlives its interaction, so that its impulses and settings are there when it comes back. */
 export const ARBITER_CACHE = 30;
 
+/** steps. The same for a sensor, which has nothing to keep; long enough to tell a pause from no interaction. */
+export const SENSOR_CACHE = 1;
+
 /** steps. A body sleeps when it, and its island, have been at rest for longer than this. */
 export const SLEEP_DELAY = 60;
 

@@ -14,7 +14,7 @@ import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joint-data.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { widened } from './solver/refresh.js';
-import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeConstraint } from './solver/sleep.js';
+import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
 import { boolean, instance, integer, optional, options, positive, typeError, vector } from './validate.js';
@@ -333,6 +333,11 @@ export class World {
   }
 
   /** @internal */
+  wakeBoth(pair: Arbiter): void {
+    wakeBoth(this, pair);
+  }
+
+  /** @internal */
   sleepBody(body: RigidBody): void {
     sleepBody(this, body);
   }
@@ -413,6 +418,7 @@ export class World {
 function leave(body: RigidBody): void {
   body.owner = null;
   body.asleep = false;
+  body.woken = false;
   body.index = -1;
   body.liveIndex = -1;
   body.slot = 0;

@@ -55,9 +55,16 @@ export class Manifold {
     n[g.FACE_ANGLE_B] = n[g.ANGLE_B]!;
   }
 
+  /** Drops normal and points. */
+  empty(): void {
+    this.count = 0;
+    this.numbers[g.NX] = 0;
+    this.numbers[g.NY] = 0;
+  }
+
   /** Forgets what was found for another pair. */
   reset(): void {
-    this.count = 0;
+    this.empty();
     this.edgeA = -1;
     this.edgeB = -1;
     this.axis = -1;

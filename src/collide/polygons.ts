@@ -123,6 +123,23 @@ function chooseFace(a: Polygon, b: Polygon, m: Manifold): boolean {
   return true;
 }
 
+/**
+ * Whether two polygons intersect: no edge of either has the other beyond it; touching counts. Keeps in `m` the edge that separated them, to
+ * look there first.
+ */
+export function polygonsIntersect(a: Polygon, b: Polygon, m: Manifold): boolean {
+  best.separation = -Infinity;
+  deepestEdge(a, b, m, 1, m.edgeA);
+  m.edgeA = best.edge;
+  if (best.separation > 0) {
+    return false;
+  }
+  best.separation = -Infinity;
+  deepestEdge(b, a, m, -1, m.edgeB);
+  m.edgeB = best.edge;
+  return best.separation <= 0;
+}
+
 /** The axis that separated the shapes last time does so again. */
 function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
   const edge = m.axis >> 1;

@@ -1,5 +1,13 @@
 import { RigidBody } from '../body.js';
-import { type Listeners, NO_LISTENERS, takeListeners, withListener, withoutListener } from '../events/listeners.js';
+import {
+  addListener,
+  bitOf,
+  type Listeners,
+  NO_LISTENERS,
+  OF_CONSTRAINTS,
+  plainListener,
+  removeListener,
+} from '../listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
 import type { Island } from '../solver/sleep.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
@@ -60,6 +68,8 @@ export abstract class Constraint {
   owner: World | null = null;
   /** @internal */
   asleep: boolean;
+  /** @internal its `wake` event waits for the next step */
+  woken = false;
   /** @internal */
   enabled: boolean;
   /** @internal index in the world's list */
@@ -199,16 +209,12 @@ export abstract class Constraint {
   /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes silently otherwise. */
   addEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
     callable('Constraint.addEventListener', 'handler', handler);
-    if (eventType !== 'wake' && eventType !== 'sleep' && eventType !== 'break') {
-      return false;
-    }
-    const added = { type: eventType, handler, mask: undefined, deterministic: false };
-    return takeListeners(this, withListener(this.listeners, added), this);
+    return addListener(this, plainListener(bitOf(eventType, OF_CONSTRAINTS), handler), this);
   }
 
   /** Removes a handler. @returns whether it was there. */
   removeEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
-    return takeListeners(this, withoutListener(this.listeners, eventType, handler, undefined), this);
+    return removeListener(this, plainListener(bitOf(eventType, OF_CONSTRAINTS), handler), this);
   }
 
   /** @internal the automatic wake, after a change: with a `wake` event if the constraint was asleep */

@@ -29,7 +29,7 @@ export class Arbiter {
   /** Both bodies are asleep; the arbiter is in no list of the world. */
   sleeping = false;
   /** One of the shapes is a sensor: no contacts, no physics. */
-  readonly sensor = false;
+  sensor = false;
   /** None, one or two points. Skip those that are not `active`. */
   readonly contacts: Contact[] = [];
 
@@ -45,6 +45,8 @@ export class Arbiter {
   listed = false;
   /** @internal taken out of everything; dropped from the sorted list when that is next walked */
   dead = false;
+  /** @internal fell asleep between steps: a last `progress` is due */
+  dozed = false;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
   awake = false;
   /** @internal index in the world's list it is in */
@@ -70,6 +72,8 @@ export class Arbiter {
   constructor(shapeA: Shape, shapeB: Shape) {
     this.shapeA = shapeA;
     this.shapeB = shapeB;
+    this.sensor = shapeA.sensor || shapeB.sensor;
+    this.accepted = !this.sensor;
   }
 
   get bodyA(): RigidBody {
@@ -80,7 +84,7 @@ export class Arbiter {
     return this.shapeB.owner as RigidBody;
   }
 
-  /** Unit vector from `shapeA` towards `shapeB`. */
+  /** Unit vector from `shapeA` towards `shapeB`; `[0, 0]` for a sensor. */
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -117,43 +121,39 @@ export class Arbiter {
   }
 
   getElasticity(): number | undefined {
-    return this.manifold.numbers[c.ELASTICITY];
+    return this.material(c.ELASTICITY);
   }
 
   getStaticFriction(): number | undefined {
-    return this.manifold.numbers[c.STATIC_FRICTION];
+    return this.material(c.STATIC_FRICTION);
   }
 
   getDynamicFriction(): number | undefined {
-    return this.manifold.numbers[c.DYNAMIC_FRICTION];
+    return this.material(c.DYNAMIC_FRICTION);
   }
 
   getRollingFriction(): number | undefined {
-    return this.manifold.numbers[c.ROLLING_FRICTION];
+    return this.material(c.ROLLING_FRICTION);
   }
 
   /** Fixes the combined elasticity for the life of the arbiter. Outside a step wakes both bodies silently. */
   setElasticity(elasticity: number): void {
-    this.manifold.numbers[c.ELASTICITY] = notNaN('Arbiter.setElasticity', 'elasticity', elasticity);
-    this.fix(FIXED_ELASTICITY);
+    this.fix(FIXED_ELASTICITY, c.ELASTICITY, notNaN('Arbiter.setElasticity', 'elasticity', elasticity));
   }
 
   /** As `setElasticity`, >= 0. */
   setStaticFriction(friction: number): void {
-    this.manifold.numbers[c.STATIC_FRICTION] = nonNegative('Arbiter.setStaticFriction', 'friction', friction);
-    this.fix(FIXED_STATIC);
+    this.fix(FIXED_STATIC, c.STATIC_FRICTION, nonNegative('Arbiter.setStaticFriction', 'friction', friction));
   }
 
   /** As `setElasticity`, >= 0. */
   setDynamicFriction(friction: number): void {
-    this.manifold.numbers[c.DYNAMIC_FRICTION] = nonNegative('Arbiter.setDynamicFriction', 'friction', friction);
-    this.fix(FIXED_DYNAMIC);
+    this.fix(FIXED_DYNAMIC, c.DYNAMIC_FRICTION, nonNegative('Arbiter.setDynamicFriction', 'friction', friction));
   }
 
   /** As `setElasticity`, m, >= 0. */
   setRollingFriction(friction: number): void {
-    this.manifold.numbers[c.ROLLING_FRICTION] = nonNegative('Arbiter.setRollingFriction', 'friction', friction);
-    this.fix(FIXED_ROLLING);
+    this.fix(FIXED_ROLLING, c.ROLLING_FRICTION, nonNegative('Arbiter.setRollingFriction', 'friction', friction));
   }
 
   /** Lets the elasticity follow the shapes' materials again. */
@@ -185,14 +185,20 @@ export class Arbiter {
 
   /** Decides whether the collision takes effect; reset in every step unless persistent. */
   setAcceptedState(accepted: boolean): void {
-    this.accepted = boolean('Arbiter.setAcceptedState', 'accepted', accepted);
-    this.rouse();
+    boolean('Arbiter.setAcceptedState', 'accepted', accepted);
+    if (!this.sensor) {
+      this.accepted = accepted;
+      this.rouse();
+    }
   }
 
   /** Keeps the decision, without asking `preSolve` handlers again, until the interaction ends. */
   setPersistentState(persistent: boolean): void {
-    this.persistent = boolean('Arbiter.setPersistentState', 'persistent', persistent);
-    this.rouse();
+    boolean('Arbiter.setPersistentState', 'persistent', persistent);
+    if (!this.sensor) {
+      this.persistent = persistent;
+      this.rouse();
+    }
   }
 
   /** @internal combines the materials, except for values set by hand */
@@ -221,6 +227,7 @@ export class Arbiter {
   reuse(shapeA: Shape, shapeB: Shape): void {
     this.shapeA = shapeA;
     this.shapeB = shapeB;
+    this.sensor = shapeA.sensor || shapeB.sensor;
     this.active = false;
     this.sleeping = false;
     this.manifold.reset();
@@ -237,7 +244,7 @@ export class Arbiter {
   forget(): void {
     this.contacts.length = 0;
     this.dropPoints();
-    this.accepted = true;
+    this.accepted = !this.sensor;
     this.persistent = false;
     this.fixed = 0;
   }
@@ -276,22 +283,31 @@ export class Arbiter {
     this.freshPoints = 0;
   }
 
-  private fix(value: number): void {
-    this.fixed |= value;
-    this.rouse();
+  private material(at: number): number | undefined {
+    return this.sensor ? undefined : this.manifold.numbers[at];
   }
 
-  private release(value: number): void {
-    this.fixed &= ~value;
-    this.mixMaterials();
-    this.rouse();
+  private fix(which: number, at: number, value: number): void {
+    if (!this.sensor) {
+      this.manifold.numbers[at] = value;
+      this.fixed |= which;
+      this.rouse();
+    }
   }
 
+  private release(which: number): void {
+    if (!this.sensor) {
+      this.fixed &= ~which;
+      this.mixMaterials();
+      this.rouse();
+    }
+  }
+
+  /** Not if the arbiter is only kept for its `end` event: its shapes may be anywhere. */
   private rouse(): void {
-    const world = this.bodyA?.owner ?? null;
+    const world = this.listed ? this.bodyA.owner : null;
     if (world !== null && !world.stepping) {
-      world.wakeBody(this.bodyA, true);
-      world.wakeBody(this.bodyB, true);
+      world.wakeBoth(this);
     }
   }
 }

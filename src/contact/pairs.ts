@@ -1,4 +1,4 @@
-import { ARBITER_CACHE } from '../config.js';
+import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
 import type { Shape } from '../shape/shape.js';
 import { Arbiter } from './arbiter.js';
 import { PairTable } from './pair-table.js';
@@ -20,6 +20,8 @@ function compare(a: Arbiter, b: Arbiter): number {
  */
 export class Pairs {
   readonly sorted: Arbiter[] = [];
+  /** Fell asleep between steps, by a call: their last `progress` is due in the next one. */
+  readonly dozed: Arbiter[] = [];
 
   private readonly table = new PairTable();
   private readonly arriving: Arbiter[] = [];
@@ -45,6 +47,14 @@ export class Pairs {
     if (!pair.awake) {
       pair.awake = true;
       this.arriving.push(pair);
+    }
+  }
+
+  /** Notes a pair that fell asleep between steps. */
+  doze(pair: Arbiter): void {
+    if (!pair.dozed) {
+      pair.dozed = true;
+      this.dozed.push(pair);
     }
   }
 
@@ -92,7 +102,7 @@ export class Pairs {
 
   /** The cache of an interaction that is over has run out. */
   isExpired(pair: Arbiter, stamp: number): boolean {
-    return pair.listed && pair.lastInteraction + ARBITER_CACHE < stamp;
+    return pair.listed && pair.lastInteraction + (pair.sensor ? SENSOR_CACHE : ARBITER_CACHE) < stamp;
   }
 
   /** Drops a pair that is not listed and is leaving the sorted list. */
@@ -111,6 +121,7 @@ export class Pairs {
     pair.listed = false;
     pair.active = false;
     pair.sleeping = false;
+    pair.contacts.length = 0;
     pair.dead = true;
     this.table.remove(pair);
     this.cut.push(pair);
@@ -138,6 +149,7 @@ export class Pairs {
     this.table.clear();
     this.sorted.length = 0;
     this.arriving.length = 0;
+    this.dozed.length = 0;
   }
 }
 

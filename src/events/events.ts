@@ -1,46 +1,28 @@
-import type { BodyEventType, RigidBody } from '../body.js';
-import type { Constraint, ConstraintEventType } from '../constraint/constraint.js';
+import type { RigidBody } from '../body.js';
+import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import type { Shape, ShapeEventType, ShapeHandler } from '../shape/shape.js';
-import type { Listener, Listeners } from './listeners.js';
-
-type EventType = ShapeEventType | BodyEventType | ConstraintEventType;
-
-/** Events of one delivery come in this order, then by the ids of their shapes, then as they were queued. */
-const ORDER: Readonly<Record<EventType, number>> = {
-  wake: 0,
-  begin: 1,
-  progress: 2,
-  end: 3,
-  sleep: 4,
-  break: 5,
-  preSolve: 6,
-};
+import { Hit } from '../contact/hit.js';
+import { admits, HIT, RANKS, rankOf, WAKE } from '../listeners.js';
+import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
+import { type Note, Notes } from './notes.js';
 
 /** Events caused before the step come before those of the step. */
 export const BEFORE_STEP = 0;
 export const IN_STEP = 1;
 /** … and those before what the solver found out. */
 export const FOUND_LATE = 2;
+const GROUPS = 3;
 
 /** Stands where shape ids do, above all of them. */
 const AFTER_BODIES = Number.MAX_SAFE_INTEGER;
 
-/** One handler to be called for an event; noted when the event is, so that later changes of the listeners do not touch it. */
-interface QueuedEvent {
-  readonly group: number;
-  readonly type: EventType;
-  readonly idA: number;
-  readonly idB: number;
-  readonly call: () => void;
-}
+/** What all handlers of the API can be called as. */
+type Handler = (this: unknown, arbiter?: Arbiter, other?: Shape, hit?: Hit) => void;
 
-function meets(entry: Listener<ShapeHandler>, type: string, other: Shape): boolean {
-  return entry.type === type && (entry.mask === undefined || (entry.mask & other.group) !== 0);
-}
-
-function compare(a: QueuedEvent, b: QueuedEvent): number {
-  return a.group - b.group || ORDER[a.type] - ORDER[b.type] || a.idA - b.idA || a.idB - b.idB;
+/** Lists in the order of delivery: by group, then by type. */
+function makeLists(): Notes[] {
+  return Array.from({ length: GROUPS * RANKS }, (_, i) => new Notes(1 << (i % RANKS)));
 }
 
 /**
@@ -48,91 +30,142 @@ function compare(a: QueuedEvent, b: QueuedEvent): number {
  * moment, and handed out at the end of the step, when the world may be changed freely.
  */
 export class EventQueue {
-  private queue: QueuedEvent[] = [];
-  private delivering: QueuedEvent[] | null = null;
+  private lists = makeLists();
+  /** The lists that are being handed out, while the others take what handlers cause. */
+  private handed = makeLists();
+  private readonly hits: Hit[] = [];
+  /** Of them hits of this step; by their arbiters. */
+  private readonly struck: Arbiter[] = [];
+  /** Bodies and constraints that woke since this was last looked at. */
+  private readonly woken: (RigidBody | Constraint)[] = [];
   private failure: { readonly error: unknown } | null = null;
 
-  /** Notes `begin`, `progress` or `end` of an interaction. */
-  interaction(type: 'begin' | 'progress' | 'end', arbiter: Arbiter, group: number): void {
+  /** Notes an event of an interaction: its type as a bit, and when it was found. */
+  interaction(type: number, arbiter: Arbiter, group: number): void {
     const { shapeA, shapeB } = arbiter;
-    const a = shapeA.listeners;
-    const b = shapeB.listeners;
-    if (a.length > 0) {
-      this.note(type, arbiter, group, a, shapeA, shapeB);
+    if ((shapeA.listeners.types & type) !== 0) {
+      this.noteShape(type, arbiter, group, shapeA, shapeB);
     }
-    if (b.length > 0) {
-      this.note(type, arbiter, group, b, shapeB, shapeA);
+    if ((shapeB.listeners.types & type) !== 0) {
+      this.noteShape(type, arbiter, group, shapeB, shapeA);
     }
   }
 
-  private note(
-    type: 'begin' | 'progress' | 'end',
-    arbiter: Arbiter,
-    group: number,
-    list: Listeners<ShapeHandler>,
-    own: Shape,
-    other: Shape,
-  ): void {
-    const { id: idA } = arbiter.shapeA;
-    const { id: idB } = arbiter.shapeB;
-    for (const entry of list) {
-      if (meets(entry, type, other)) {
-        const call = () => entry.handler.call(own, arbiter, other);
-        this.queue.push({ group, type, idA, idB, call });
+  /** Notes that a collision which takes effect has begun. */
+  hit(arbiter: Arbiter, group: number): void {
+    if (isHitHeard(arbiter)) {
+      this.struck.push(arbiter);
+      if (this.hits.length < this.struck.length) {
+        this.hits.push(new Hit());
       }
+      this.interaction(HIT, arbiter, group);
     }
+  }
+
+  private noteShape(type: number, arbiter: Arbiter, group: number, own: Shape, other: Shape): void {
+    const note = this.list(type, group).add(arbiter.shapeA.id, arbiter.shapeB.id);
+    note.own = own;
+    note.listeners = own.listeners;
+    note.arbiter = arbiter;
+    note.other = other;
+    note.group = other.group;
+    note.hit = type === HIT ? this.hits[this.struck.length - 1]! : null;
+  }
+
+  private list(type: number, group: number): Notes {
+    return this.lists[group * RANKS + rankOf(type)]!;
   }
 
   /** Notes `wake` or `sleep` of a body. */
-  body(type: BodyEventType, body: RigidBody): void {
+  body(type: number, body: RigidBody): void {
     this.object(type, body, body.shapes.length > 0 ? body.shapes[0]!.id : -1, -1);
   }
 
   /** Notes `wake`, `sleep` or `break` of a constraint; bodies come before constraints. */
-  constraint(type: ConstraintEventType, constraint: Constraint): void {
+  constraint(type: number, constraint: Constraint): void {
     this.object(type, constraint, AFTER_BODIES, constraint.order);
   }
 
-  private object<T extends { listeners: Listeners<(this: T) => void> }>(
-    type: EventType,
-    object: T,
-    idA: number,
-    idB: number,
-  ): void {
-    for (const { type: wanted, handler } of object.listeners) {
-      if (wanted === type) {
-        this.queue.push({ group: IN_STEP, type, idA, idB, call: () => handler.call(object) });
+  private object(type: number, object: RigidBody | Constraint, idA: number, idB: number): void {
+    if ((object.listeners.types & type) !== 0) {
+      const note = this.list(type, IN_STEP).add(idA, idB);
+      note.own = object;
+      note.listeners = object.listeners;
+    }
+  }
+
+  /** A body or constraint woke; its event is noted when the step next looks, if it is then still awake in this world. */
+  woke(object: RigidBody | Constraint): void {
+    if (!object.woken) {
+      object.woken = true;
+      this.woken.push(object);
+    }
+  }
+
+  /** Notes the `wake` events of what woke since the last call. */
+  noteWoken(world: World): void {
+    for (const object of this.woken) {
+      if (object.woken && object.owner === world) {
+        object.woken = false;
+        if (object.asleep) {
+          continue;
+        }
+        if (!('shapes' in object)) {
+          this.constraint(WAKE, object);
+        } else if (object.isDynamic()) {
+          this.body(WAKE, object);
+        }
       }
     }
+    this.woken.length = 0;
   }
 
   /**
-   * Calls the handlers of everything queued so far; what they cause waits for the next delivery. If a handler throws, the
+   * Calls the handlers of everything noted so far; what they cause waits for the next delivery. If a handler throws, the
    * rest is delivered all the same.
    */
   deliver(): void {
-    if (this.queue.length === 0) {
-      return;
-    }
-    const events = this.queue;
-    this.queue = [];
-    events.sort(compare);
-    this.delivering = events;
-    for (const event of events) {
-      if (this.delivering !== events) {
-        break;
+    const lists = this.lists;
+    this.lists = this.handed;
+    this.handed = lists;
+    this.struck.forEach((arbiter, i) => {
+      this.hits[i]!.read(arbiter);
+    });
+    this.struck.length = 0;
+    for (const list of lists) {
+      list.sort();
+      for (let i = 0; i < list.count; i += 1) {
+        this.hand(list, list.all[i]!);
       }
-      this.attempt(event.call);
+      list.clear();
     }
-    this.delivering = null;
   }
 
-  /** Calls a handler; the first exception is kept for `rethrow`. */
-  attempt(call: () => void): void {
-    try {
-      call();
-    } catch (error) {
-      this.fail(error);
+  /** Calls the handlers of one event; `World.clear` called by one of them empties the list, and nothing more is called. */
+  private hand(list: Notes, { own, listeners, arbiter, other, group, hit }: Note): void {
+    for (const entry of listeners.entries) {
+      if (
+        entry.type !== list.type ||
+        !admits(entry, group) ||
+        (hit !== null && hit.approachSpeed < entry.minimumSpeed)
+      ) {
+        continue;
+      }
+      const handler = entry.handler as Handler;
+      try {
+        if (arbiter === null || other === null) {
+          handler.call(own);
+        } else if (hit === null) {
+          handler.call(own, arbiter, other);
+        } else {
+          handler.call(own, arbiter, other, hit);
+        }
+      } catch (error) {
+        this.fail(error);
+      }
+      if (list.count === 0) {
+        return;
+      }
     }
   }
 
@@ -150,50 +183,16 @@ export class EventQueue {
     }
   }
 
-  /** Forgets everything queued, and ends a delivery in progress. */
+  /** Forgets everything noted, and ends a delivery in progress. */
   clear(): void {
-    this.queue = [];
-    this.delivering = null;
-  }
-}
-
-/** Some `preSolve` handler wants to decide about the pair. */
-export function asksFirst(arbiter: Arbiter): boolean {
-  const { shapeA, shapeB } = arbiter;
-  return (
-    shapeA.listeners.some((entry) => meets(entry, 'preSolve', shapeB)) ||
-    shapeB.listeners.some((entry) => meets(entry, 'preSolve', shapeA))
-  );
-}
-
-/**
- * Runs the `preSolve` handlers of a pair that collides, at once. Unless it is persistent its state starts as "accepted". What a
- * handler throws waits until the step is over, so that it cannot leave one half done.
- *
- * @returns whether a handler that may change its mind keeps the bodies awake.
- */
-export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
-  const { shapeA, shapeB } = arbiter;
-  if (arbiter.persistent) {
-    return false;
-  }
-  arbiter.accepted = true;
-  const a = shapeA.listeners;
-  const b = shapeB.listeners;
-  if (a.length === 0 && b.length === 0) {
-    return false;
-  }
-  let unsteady = false;
-  for (const [list, own, other] of [
-    [a, shapeA, shapeB],
-    [b, shapeB, shapeA],
-  ] as const) {
-    for (const entry of list) {
-      if (meets(entry, 'preSolve', other)) {
-        unsteady ||= !entry.deterministic;
-        events.attempt(() => entry.handler.call(own, arbiter, other));
-      }
+    for (const list of [...this.lists, ...this.handed]) {
+      list.clear();
     }
+    this.woken.length = 0;
   }
-  return unsteady && !arbiter.persistent;
+}
+
+/** Someone wants to know how hard the shapes of a pair meet. */
+export function isHitHeard({ shapeA, shapeB }: Arbiter): boolean {
+  return ((shapeA.listeners.types | shapeB.listeners.types) & HIT) !== 0;
 }

@@ -1,16 +1,20 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { type Listeners, NO_LISTENERS, takeListeners, withListener, withoutListener } from '../events/listeners.js';
+import type { Hit } from '../contact/hit.js';
+import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
-import { bits, boolean, callable, finite, instance, optional, vector } from '../validate.js';
+import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
 
 export type ShapeEventType = 'begin' | 'progress' | 'end' | 'preSolve';
 
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
+
+/** Called as a `ShapeHandler`, and told how the collision began. */
+export type HitHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape, hit: Hit) => void;
 
 /** Options that circles and polygons share. */
 export interface ShapeParams {
@@ -28,8 +32,6 @@ export interface ShapeParams {
 
 /** @internal kernels are looked up by `kind`: 0 circle, 1 polygon */
 export type ShapeKind = 0 | 1;
-
-const EVENT_TYPES: readonly string[] = ['begin', 'progress', 'end', 'preSolve'];
 
 let nextId = 0;
 
@@ -59,7 +61,7 @@ export abstract class Shape {
   /** @internal */
   owner: RigidBody | null = null;
   /** @internal */
-  listeners: Listeners<ShapeHandler> = NO_LISTENERS;
+  listeners: Listeners<HitHandler> = NO_LISTENERS;
   /** @internal */
   handle: BroadphaseHandle | null = null;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
@@ -185,32 +187,37 @@ export abstract class Shape {
   }
 
   /**
-   * Adds a handler. With a `mask` it is only called for other shapes with `(mask & group) !== 0`; leaving it out is another
-   * listener than 0xffffffff. `isDeterministic` tells a `preSolve` handler that always decides alike, so bodies may sleep.
+   * Adds a handler for what this shape has to do with others:
+   *
+   * - `begin`, `progress`, `end`: an interaction starts, goes on for another step, is over. Delivered when the step is done; handlers may change
+   *   anything.
+   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. Runs within the
+   *   step. `isDeterministic` (default `false`) tells that it always decides alike, so that bodies may sleep.
+   * - `hit`: a collision that takes effect has begun; the handler is also told how hard. Delivered with `begin`. `minimumSpeed` (m/s, >= 0,
+   *   default 0) leaves out slower ones.
+   *
+   * With a `mask` the handler is only called for other shapes with `(mask & group) !== 0`; leaving it out is another listener than 0xffffffff.
    *
    * @returns `false` for an unknown type, or if the same (type, handler, mask) is present. Wakes the body silently otherwise.
    */
-  addEventListener(
-    eventType: ShapeEventType,
-    handler: ShapeHandler,
-    mask?: number,
-    isDeterministic: boolean = false,
-  ): boolean {
+  addEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number, isDeterministic?: boolean): boolean;
+  addEventListener(eventType: 'hit', handler: HitHandler, mask?: number, minimumSpeed?: number): boolean;
+  addEventListener(eventType: string, handler: HitHandler, mask?: number, option?: boolean | number): boolean {
     const where = 'Shape.addEventListener';
+    const type = bitOf(eventType, OF_SHAPES);
     callable(where, 'handler', handler);
     const checked = mask === undefined ? undefined : bits(where, 'mask', mask);
-    boolean(where, 'isDeterministic', isDeterministic);
-    if (!EVENT_TYPES.includes(eventType)) {
-      return false;
-    }
-    const added = { type: eventType, handler, mask: checked, deterministic: isDeterministic };
-    return takeListeners(this, withListener(this.listeners, added), this.owner);
+    const deterministic = type !== HIT && boolean(where, 'isDeterministic', optional(option, false));
+    const minimumSpeed = type === HIT ? nonNegative(where, 'minimumSpeed', optional(option, 0)) : 0;
+    return addListener(this, { type, handler, mask: checked, deterministic, minimumSpeed }, this.owner);
   }
 
   /** Removes the handler added with the same (type, handler, mask). @returns whether there was one. */
-  removeEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number): boolean {
+  removeEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number): boolean;
+  removeEventListener(eventType: 'hit', handler: HitHandler, mask?: number): boolean;
+  removeEventListener(eventType: string, handler: HitHandler, mask?: number): boolean {
     const checked = mask === undefined ? undefined : bits('Shape.removeEventListener', 'mask', mask);
-    return takeListeners(this, withoutListener(this.listeners, eventType, handler, checked), this.owner);
+    return removeListener(this, { type: bitOf(eventType, OF_SHAPES), handler, mask: checked }, this.owner);
   }
 
   /** @internal geometry may not change now: the world is stepping, or the body is static in a world */

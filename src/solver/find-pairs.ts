@@ -1,15 +1,19 @@
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import * as g from '../collide/layout.js';
-import { collide } from '../collide/table.js';
+import { collide, intersect } from '../collide/table.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { asksFirst, IN_STEP, preSolve } from '../events/events.js';
+import { approachSpeed } from '../contact/hit.js';
+import * as c from '../contact/layout.js';
+import { IN_STEP, isHitHeard } from '../events/events.js';
+import { asksFirst, preSolve } from '../events/pre-solve.js';
+import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
 
-/** Filters, and what makes an interaction possible at all. Sensors are left out: nothing reports them yet. */
+/** Filters, and what makes an interaction possible at all. */
 function mayInteract(a: Shape, b: Shape): boolean {
   const bodyA = a.owner!;
   const bodyB = b.owner!;
@@ -17,10 +21,8 @@ function mayInteract(a: Shape, b: Shape): boolean {
     bodyA !== bodyB &&
     (a.group & b.mask) !== 0 &&
     (b.group & a.mask) !== 0 &&
-    (bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC) &&
+    (bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC || a.sensor || b.sensor) &&
     !(bodyA.asleep && bodyB.asleep) &&
-    !a.sensor &&
-    !b.sensor &&
     !(bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB))
   );
 }
@@ -58,6 +60,18 @@ export function findPairs(world: World): void {
   }
   sorted.length = kept;
   wakeHit(world);
+  noteDozed(world);
+}
+
+/** The last `progress` of pairs that fell asleep since the last step, by a call, and were not woken again. */
+function noteDozed({ pairs: { dozed }, events }: World): void {
+  for (const pair of dozed) {
+    pair.dozed = false;
+    if (pair.sleeping) {
+      events.interaction(PROGRESS, pair, IN_STEP);
+    }
+  }
+  dozed.length = 0;
 }
 
 /** Works out what a pair does in this step. @returns whether there is still something to it. */
@@ -68,7 +82,7 @@ function renew(world: World, pair: Arbiter): boolean {
     return true;
   }
   const isReported = pair.seen === world.timeStamp;
-  if (isReported && touch(pair)) {
+  if (isReported && (pair.sensor ? overlap(pair) : touch(pair))) {
     interact(world, pair);
     return true;
   }
@@ -83,19 +97,26 @@ function renew(world: World, pair: Arbiter): boolean {
   return true;
 }
 
-/** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
-function touch(pair: Arbiter): boolean {
-  const m = pair.manifold;
-  const { numbers, id0, id1, edgeA, edgeB } = m;
-  const a = pair.shapeA;
-  const b = pair.shapeB;
-  const bodyA = a.owner!;
-  const bodyB = b.owner!;
+/** Tells the kernels how the bodies of a pair lie to each other. */
+function placePair({ manifold: { numbers }, bodyA, bodyB }: Arbiter): void {
   numbers[g.DX] = bodyB.x - bodyA.x;
   numbers[g.DY] = bodyB.y - bodyA.y;
   numbers[g.ANGLE_A] = bodyA.angle;
   numbers[g.ANGLE_B] = bodyB.angle;
-  collide(a, b, m);
+}
+
+/** A sensor meets something: no more than whether the shapes intersect. */
+function overlap(pair: Arbiter): boolean {
+  placePair(pair);
+  return intersect(pair.shapeA, pair.shapeB, pair.manifold);
+}
+
+/** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
+function touch(pair: Arbiter): boolean {
+  const m = pair.manifold;
+  const { id0, id1, edgeA, edgeB } = m;
+  placePair(pair);
+  collide(pair.shapeA, pair.shapeB, m);
   const { contacts } = pair;
   if (m.count === 0) {
     if (!pair.listed && contacts.length > 0) {
@@ -141,7 +162,10 @@ function interact(world: World, pair: Arbiter): void {
   }
   pair.lastInteraction = stamp;
   pair.active = true;
-  world.events.interaction(begins ? 'begin' : 'progress', pair, IN_STEP);
+  world.events.interaction(begins ? BEGIN : PROGRESS, pair, IN_STEP);
+  if (pair.sensor) {
+    return;
+  }
   const a = pair.bodyA;
   const b = pair.bodyB;
   if (preSolve(world.events, pair)) {
@@ -150,14 +174,23 @@ function interact(world: World, pair: Arbiter): void {
   }
   if (!pair.accepted) {
     pair.dropPoints();
-  } else {
-    if (a.asleep && a.kind === DYNAMIC) {
-      world.hit.push(a);
-    }
-    if (b.asleep && b.kind === DYNAMIC) {
-      world.hit.push(b);
-    }
+    return;
   }
+  if (a.asleep && a.kind === DYNAMIC) {
+    world.hit.push(a);
+  }
+  if (b.asleep && b.kind === DYNAMIC) {
+    world.hit.push(b);
+  }
+  if (begins && isHitHeard(pair)) {
+    noteApproach(pair);
+    world.events.hit(pair, IN_STEP);
+  }
+}
+
+/** How hard a collision begins has to be found out before it is solved. */
+function noteApproach(pair: Arbiter): void {
+  pair.manifold.numbers[c.APPROACH] = approachSpeed(pair);
 }
 
 /**
@@ -171,6 +204,9 @@ function approach(pair: Arbiter): void {
   if (!asleep && !asksFirst(pair)) {
     pair.near = true;
     pair.mixMaterials();
+    if (isHitHeard(pair)) {
+      noteApproach(pair);
+    }
   }
 }
 
@@ -179,7 +215,7 @@ function part(world: World, pair: Arbiter): void {
   if (pair.active) {
     pair.active = false;
     pair.idle();
-    world.events.interaction('end', pair, IN_STEP);
+    world.events.interaction(END, pair, IN_STEP);
   }
   if (world.pairs.isExpired(pair, world.timeStamp)) {
     world.pairs.unlist(pair);
@@ -195,6 +231,7 @@ function wakeHit(world: World): void {
   }
   hit.length = 0;
   world.pairs.merge();
+  world.events.noteWoken(world);
 }
 
 /** Brings the world's lists of arbiters up to date, in the order of their shapes; what fell asleep leaves them. */

@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import { SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
+import { SLEEP } from '../listeners.js';
 import type { World } from '../world.js';
 import { acts } from './joint-order.js';
 import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
@@ -148,7 +149,7 @@ function sleepIdle(world: World): void {
     const constraint = live[i]!;
     if (!constraint.members.some((body) => body.kind === DYNAMIC && body.liveIndex >= 0 && body.owner === world)) {
       quietenConstraint(world, constraint);
-      world.events.constraint('sleep', constraint);
+      world.events.constraint(SLEEP, constraint);
     }
   }
 }

@@ -2,9 +2,10 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { BEFORE_STEP } from '../events/events.js';
+import { END } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { enliven, leaveLists, quieten, wakeBody } from './sleep.js';
+import { enliven, joinLists, leaveLists, quieten, sleepPairs, wakeBody } from './sleep.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {
@@ -31,13 +32,16 @@ export function cutPairs(world: World, shape: Shape): void {
 
 function cutPair(world: World, pair: Arbiter): void {
   if (pair.active || pair.sleeping) {
-    world.events.interaction('end', pair, BEFORE_STEP);
+    world.events.interaction(END, pair, BEFORE_STEP);
   }
   leaveLists(world, pair);
   world.pairs.cutOff(pair);
 }
 
-/** Changes the type of a body in this world, outside a step. Interactions that the new type cannot have end. */
+/**
+ * Changes the type of a body in this world, outside a step. Interactions that the new type cannot have end, the others go on, some in the
+ * world's other list.
+ */
 export function changeKind(world: World, body: RigidBody, kind: number): void {
   wakeBody(world, body, true);
   rouseNeighbours(world, body);
@@ -48,17 +52,26 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
   world.jointsStale = true;
   for (const shape of body.shapes) {
     for (const pair of [...shape.arbiters]) {
-      if (pair.bodyA.kind !== DYNAMIC && pair.bodyB.kind !== DYNAMIC) {
+      if (!isPossible(pair)) {
         cutPair(world, pair);
+      } else if (!pair.sleeping) {
+        leaveLists(world, pair);
+        joinLists(world, pair);
       }
     }
   }
   if (kind === STATIC) {
     body.asleep = true;
+    sleepPairs(world, body);
     return;
   }
   enliven(world, body);
   if (kind === DYNAMIC) {
-    world.events.body('wake', body);
+    world.events.woke(body);
   }
+}
+
+/** Sensors meet anything but static on static; of a collision one side has to be dynamic. */
+function isPossible({ sensor, bodyA, bodyB }: Arbiter): boolean {
+  return sensor ? bodyA.kind !== STATIC || bodyB.kind !== STATIC : bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC;
 }

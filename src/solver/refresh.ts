@@ -14,7 +14,7 @@ export function widened(shape: Shape): Float64Array {
   return bounds;
 }
 
-/** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped. */
+/** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped; notes what woke. */
 export function refreshMoved(world: World): void {
   const { stale, broadphase } = world;
   for (let i = 0; i < world.staleCount; i += 1) {
@@ -29,4 +29,5 @@ export function refreshMoved(world: World): void {
     }
   }
   world.staleCount = 0;
+  world.events.noteWoken(world);
 }

@@ -3,6 +3,7 @@ import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { IN_STEP } from '../events/events.js';
+import { PROGRESS, SLEEP } from '../listeners.js';
 import type { World } from '../world.js';
 
 /** Bodies and constraints that fell asleep together, and wake together. */
@@ -16,7 +17,7 @@ function wakeStamp(world: World): number {
   return world.stepping ? world.timeStamp : world.timeStamp + 1;
 }
 
-/** Puts an awake body into the live list of its type, and its shapes among the moving ones. */
+/** Puts an awake body into the live list of its type, its shapes among the moving ones, and what they touched goes on. */
 export function enliven(world: World, body: RigidBody): void {
   body.asleep = false;
   body.wakeTime = wakeStamp(world);
@@ -24,6 +25,13 @@ export function enliven(world: World, body: RigidBody): void {
   body.liveIndex = live.push(body) - 1;
   world.jointsTouched = true;
   world.setHandlesStatic(body, false);
+  for (const shape of body.shapes) {
+    for (const pair of shape.arbiters) {
+      if (pair.sleeping) {
+        wakePair(world, pair);
+      }
+    }
+  }
 }
 
 /** Takes a body out of its live list and its shapes from among the moving ones. */
@@ -69,62 +77,73 @@ export function quietenConstraint(world: World, constraint: Constraint): void {
 export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
   if (body.kind !== STATIC && !body.asleep) {
     body.wakeTime = wakeStamp(world);
-  } else {
-    spreadWake(world, body, silent);
+    return;
   }
+  const { woken } = body;
+  spreadWake(world, body);
+  if (silent) {
+    body.woken = woken;
+  }
+}
+
+/** Wakes the bodies of an arbiter, without events for either. */
+export function wakeBoth(world: World, { bodyA, bodyB }: Arbiter): void {
+  const { woken: wokenA } = bodyA;
+  const { woken: wokenB } = bodyB;
+  wakeBody(world, bodyA, true);
+  wakeBody(world, bodyB, true);
+  bodyA.woken = wokenA;
+  bodyB.woken = wokenB;
 }
 
 /** Wakes a constraint and its dynamic bodies. `silent`: no `wake` event for the constraint itself. */
 export function wakeConstraint(world: World, constraint: Constraint, silent: boolean): void {
-  if (constraint.enabled) {
-    spreadWake(world, constraint, silent);
+  if (!constraint.enabled) {
+    return;
+  }
+  const { woken } = constraint;
+  spreadWake(world, constraint);
+  if (silent) {
+    constraint.woken = woken;
   }
 }
 
 /** Wakes something and what must wake with it, and with that, and so on; a list, as the way can be long. */
-function spreadWake(world: World, start: RigidBody | Constraint, silent: boolean): void {
+function spreadWake(world: World, start: RigidBody | Constraint): void {
   const found: (RigidBody | Constraint)[] = [start];
-  const quiet = silent ? start : null;
   for (const next of found) {
     if ('shapes' in next) {
-      spreadFromBody(world, next, quiet, found);
+      spreadFromBody(world, next, found);
     } else {
-      spreadFromConstraint(world, next, quiet, found);
+      spreadFromConstraint(world, next, found);
     }
   }
 }
 
-type Woken = RigidBody | Constraint | null;
-
-function spreadFromBody(world: World, body: RigidBody, quiet: Woken, found: (RigidBody | Constraint)[]): void {
+function spreadFromBody(world: World, body: RigidBody, found: (RigidBody | Constraint)[]): void {
   if (body.kind !== STATIC && !body.asleep) {
     body.wakeTime = wakeStamp(world);
     return;
   }
   if (body.island !== null) {
-    raiseIsland(world, body.island, quiet, found);
+    raiseIsland(world, body.island, found);
     return;
   }
   found.push(...restingOn(body));
   if (body.kind !== STATIC) {
-    rise(world, body, body === quiet, found);
+    rise(world, body, found);
   } else {
     pushSleepingTies(world, body, found);
   }
 }
 
-function spreadFromConstraint(
-  world: World,
-  constraint: Constraint,
-  quiet: Woken,
-  found: (RigidBody | Constraint)[],
-): void {
+function spreadFromConstraint(world: World, constraint: Constraint, found: (RigidBody | Constraint)[]): void {
   if (constraint.island !== null) {
-    raiseIsland(world, constraint.island, quiet, found);
+    raiseIsland(world, constraint.island, found);
     return;
   }
   if (constraint.asleep) {
-    riseConstraint(world, constraint, constraint === quiet);
+    riseConstraint(world, constraint);
   }
   for (const body of constraint.members) {
     if (body.kind === DYNAMIC && body.owner === world) {
@@ -134,41 +153,30 @@ function spreadFromConstraint(
 }
 
 /** An island wakes as a whole, and with it what was put to sleep by hand: constraints on its bodies, bodies of its constraints. */
-function raiseIsland(world: World, island: Island, quiet: Woken, found: (RigidBody | Constraint)[]): void {
+function raiseIsland(world: World, island: Island, found: (RigidBody | Constraint)[]): void {
   for (const constraint of island.constraints) {
     if (constraint.island === island) {
       constraint.island = null;
-      riseConstraint(world, constraint, constraint === quiet);
+      riseConstraint(world, constraint);
       found.push(constraint);
     }
   }
   for (const body of island.bodies) {
     if (body.island === island) {
       body.island = null;
-      rise(world, body, body === quiet, found);
+      rise(world, body, found);
     }
   }
 }
 
-function riseConstraint(world: World, constraint: Constraint, silent: boolean): void {
+function riseConstraint(world: World, constraint: Constraint): void {
   enlivenConstraint(world, constraint);
-  if (!silent) {
-    world.events.constraint('wake', constraint);
-  }
+  world.events.woke(constraint);
 }
 
-function rise(world: World, body: RigidBody, silent: boolean, found: (RigidBody | Constraint)[]): void {
+function rise(world: World, body: RigidBody, found: (RigidBody | Constraint)[]): void {
   enliven(world, body);
-  for (const shape of body.shapes) {
-    for (const pair of shape.arbiters) {
-      if (pair.sleeping) {
-        wakePair(world, pair);
-      }
-    }
-  }
-  if (!silent && body.kind === DYNAMIC) {
-    world.events.body('wake', body);
-  }
+  world.events.woke(body);
   pushSleepingTies(world, body, found);
 }
 
@@ -204,7 +212,7 @@ function wakePair(world: World, pair: Arbiter): void {
   world.pairs.arrive(pair);
   if (world.stepping) {
     pair.seen = world.timeStamp;
-    world.events.interaction('progress', pair, IN_STEP);
+    world.events.interaction(PROGRESS, pair, IN_STEP);
   } else {
     joinLists(world, pair);
   }
@@ -231,7 +239,7 @@ export function sleepIsland(world: World, island: Island): void {
   for (const constraint of constraints) {
     constraint.island = island;
     quietenConstraint(world, constraint);
-    world.events.constraint('sleep', constraint);
+    world.events.constraint(SLEEP, constraint);
   }
   for (const body of bodies) {
     body.vx = 0;
@@ -239,7 +247,7 @@ export function sleepIsland(world: World, island: Island): void {
     body.w = 0;
     body.island = island;
     quieten(world, body);
-    world.events.body('sleep', body);
+    world.events.body(SLEEP, body);
   }
   for (const body of bodies) {
     sleepPairs(world, body);
@@ -254,6 +262,9 @@ export function sleepPairs(world: World, body: RigidBody): void {
         pair.sleeping = true;
         pair.active = false;
         leaveLists(world, pair);
+        if (!world.stepping) {
+          world.pairs.doze(pair);
+        }
       }
     }
   }

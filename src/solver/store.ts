@@ -4,6 +4,7 @@ import * as g from '../collide/layout.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
+import { BEGIN } from '../listeners.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
@@ -113,5 +114,6 @@ function meet(world: World, pair: Arbiter): void {
   pair.accepted = true;
   pair.active = true;
   pair.lastInteraction = world.timeStamp;
-  world.events.interaction('begin', pair, FOUND_LATE);
+  world.events.interaction(BEGIN, pair, FOUND_LATE);
+  world.events.hit(pair, FOUND_LATE);
 }

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
+import { BREAK } from '../listeners.js';
 import type { World } from '../world.js';
 import { enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
@@ -52,6 +53,7 @@ export function release(constraint: Constraint): void {
   }
   constraint.owner = null;
   constraint.asleep = false;
+  constraint.woken = false;
   constraint.index = -1;
   constraint.liveIndex = -1;
   constraint.island = null;
@@ -90,7 +92,7 @@ export function switchOff(world: World, constraint: Constraint): void {
 
 /** A constraint gave way in this step. */
 export function breakOff(world: World, constraint: Constraint): void {
-  world.events.constraint('break', constraint);
+  world.events.constraint(BREAK, constraint);
   if (constraint.removeOnBreak) {
     untie(world, constraint);
   } else {

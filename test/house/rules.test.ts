@@ -9,13 +9,14 @@ type House = ReadonlyMap<string, string>;
 
 /** From the ground up. A value import may point to its own layer or a lower one; a type-only import anywhere. */
 const LAYERS: readonly (readonly string[])[] = [
-  ['config', 'validate'],
-  ['math', 'events'],
+  ['config', 'validate', 'listeners'],
+  ['math'],
   ['geometry'],
   ['material', 'shape'],
   ['body'],
   ['broadphase', 'collide'],
   ['contact'],
+  ['events'],
   ['constraint'],
   ['solver'],
   ['query', 'debug'],

@@ -1,0 +1,73 @@
+import * as g from '../collide/layout.js';
+import { SPECULATIVE_MARGIN } from '../config.js';
+import { type NumberSink, type Vec2, vec2 } from '../math/vectors.js';
+import type { Arbiter } from './arbiter.js';
+import * as c from './layout.js';
+
+/** How a collision began: what a sound or damage needs. Recycled by the engine: do not keep it beyond the handler. */
+export class Hit {
+  private speed = 0;
+  private given = 0;
+  private readonly point: Vec2 = [0, 0];
+  private readonly normal: Vec2 = [0, 0];
+
+  /** m/s, >= 0. How fast the surfaces came together along the normal, where they did so fastest, when the step began. */
+  get approachSpeed(): number {
+    return this.speed;
+  }
+
+  /** N·s, >= 0. The normal impulse of the collision in the step, over all its contacts; with what friction gave see `arbiter.getImpulseForBody`. */
+  get impulse(): number {
+    return this.given;
+  }
+
+  /** World point in the middle of that impulse, at the end of the step, m. */
+  getPosition(): Vec2;
+  getPosition<T extends NumberSink>(dst: T): T;
+  getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.point[0], this.point[1], dst);
+  }
+
+  /** Unit vector from `arbiter.shapeA` towards `arbiter.shapeB`. */
+  getNormal(): Vec2;
+  getNormal<T extends NumberSink>(dst: T): T;
+  getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
+    return vec2(this.normal[0], this.normal[1], dst);
+  }
+
+  /** @internal copies what the step made of the collision, which handlers may change */
+  read(arbiter: Arbiter): void {
+    this.speed = arbiter.manifold.numbers[c.APPROACH]!;
+    const { contacts } = arbiter;
+    this.given = contacts.reduce((sum, contact) => sum + contact.getNormalImpulse(), 0);
+    let x = 0;
+    let y = 0;
+    for (const contact of contacts) {
+      const share = this.given > 0 ? contact.getNormalImpulse() / this.given : 1 / contacts.length;
+      contact.getPosition(this.point);
+      x += share * this.point[0];
+      y += share * this.point[1];
+    }
+    vec2(x, y, this.point);
+    arbiter.getNormal(this.normal);
+  }
+}
+
+/** @internal how fast the surfaces of a pair come together at the contact where they do so fastest; 0 if they part. m/s */
+export function approachSpeed({ bodyA: a, bodyB: b, manifold }: Arbiter): number {
+  const n = manifold.numbers;
+  let fastest = 0;
+  for (let i = 0; i < manifold.count; i += 1) {
+    const ax = n[g.X0 + g.POINT * i]!;
+    const ay = n[g.Y0 + g.POINT * i]!;
+    const bx = ax - n[g.DX]!;
+    const by = ay - n[g.DY]!;
+    const vx = b.vx - b.w * by - (a.vx - a.w * ay);
+    const vy = b.vy + b.w * bx - (a.vy + a.w * ax);
+    const speed = -(n[g.NX]! * vx + n[g.NY]! * vy);
+    if (n[g.S0 + g.POINT * i]! <= SPECULATIVE_MARGIN && speed > fastest) {
+      fastest = speed;
+    }
+  }
+  return fastest;
+}

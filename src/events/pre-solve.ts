@@ -1,0 +1,54 @@
+import type { Arbiter } from '../contact/arbiter.js';
+import { admits, type Listeners, PRE_SOLVE } from '../listeners.js';
+import type { HitHandler, Shape, ShapeHandler } from '../shape/shape.js';
+import type { EventQueue } from './events.js';
+
+/** Some `preSolve` handler wants to decide about the pair. */
+export function asksFirst({ shapeA, shapeB }: Arbiter): boolean {
+  return wants(shapeA, shapeB) || wants(shapeB, shapeA);
+}
+
+function wants({ listeners }: Shape, other: Shape): boolean {
+  return (
+    (listeners.types & PRE_SOLVE) !== 0 &&
+    listeners.entries.some((entry) => entry.type === PRE_SOLVE && admits(entry, other.group))
+  );
+}
+
+/**
+ * Runs the `preSolve` handlers of a pair that collides, at once. Unless it is persistent its state starts as "accepted". What a
+ * handler throws waits until the step is over, so that it cannot leave one half done.
+ *
+ * @returns whether a handler that may change its mind keeps the bodies awake.
+ */
+export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
+  if (arbiter.persistent) {
+    return false;
+  }
+  arbiter.accepted = true;
+  const { shapeA, shapeB } = arbiter;
+  const { listeners: a } = shapeA;
+  const { listeners: b } = shapeB;
+  if (((a.types | b.types) & PRE_SOLVE) === 0) {
+    return false;
+  }
+  const unsteadyA = ask(events, arbiter, a, shapeA, shapeB);
+  const unsteadyB = ask(events, arbiter, b, shapeB, shapeA);
+  return (unsteadyA || unsteadyB) && !arbiter.persistent;
+}
+
+/** Calls the handlers of one side. @returns whether one of them is not deterministic. */
+function ask(events: EventQueue, arbiter: Arbiter, list: Listeners<HitHandler>, own: Shape, other: Shape): boolean {
+  let unsteady = false;
+  for (const entry of list.entries) {
+    if (entry.type === PRE_SOLVE && admits(entry, other.group)) {
+      unsteady ||= !entry.deterministic;
+      try {
+        (entry.handler as ShapeHandler).call(own, arbiter, other);
+      } catch (error) {
+        events.fail(error);
+      }
+    }
+  }
+  return unsteady;
+}

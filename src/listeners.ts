@@ -1,0 +1,115 @@
+/** All event types, in the order in which the events of one step are delivered; `preSolve` handlers run at once. */
+const TYPES: readonly unknown[] = ['wake', 'begin', 'hit', 'progress', 'end', 'sleep', 'break', 'preSolve'];
+
+/** An event type as a bit, so that one number tells what an object is listened to for. */
+export const WAKE = 1;
+export const BEGIN = 2;
+export const HIT = 4;
+export const PROGRESS = 8;
+export const END = 16;
+export const SLEEP = 32;
+export const BREAK = 64;
+export const PRE_SOLVE = 128;
+
+export const OF_SHAPES = BEGIN | HIT | PROGRESS | END | PRE_SOLVE;
+export const OF_BODIES = WAKE | SLEEP;
+export const OF_CONSTRAINTS = WAKE | SLEEP | BREAK;
+
+/** The bit of a type by its name; 0 if there is none among those that are allowed. */
+export function bitOf(name: unknown, allowed: number): number {
+  const rank = TYPES.indexOf(name);
+  return rank < 0 ? 0 : (1 << rank) & allowed;
+}
+
+/** Place of a type in the order of delivery, from its bit. */
+export function rankOf(type: number): number {
+  return 31 - Math.clz32(type);
+}
+
+/** How many ranks there are. */
+export const RANKS = TYPES.length;
+
+/** A listener as it was added. */
+export interface Listener<H> {
+  /** A bit. */
+  readonly type: number;
+  readonly handler: H;
+  /** Only for other shapes of these groups; `undefined`: for all. */
+  readonly mask: number | undefined;
+  /** `preSolve`: the handler always decides alike. */
+  readonly deterministic: boolean;
+  /** `hit`: m/s. */
+  readonly minimumSpeed: number;
+}
+
+/** What no two listeners of an object have in common. */
+type Key<H> = Pick<Listener<H>, 'type' | 'handler' | 'mask'>;
+
+/**
+ * The listeners of an object in the order in which they were added. Never changed in place: adding and removing make a new list, so an
+ * event that keeps the list it found when it was queued is not touched by what happens later.
+ */
+export class Listeners<H> {
+  /** The types that some listener is for, as bits. */
+  readonly types: number;
+
+  constructor(readonly entries: readonly Listener<H>[]) {
+    this.types = entries.reduce((types, { type }) => types | type, 0);
+  }
+
+  /** The list with a listener appended, or `null` if the same (type, handler, mask) is in it. */
+  with(added: Listener<H>): Listeners<H> | null {
+    return this.find(added) ? null : new Listeners([...this.entries, added]);
+  }
+
+  /** The list without the listener, or `null` if it is not in it. */
+  without(removed: Key<H>): Listeners<H> | null {
+    const found = this.find(removed);
+    return found ? new Listeners(this.entries.filter((entry) => entry !== found)) : null;
+  }
+
+  private find({ type, handler, mask }: Key<H>): Listener<H> | undefined {
+    return this.entries.find((entry) => entry.type === type && entry.handler === handler && entry.mask === mask);
+  }
+}
+
+/** The list of an object without listeners, one for all. */
+export const NO_LISTENERS = new Listeners<never>([]);
+
+/** A listener of a body or constraint, which has nothing but a type. */
+export function plainListener<H>(type: number, handler: H): Listener<H> {
+  return { type, handler, mask: undefined, deterministic: false, minimumSpeed: 0 };
+}
+
+/** Whether a listener wants to hear of another shape of this group. */
+export function admits({ mask }: Listener<unknown>, group: number): boolean {
+  return mask === undefined || (mask & group) !== 0;
+}
+
+/** An object that can be listened to. */
+interface Heard<H> {
+  listeners: Listeners<H>;
+}
+
+/**
+ * Adds a listener to an object and wakes what belongs to it.
+ *
+ * @returns `false`, without effect, for type 0 and if the same (type, handler, mask) is present.
+ */
+export function addListener<H>(object: Heard<H>, added: Listener<H>, wakes: { wake(): void } | null): boolean {
+  return added.type !== 0 && replace(object, object.listeners.with(added), wakes);
+}
+
+/** Removes a listener and wakes what belongs to the object. @returns `false`, without effect, if there is none. */
+export function removeListener<H>(object: Heard<H>, removed: Key<H>, wakes: { wake(): void } | null): boolean {
+  return replace(object, object.listeners.without(removed), wakes);
+}
+
+function replace<H>(object: Heard<H>, list: Listeners<H> | null, wakes: { wake(): void } | null): boolean {
+  if (list === null) {
+    return false;
+  }
+  object.listeners = list;
+  wakes?.wake();
+  return true;
+}
