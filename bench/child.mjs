@@ -10,7 +10,7 @@ const engines = {
   'planck, discrete': async () => (await import('./planck.mjs')).planckDiscrete,
 };
 
-const tasks = { pyramid, chains, grid, crowd, garbage, hash };
+const tasks = { pyramid, chains, grid, crowd, events, garbage, hash };
 const { task, ...params } = JSON.parse(process.argv[2]);
 console.log(JSON.stringify(await tasks[task](params)));
 
@@ -100,15 +100,43 @@ function crowd({ idle, warmUp, steps }) {
   return { times: time(steps, step), awake: world.liveDynamics.length, bodies: world.rigidBodies.length };
 }
 
+/** Puts a handler for `progress` on every shape. @returns how many calls there were so far, and how many pairs touch. */
+function listen(world) {
+  const heard = { calls: 0, pairs: () => world.dynamicArbiters.length + world.staticArbiters.length };
+  for (const { shapes } of world.rigidBodies) {
+    for (const shape of shapes) {
+      shape.addEventListener('progress', (arbiter, other) => {
+        heard.calls += arbiter.active && other !== shape ? 1 : 0;
+      });
+    }
+  }
+  return heard;
+}
+
+/** The pyramid with a handler for `progress` on every shape, or none. */
+function events({ base, listening, warmUp, steps }) {
+  const world = phys2D.createWorld({ allowSleeping: false });
+  buildPyramid(phys2D, world, base);
+  const heard = listening ? listen(world) : { calls: 0, pairs: () => 0 };
+  const step = () => world.step(DT);
+  repeat(warmUp, step);
+  heard.calls = 0;
+  const times = time(steps, step);
+  return { times, pairs: heard.pairs(), callsPerStep: heard.calls / steps };
+}
+
 /**
  * Bytes allocated per step. A run begins with a clean heap; it is cut into parts that are too short for a collection of their
  * own, where an engine allocates so much that this is needed.
  */
-async function garbage({ engine, base, warmUp, steps }) {
+async function garbage({ engine, base, listening, warmUp, steps }) {
   const ROOM = 32e6;
   const device = await engines[engine]();
   const world = device.createWorld({ allowSleeping: false });
   buildPyramid(device, world, base);
+  if (listening) {
+    listen(world);
+  }
   const step = () => world.step(DT);
   const growth = (count) => {
     globalThis.gc();

@@ -1,4 +1,4 @@
-// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [garbage] [hash]
+// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [events] [garbage] [hash]
 import { spawnSync } from 'node:child_process';
 import { cpus } from 'node:os';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const json = process.argv.includes('--json');
 const wanted = process.argv.slice(2).filter((argument) => argument !== '--json');
 const say = (line) => json || console.log(line);
 
-const parts = { pyramid, chains, grid, crowd, garbage, hash };
+const parts = { pyramid, chains, grid, crowd, events, garbage, hash };
 for (const name of wanted.filter((name) => !(name in parts))) {
   console.error(`bench: there is no part ${name}, only ${Object.keys(parts).join(', ')}`);
   process.exit(2);
@@ -146,6 +146,26 @@ function crowd() {
   say(columns('with 10,000 idle', ms(amid.median), ms(amid.p95)));
   say(target('with / alone', ratio.toFixed(2), 1.5));
   return { alone, amid, ratio, target: 1.5 };
+}
+
+function events() {
+  const job = { task: 'events', base: 32, warmUp: 120, steps: 480 };
+  const [silentRuns, heardRuns] = interleave([job, { ...job, listening: true }]);
+  const { pairs, callsPerStep } = heardRuns[0];
+  const silent = summary(silentRuns);
+  const heard = summary(heardRuns);
+  const ratio = heard.median / silent.median;
+  say(`\n${pairs} touching pairs: the quietest of ${ROUNDS} × ${job.steps} steps`);
+  say(columns('handlers', 'median', 'p95'));
+  say(columns('none', ms(silent.median), ms(silent.p95)));
+  say(columns(`${callsPerStep.toFixed(0)} calls a step`, ms(heard.median), ms(heard.p95)));
+  say(target('with / without', ratio.toFixed(2), 1.15));
+  const warm = { task: 'garbage', engine: 'phys2d', base: job.base, warmUp: 1000, steps: 1000 };
+  const [kB, heardkB] = [false, true].map(
+    (listening) => measure({ ...warm, listening }, GC_FLAGS).bytesPerStep / 1000,
+  );
+  say(columns('garbage', `${kB.toFixed(2)} kB/step`, `${heardkB.toFixed(2)} kB/step`));
+  return { silent, heard, pairs, callsPerStep, ratio, target: 1.15, kB: { silent: kB, heard: heardkB } };
 }
 
 function garbage() {

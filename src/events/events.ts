@@ -43,11 +43,16 @@ export class EventQueue {
   /** Notes an event of an interaction: its type as a bit, and when it was found. */
   interaction(type: number, arbiter: Arbiter, group: number): void {
     const { shapeA, shapeB } = arbiter;
-    if ((shapeA.listeners.types & type) !== 0) {
-      this.noteShape(type, arbiter, group, shapeA, shapeB);
-    }
-    if ((shapeB.listeners.types & type) !== 0) {
-      this.noteShape(type, arbiter, group, shapeB, shapeA);
+    if (((shapeA.listeners.types | shapeB.listeners.types) & type) !== 0) {
+      const note = this.list(type, group).add(shapeA.id, shapeB.id);
+      note.own = shapeA;
+      note.listeners = shapeA.listeners;
+      note.group = shapeA.group;
+      note.arbiter = arbiter;
+      note.other = shapeB;
+      note.otherListeners = shapeB.listeners;
+      note.otherGroup = shapeB.group;
+      note.hit = type === HIT ? this.hits[this.struck.length - 1]! : null;
     }
   }
 
@@ -60,16 +65,6 @@ export class EventQueue {
       }
       this.interaction(HIT, arbiter, group);
     }
-  }
-
-  private noteShape(type: number, arbiter: Arbiter, group: number, own: Shape, other: Shape): void {
-    const note = this.list(type, group).add(arbiter.shapeA.id, arbiter.shapeB.id);
-    note.own = own;
-    note.listeners = own.listeners;
-    note.arbiter = arbiter;
-    note.other = other;
-    note.group = other.group;
-    note.hit = type === HIT ? this.hits[this.struck.length - 1]! : null;
   }
 
   private list(type: number, group: number): Notes {
@@ -135,37 +130,49 @@ export class EventQueue {
     for (const list of lists) {
       list.sort();
       for (let i = 0; i < list.count; i += 1) {
-        this.hand(list, list.all[i]!);
+        const note = list.all[i]!;
+        this.hand(list, note, false);
+        if (note.other !== null) {
+          this.hand(list, note, true);
+        }
       }
       list.clear();
     }
   }
 
-  /** Calls the handlers of one event; `World.clear` called by one of them empties the list, and nothing more is called. */
-  private hand(list: Notes, { own, listeners, arbiter, other, group, hit }: Note): void {
-    for (const entry of listeners.entries) {
+  /**
+   * Calls the handlers of one object of an event: a body's or constraint's, or those of shape A or (`second`) B. `World.clear` called by one of
+   * them empties the list and its notes, and nothing more is called.
+   */
+  private hand(list: Notes, note: Note, second: boolean): void {
+    const { arbiter, hit } = note;
+    const own = second ? note.other : note.own;
+    const other = second ? note.own : note.other;
+    const group = second ? note.group : note.otherGroup;
+    const { entries } = second ? note.otherListeners : note.listeners;
+    for (let i = 0; i < entries.length && list.count > 0; i += 1) {
+      const entry = entries[i]!;
       if (
-        entry.type !== list.type ||
-        !admits(entry, group) ||
-        (hit !== null && hit.approachSpeed < entry.minimumSpeed)
+        entry.type === list.type &&
+        admits(entry, group) &&
+        (hit === null || hit.approachSpeed >= entry.minimumSpeed)
       ) {
-        continue;
+        this.call(entry.handler as Handler, own, arbiter, other as Shape | null, hit);
       }
-      const handler = entry.handler as Handler;
-      try {
-        if (arbiter === null || other === null) {
-          handler.call(own);
-        } else if (hit === null) {
-          handler.call(own, arbiter, other);
-        } else {
-          handler.call(own, arbiter, other, hit);
-        }
-      } catch (error) {
-        this.fail(error);
+    }
+  }
+
+  private call(handler: Handler, own: unknown, arbiter: Arbiter | null, other: Shape | null, hit: Hit | null): void {
+    try {
+      if (arbiter === null || other === null) {
+        handler.call(own);
+      } else if (hit === null) {
+        handler.call(own, arbiter, other);
+      } else {
+        handler.call(own, arbiter, other, hit);
       }
-      if (list.count === 0) {
-        return;
-      }
+    } catch (error) {
+      this.fail(error);
     }
   }
 

@@ -5,8 +5,9 @@ import type { Hit } from '../contact/hit.js';
 import { type Listeners, NO_LISTENERS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 
-/** An event of one object, with the listeners it had when the event was noted, so that later changes do not touch it. */
+/** An event, with the listeners present when it was noted, so that later changes do not touch it. */
 export class Note {
+  /** A body or constraint, or shape A of an interaction. */
   own: Shape | RigidBody | Constraint | null = null;
   listeners: Listeners<unknown> = NO_LISTENERS;
   /** Events are delivered by these ids, then as they were noted. */
@@ -14,9 +15,12 @@ export class Note {
   idB = 0;
   /** Of an interaction; `null` for bodies and constraints. */
   arbiter: Arbiter | null = null;
+  /** Shape B, and its listeners. */
   other: Shape | null = null;
-  /** The other shape's group. */
+  otherListeners: Listeners<unknown> = NO_LISTENERS;
+  /** Their groups. */
   group = 0;
+  otherGroup = 0;
   hit: Hit | null = null;
 }
 
@@ -70,6 +74,7 @@ export class Notes {
       note.listeners = NO_LISTENERS;
       note.arbiter = null;
       note.other = null;
+      note.otherListeners = NO_LISTENERS;
       note.hit = null;
     }
     this.count = 0;

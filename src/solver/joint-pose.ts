@@ -196,6 +196,9 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
 /** Puts them back to where the step began; the end of the step adds their motion to that. */
 export function hidePoses(data: SolverData): void {
   const { shown } = data.joints;
+  if (shown.size === 0) {
+    return;
+  }
   for (const [body, start] of shown) {
     body.x = start[X]!;
     body.y = start[Y]!;

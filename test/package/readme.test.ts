@@ -10,7 +10,7 @@ const read = (name: string): string => readFileSync(join(root, name), 'utf8');
 
 it('the README shows the examples to the letter', () => {
   const blocks = [...read('README.md').matchAll(/```ts\n([\s\S]*?)```/g)].map(([, code]) => code);
-  expect(blocks).toEqual([read('examples/readme.ts'), read('examples/custom.ts')]);
+  expect(blocks).toEqual(['readme', 'custom', 'events'].map((name) => read(`examples/${name}.ts`)));
 });
 
 it('the bead of the second example stays on its wire', () => {
@@ -26,5 +26,11 @@ it('the example has 20 lines and prints what the README says', () => {
   expect(read('examples/readme.ts').trimEnd().split('\n')).toHaveLength(20);
   const output = execFileSync(process.execPath, [join(root, 'dist/examples/readme.js')], { encoding: 'utf8' });
   expect(output.split('\n')).toHaveLength(7);
+  expect(read('README.md')).toContain(`\`\`\`\n${output}\`\`\``);
+});
+
+it('the example with events prints what the README says', () => {
+  const output = execFileSync(process.execPath, [join(root, 'dist/examples/events.js')], { encoding: 'utf8' });
+  expect(output.split('\n').length).toBeGreaterThan(3);
   expect(read('README.md')).toContain(`\`\`\`\n${output}\`\`\``);
 });
