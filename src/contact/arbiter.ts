@@ -45,7 +45,7 @@ export class Arbiter {
   listed = false;
   /** @internal taken out of everything; dropped from the sorted list when that is next walked */
   dead = false;
-  /** @internal fell asleep between steps: a last `progress` is due */
+  /** @internal fell asleep by a call: a last `progress` is due */
   dozed = false;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
   awake = false;

@@ -20,7 +20,7 @@ function compare(a: Arbiter, b: Arbiter): number {
  */
 export class Pairs {
   readonly sorted: Arbiter[] = [];
-  /** Fell asleep between steps, by a call: their last `progress` is due in the next one. */
+  /** Fell asleep by a call and have not been told of in this step, or the next: their last `progress` is due. */
   readonly dozed: Arbiter[] = [];
 
   private readonly table = new PairTable();
@@ -50,7 +50,7 @@ export class Pairs {
     }
   }
 
-  /** Notes a pair that fell asleep between steps. */
+  /** Notes a pair that fell asleep and has to be told of. */
   doze(pair: Arbiter): void {
     if (!pair.dozed) {
       pair.dozed = true;

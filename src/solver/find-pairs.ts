@@ -10,7 +10,7 @@ import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { wakeBody } from './sleep.js';
+import { tellProgress, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
 
 /** Filters, and what makes an interaction possible at all. */
@@ -63,12 +63,13 @@ export function findPairs(world: World): void {
   noteDozed(world);
 }
 
-/** The last `progress` of pairs that fell asleep since the last step, by a call, and were not woken again. */
-function noteDozed({ pairs: { dozed }, events }: World): void {
+/** The last `progress` of pairs that fell asleep by a call and were not woken again. */
+function noteDozed(world: World): void {
+  const { dozed } = world.pairs;
   for (const pair of dozed) {
     pair.dozed = false;
     if (pair.sleeping) {
-      events.interaction(PROGRESS, pair, IN_STEP);
+      tellProgress(world, pair);
     }
   }
   dozed.length = 0;

@@ -208,13 +208,21 @@ function restingOn(body: RigidBody): RigidBody[] {
 function wakePair(world: World, pair: Arbiter): void {
   pair.sleeping = false;
   pair.active = true;
-  pair.lastInteraction = world.timeStamp;
   world.pairs.arrive(pair);
   if (world.stepping) {
     pair.seen = world.timeStamp;
-    world.events.interaction(PROGRESS, pair, IN_STEP);
+    tellProgress(world, pair);
   } else {
+    pair.lastInteraction = world.timeStamp;
     joinLists(world, pair);
+  }
+}
+
+/** A pair that only goes on, or falls asleep, has its event in this step unless it had one. */
+export function tellProgress(world: World, pair: Arbiter): void {
+  if (pair.lastInteraction !== world.timeStamp) {
+    pair.lastInteraction = world.timeStamp;
+    world.events.interaction(PROGRESS, pair, IN_STEP);
   }
 }
 
@@ -262,7 +270,7 @@ export function sleepPairs(world: World, body: RigidBody): void {
         pair.sleeping = true;
         pair.active = false;
         leaveLists(world, pair);
-        if (!world.stepping) {
+        if (!world.stepping || pair.lastInteraction !== world.timeStamp) {
           world.pairs.doze(pair);
         }
       }
