@@ -161,9 +161,7 @@ function events() {
   say(columns(`${callsPerStep.toFixed(0)} calls a step`, ms(heard.median), ms(heard.p95)));
   say(target('with / without', ratio.toFixed(2), 1.15));
   const warm = { task: 'garbage', engine: 'phys2d', base: job.base, warmUp: 1000, steps: 1000 };
-  const [kB, heardkB] = [false, true].map(
-    (listening) => measure({ ...warm, listening }, GC_FLAGS).bytesPerStep / 1000,
-  );
+  const [kB, heardkB] = [false, true].map((listening) => measure({ ...warm, listening }, GC_FLAGS).bytesPerStep / 1000);
   say(columns('garbage', `${kB.toFixed(2)} kB/step`, `${heardkB.toFixed(2)} kB/step`));
   return { silent, heard, pairs, callsPerStep, ratio, target: 1.15, kB: { silent: kB, heard: heardkB } };
 }

@@ -39,7 +39,7 @@ export type { CircleParams } from './shape/circle.js';
 export { Circle } from './shape/circle.js';
 export type { PolygonParams } from './shape/polygon.js';
 export { Polygon } from './shape/polygon.js';
-export type { HitHandler, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
+export type { HitHandler, ShapeEvents, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
 export { Shape } from './shape/shape.js';
 export type { WorldParams } from './world.js';
 export { World } from './world.js';

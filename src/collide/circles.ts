@@ -1,6 +1,6 @@
 import { COINCIDENT, SPECULATIVE_MARGIN } from '../config.js';
+import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
-import { EDGE_STRIDE } from '../shape/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 import type { Manifold } from './manifold.js';

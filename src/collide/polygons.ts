@@ -1,5 +1,5 @@
 import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE } from '../shape/layout.js';
+import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 import type { Manifold } from './manifold.js';

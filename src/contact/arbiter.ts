@@ -24,9 +24,12 @@ export class Arbiter {
   /** The shape with the lower id. */
   shapeA: Shape;
   shapeB: Shape;
-  /** The shapes interacted in the latest step; an inactive arbiter is a cache and has to be skipped. */
+  /**
+   * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
+   * has to be skipped.
+   */
   active = false;
-  /** Both bodies are asleep; the arbiter is in no list of the world. */
+  /** Both bodies are asleep, and still interact; the arbiter is in no list of the world, and its impulses read 0. */
   sleeping = false;
   /** One of the shapes is a sensor: no contacts, no physics. */
   sensor = false;
@@ -76,10 +79,12 @@ export class Arbiter {
     this.accepted = !this.sensor;
   }
 
+  /** Of `shapeA`; `null` in an `end` handler if that has been removed from its body. */
   get bodyA(): RigidBody {
     return this.shapeA.owner as RigidBody;
   }
 
+  /** Of `shapeB`; likewise. */
   get bodyB(): RigidBody {
     return this.shapeB.owner as RigidBody;
   }
@@ -136,7 +141,10 @@ export class Arbiter {
     return this.material(c.ROLLING_FRICTION);
   }
 
-  /** Fixes the combined elasticity for the life of the arbiter. Outside a step wakes both bodies silently. */
+  /**
+   * Fixes the combined elasticity for the life of the arbiter, which ends 30 steps after the shapes parted, or until `setElasticityFromShapes`.
+   * Outside a step wakes both bodies silently.
+   */
   setElasticity(elasticity: number): void {
     this.fix(FIXED_ELASTICITY, c.ELASTICITY, notNaN('Arbiter.setElasticity', 'elasticity', elasticity));
   }

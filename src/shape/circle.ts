@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import type { Outline } from '../geometry/outline.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options, positive, vector } from '../validate.js';
 import { Shape, type ShapeParams } from './shape.js';
@@ -105,6 +106,15 @@ export class Circle extends Shape {
     bounds[1] = y + cy - this.radius;
     bounds[2] = x + cx + this.radius;
     bounds[3] = y + cy + this.radius;
+  }
+
+  /** @internal */
+  override outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
+    into.setCircle(
+      x + cos * this.originX - sin * this.originY,
+      y + sin * this.originX + cos * this.originY,
+      this.radius,
+    );
   }
 
   /** @internal */

@@ -1,9 +1,10 @@
 import type { RigidBody } from '../body.js';
+import { EDGE_STRIDE } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
+import type { Outline } from '../geometry/outline.js';
 import { convexVertices } from '../geometry/vertices.js';
 import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { options } from '../validate.js';
-import { EDGE_STRIDE } from './layout.js';
 import { Shape, type ShapeParams } from './shape.js';
 
 /** Options of `createPolygonShape`. */
@@ -118,6 +119,11 @@ export class Polygon extends Shape {
     bounds[1] = y + minY;
     bounds[2] = x + maxX;
     bounds[3] = y + maxY;
+  }
+
+  /** @internal */
+  override outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
+    into.setPolygon(this.localEdges, this.offsets, x, y, cos, sin);
   }
 
   /** @internal */

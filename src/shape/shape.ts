@@ -2,19 +2,29 @@ import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Hit } from '../contact/hit.js';
+import type { Outline } from '../geometry/outline.js';
 import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
 
-export type ShapeEventType = 'begin' | 'progress' | 'end' | 'preSolve';
-
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
 
 /** Called as a `ShapeHandler`, and told how the collision began. */
 export type HitHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape, hit: Hit) => void;
+
+/** The events of a shape, and what their handlers are. */
+export interface ShapeEvents {
+  begin: ShapeHandler;
+  progress: ShapeHandler;
+  end: ShapeHandler;
+  preSolve: ShapeHandler;
+  hit: HitHandler;
+}
+
+export type ShapeEventType = keyof ShapeEvents;
 
 /** Options that circles and polygons share. */
 export interface ShapeParams {
@@ -90,7 +100,7 @@ export abstract class Shape {
     return this.group;
   }
 
-  /** Sets the bits that say what this shape is. Wakes the body. */
+  /** Sets the bits that say what this shape is. Wakes the body; if that is static, what rests on it. */
   setGroup(group: number): void {
     this.group = bits('Shape.setGroup', 'group', group);
     this.owner?.rouse();
@@ -100,7 +110,7 @@ export abstract class Shape {
     return this.mask;
   }
 
-  /** Sets the bits of the groups that this shape meets. Wakes the body. */
+  /** Sets the bits of the groups that this shape meets. Wakes as `setGroup` does. */
   setMask(mask: number): void {
     this.mask = bits('Shape.setMask', 'mask', mask);
     this.owner?.rouse();
@@ -187,35 +197,36 @@ export abstract class Shape {
   }
 
   /**
-   * Adds a handler for what this shape has to do with others:
+   * Adds a handler for what this shape has to do with another one:
    *
-   * - `begin`, `progress`, `end`: an interaction starts, goes on for another step, is over. Delivered when the step is done; handlers may change
-   *   anything.
-   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. Runs within the
-   *   step. `isDeterministic` (default `false`) tells that it always decides alike, so that bodies may sleep.
-   * - `hit`: a collision that takes effect has begun; the handler is also told how hard. Delivered with `begin`. `minimumSpeed` (m/s, >= 0,
-   *   default 0) leaves out slower ones.
+   * - `begin`, `progress`, `end`: an interaction starts, goes on for another step, is over. Told when the step is done; the handler may
+   *   change anything. What had been found in the step by then is told all the same, also of a body that it removed.
+   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. Runs once a
+   *   step, within it, at the placements that the last step ended with. Such a pair is only found when it overlaps, not a moment earlier as
+   *   others are. `option`: the handler always decides alike (default `false`), so that the bodies may sleep.
+   * - `hit`: a collision that takes effect has begun; the handler is also told how hard. `option`: m/s, >= 0, slower ones are left out (default 0).
    *
    * With a `mask` the handler is only called for other shapes with `(mask & group) !== 0`; leaving it out is another listener than 0xffffffff.
    *
    * @returns `false` for an unknown type, or if the same (type, handler, mask) is present. Wakes the body silently otherwise.
    */
-  addEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number, isDeterministic?: boolean): boolean;
-  addEventListener(eventType: 'hit', handler: HitHandler, mask?: number, minimumSpeed?: number): boolean;
-  addEventListener(eventType: string, handler: HitHandler, mask?: number, option?: boolean | number): boolean {
+  addEventListener<T extends ShapeEventType>(
+    eventType: T,
+    handler: ShapeEvents[T],
+    mask?: number,
+    option?: T extends 'hit' ? number : boolean,
+  ): boolean {
     const where = 'Shape.addEventListener';
     const type = bitOf(eventType, OF_SHAPES);
     callable(where, 'handler', handler);
     const checked = mask === undefined ? undefined : bits(where, 'mask', mask);
-    const deterministic = type !== HIT && boolean(where, 'isDeterministic', optional(option, false));
-    const minimumSpeed = type === HIT ? nonNegative(where, 'minimumSpeed', optional(option, 0)) : 0;
+    const deterministic = type !== HIT && boolean(where, 'isDeterministic', optional<unknown>(option, false));
+    const minimumSpeed = type === HIT ? nonNegative(where, 'minimumSpeed', optional<unknown>(option, 0)) : 0;
     return addListener(this, { type, handler, mask: checked, deterministic, minimumSpeed }, this.owner);
   }
 
   /** Removes the handler added with the same (type, handler, mask). @returns whether there was one. */
-  removeEventListener(eventType: ShapeEventType, handler: ShapeHandler, mask?: number): boolean;
-  removeEventListener(eventType: 'hit', handler: HitHandler, mask?: number): boolean;
-  removeEventListener(eventType: string, handler: HitHandler, mask?: number): boolean {
+  removeEventListener<T extends ShapeEventType>(eventType: T, handler: ShapeEvents[T], mask?: number): boolean {
     const checked = mask === undefined ? undefined : bits('Shape.removeEventListener', 'mask', mask);
     return removeListener(this, { type: bitOf(eventType, OF_SHAPES), handler, mask: checked }, this.owner);
   }
@@ -235,6 +246,9 @@ export abstract class Shape {
 
   /** @internal turns the geometry with the body and sets the bounds */
   abstract place(body: RigidBody): void;
+
+  /** @internal writes the outline of the shape of a body placed at `(x, y)`, turned by an angle */
+  abstract outline(into: Outline, x: number, y: number, cos: number, sin: number): void;
 
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;

@@ -1,0 +1,56 @@
+import { EDGE_STRIDE } from './layout.js';
+
+/**
+ * A convex outline somewhere in the plane: corners, and a radius around them. A polygon has no radius, a circle is one corner
+ * with a radius. Outlines are scratch space for queries and sweeps: filled in for a placement, used, filled in again.
+ */
+export class Outline {
+  /** [x, y, nx, ny] per corner: the corner, and the outward normal of the edge that starts there. */
+  corners = new Float64Array(8 * EDGE_STRIDE);
+  /** n · p of each edge. */
+  offsets = new Float64Array(8);
+  /** Number of corners. */
+  count = 0;
+  /** Number of edges: that of the corners, or 0 for a single corner. */
+  edges = 0;
+  radius = 0;
+
+  /** One corner at `(x, y)`. */
+  setCircle(x: number, y: number, radius: number): void {
+    this.count = 1;
+    this.edges = 0;
+    this.radius = radius;
+    this.corners[0] = x;
+    this.corners[1] = y;
+  }
+
+  /** Corners, normals and offsets of a polygon in its own coordinates, whose origin is put at `(x, y)`, turned by an angle. */
+  setPolygon(local: Float64Array, offsets: Float64Array, x: number, y: number, cos: number, sin: number): void {
+    const count = offsets.length;
+    this.room(count);
+    this.count = count;
+    this.edges = count;
+    this.radius = 0;
+    const to = this.corners;
+    for (let i = 0; i < count * EDGE_STRIDE; i += EDGE_STRIDE) {
+      const px = local[i]!;
+      const py = local[i + 1]!;
+      const nx = cos * local[i + 2]! - sin * local[i + 3]!;
+      const ny = sin * local[i + 2]! + cos * local[i + 3]!;
+      to[i] = x + cos * px - sin * py;
+      to[i + 1] = y + sin * px + cos * py;
+      to[i + 2] = nx;
+      to[i + 3] = ny;
+    }
+    for (let i = 0; i < count; i += 1) {
+      this.offsets[i] = offsets[i]! + x * to[EDGE_STRIDE * i + 2]! + y * to[EDGE_STRIDE * i + 3]!;
+    }
+  }
+
+  private room(count: number): void {
+    if (this.offsets.length < count) {
+      this.corners = new Float64Array(2 * count * EDGE_STRIDE);
+      this.offsets = new Float64Array(2 * count);
+    }
+  }
+}
