@@ -403,6 +403,7 @@ export class RigidBody extends BodyState {
 
   /** Removes a handler. @returns whether it was there. */
   removeEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
+    callable('RigidBody.removeEventListener', 'handler', handler);
     return removeListener(this, plainListener(bitOf(eventType, OF_BODIES), handler), this);
   }
 

@@ -16,7 +16,8 @@ import { DEFAULT_MATERIAL, Material, type MaterialParams } from './material.js';
 import type { Vec2 } from './math/vectors.js';
 import { Circle, type CircleParams } from './shape/circle.js';
 import { Polygon, type PolygonParams } from './shape/polygon.js';
-import { World, type WorldParams } from './world.js';
+import { World } from './world.js';
+import type { WorldParams } from './world-state.js';
 
 /**
  * The factory for everything else. Holds no state: all devices are equal, and `phys2D` is one that is ready to use. Bad

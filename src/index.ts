@@ -41,5 +41,5 @@ export type { PolygonParams } from './shape/polygon.js';
 export { Polygon } from './shape/polygon.js';
 export type { HitHandler, ShapeEvents, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
 export { Shape } from './shape/shape.js';
-export type { WorldParams } from './world.js';
 export { World } from './world.js';
+export type { WorldParams } from './world-state.js';

@@ -214,6 +214,7 @@ export abstract class Constraint {
 
   /** Removes a handler. @returns whether it was there. */
   removeEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
+    callable('Constraint.removeEventListener', 'handler', handler);
     return removeListener(this, plainListener(bitOf(eventType, OF_CONSTRAINTS), handler), this);
   }
 

@@ -1,10 +1,10 @@
-import type { RigidBody } from '../body.js';
+import { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
 import { Manifold } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
-import { boolean, nonNegative, notNaN } from '../validate.js';
+import { boolean, instance, nonNegative, notNaN } from '../validate.js';
 import { Contact } from './contact.js';
 import * as c from './layout.js';
 
@@ -29,7 +29,7 @@ export class Arbiter {
    * has to be skipped.
    */
   active = false;
-  /** Both bodies are asleep, and still interact; the arbiter is in no list of the world, and its impulses read 0. */
+  /** In the latest step both bodies were asleep, interacting still; the arbiter is in no list of the world, and its impulses read 0. */
   sleeping = false;
   /** One of the shapes is a sensor: no contacts, no physics. */
   sensor = false;
@@ -48,8 +48,6 @@ export class Arbiter {
   listed = false;
   /** @internal taken out of everything; dropped from the sorted list when that is next walked */
   dead = false;
-  /** @internal fell asleep by a call: a last `progress` is due */
-  dozed = false;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
   awake = false;
   /** @internal index in the world's list it is in */
@@ -106,6 +104,7 @@ export class Arbiter {
   getImpulseForBody(body: RigidBody): Vec3;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec3 {
+    instance('Arbiter.getImpulseForBody', 'body', body, RigidBody, 'a RigidBody');
     const sign = body === this.bodyA ? -1 : body === this.bodyB ? 1 : 0;
     if (sign === 0 || !this.active) {
       return vec3(0, 0, 0, dst);
@@ -113,7 +112,8 @@ export class Arbiter {
     const [nx, ny] = this.getNormal();
     let x = 0;
     let y = 0;
-    let w = sign * this.getRollingImpulse();
+    let w = 0;
+    w += sign * this.getRollingImpulse();
     for (const contact of this.contacts) {
       const jx = sign * (nx * contact.getNormalImpulse() - ny * contact.getTangentImpulse());
       const jy = sign * (ny * contact.getNormalImpulse() + nx * contact.getTangentImpulse());

@@ -20,8 +20,6 @@ function compare(a: Arbiter, b: Arbiter): number {
  */
 export class Pairs {
   readonly sorted: Arbiter[] = [];
-  /** Fell asleep by a call and have not been told of in this step, or the next: their last `progress` is due. */
-  readonly dozed: Arbiter[] = [];
 
   private readonly table = new PairTable();
   private readonly arriving: Arbiter[] = [];
@@ -47,14 +45,6 @@ export class Pairs {
     if (!pair.awake) {
       pair.awake = true;
       this.arriving.push(pair);
-    }
-  }
-
-  /** Notes a pair that fell asleep and has to be told of. */
-  doze(pair: Arbiter): void {
-    if (!pair.dozed) {
-      pair.dozed = true;
-      this.dozed.push(pair);
     }
   }
 
@@ -149,7 +139,6 @@ export class Pairs {
     this.table.clear();
     this.sorted.length = 0;
     this.arriving.length = 0;
-    this.dozed.length = 0;
   }
 }
 

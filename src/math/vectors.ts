@@ -1,3 +1,5 @@
+import { sink } from '../validate.js';
+
 /** Two numbers `[x, y]`: any array, tuple or typed array with at least two. Read at once, never kept. */
 export type Vec2Like = ArrayLike<number>;
 
@@ -34,6 +36,7 @@ export function vec2<T extends NumberSink>(x: number, y: number, dst: T | undefi
   if (dst === undefined) {
     return [x, y];
   }
+  sink('get…', 'dst', dst);
   dst[0] = x;
   dst[1] = y;
   return dst;
@@ -44,6 +47,7 @@ export function vec3<T extends NumberSink>(x: number, y: number, w: number, dst:
   if (dst === undefined) {
     return [x, y, w];
   }
+  sink('get…', 'dst', dst);
   dst[0] = x;
   dst[1] = y;
   dst[2] = w;

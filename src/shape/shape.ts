@@ -227,6 +227,7 @@ export abstract class Shape {
 
   /** Removes the handler added with the same (type, handler, mask). @returns whether there was one. */
   removeEventListener<T extends ShapeEventType>(eventType: T, handler: ShapeEvents[T], mask?: number): boolean {
+    callable('Shape.removeEventListener', 'handler', handler);
     const checked = mask === undefined ? undefined : bits('Shape.removeEventListener', 'mask', mask);
     return removeListener(this, { type: bitOf(eventType, OF_SHAPES), handler, mask: checked }, this.owner);
   }

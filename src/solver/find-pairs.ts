@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import * as g from '../collide/layout.js';
@@ -10,7 +11,7 @@ import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { tellProgress, wakeBody } from './sleep.js';
+import { sleepPair, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
 
 /** Filters, and what makes an interaction possible at all. */
@@ -60,29 +61,24 @@ export function findPairs(world: World): void {
   }
   sorted.length = kept;
   wakeHit(world);
-  noteDozed(world);
-}
-
-/** The last `progress` of pairs that fell asleep by a call and were not woken again. */
-function noteDozed(world: World): void {
-  const { dozed } = world.pairs;
-  for (const pair of dozed) {
-    pair.dozed = false;
-    if (pair.sleeping) {
-      tellProgress(world, pair);
-    }
-  }
-  dozed.length = 0;
 }
 
 /** Works out what a pair does in this step. @returns whether there is still something to it. */
 function renew(world: World, pair: Arbiter): boolean {
+  const stamp = world.timeStamp;
   pair.near = false;
-  if (pair.lastInteraction === world.timeStamp) {
+  if (pair.lastInteraction === stamp) {
     // Woken by a handler a moment ago: it goes on with the manifold it fell asleep with.
     return true;
   }
-  const isReported = pair.seen === world.timeStamp;
+  if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
+    sleepPair(world, pair);
+    return false;
+  }
+  if (world.pairs.isExpired(pair, stamp)) {
+    world.pairs.unlist(pair);
+  }
+  const isReported = pair.seen === stamp;
   if (isReported && (pair.sensor ? overlap(pair) : touch(pair))) {
     interact(world, pair);
     return true;
@@ -199,10 +195,7 @@ function noteApproach(pair: Arbiter): void {
  * give way, nor if `preSolve` handlers have to be asked first.
  */
 function approach(pair: Arbiter): void {
-  const a = pair.bodyA;
-  const b = pair.bodyB;
-  const asleep = (a.asleep && a.kind === DYNAMIC) || (b.asleep && b.kind === DYNAMIC);
-  if (!asleep && !asksFirst(pair)) {
+  if (canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB) && !asksFirst(pair)) {
     pair.near = true;
     pair.mixMaterials();
     if (isHitHeard(pair)) {
@@ -211,15 +204,17 @@ function approach(pair: Arbiter): void {
   }
 }
 
+/** Nothing that would move keeps it from moving. */
+function canGiveWay({ kind, asleep }: RigidBody): boolean {
+  return kind !== DYNAMIC || !asleep;
+}
+
 /** The shapes do not interact in this step. */
 function part(world: World, pair: Arbiter): void {
   if (pair.active) {
     pair.active = false;
     pair.idle();
     world.events.interaction(END, pair, IN_STEP);
-  }
-  if (world.pairs.isExpired(pair, world.timeStamp)) {
-    world.pairs.unlist(pair);
   }
 }
 
@@ -235,7 +230,10 @@ function wakeHit(world: World): void {
   world.events.noteWoken(world);
 }
 
-/** Brings the world's lists of arbiters up to date, in the order of their shapes; what fell asleep leaves them. */
+/**
+ * Brings the world's lists of arbiters up to date, in the order of their shapes; what fell asleep leaves them. A body that fell asleep in
+ * this step cannot give way to another that comes near: it is met, and woken, when they touch.
+ */
 export function listArbiters(world: World): void {
   const { dynamicArbiters, staticArbiters } = world;
   const sorted = world.pairs.sorted;
@@ -250,6 +248,7 @@ export function listArbiters(world: World): void {
     }
     sorted[kept] = pair;
     kept += 1;
+    pair.near &&= canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB);
     if (!pair.listed) {
       continue;
     }

@@ -154,12 +154,21 @@ function sleepIdle(world: World): void {
   }
 }
 
+/** Joins what touches; what touches a kinematic body that moves, or was just put there, is not at rest. */
 function joinTouching(world: World, work: IslandWork): void {
+  const stamp = world.timeStamp;
   for (const pair of world.pairs.sorted) {
     if (pair.isSolid()) {
       const a = pair.bodyA;
       const b = pair.bodyB;
-      if (a.kind === DYNAMIC && b.kind === DYNAMIC && a.liveIndex >= 0 && b.liveIndex >= 0) {
+      if (a.liveIndex < 0 || b.liveIndex < 0) {
+        continue;
+      }
+      if (a.kind !== DYNAMIC) {
+        b.wakeTime = stamp;
+      } else if (b.kind !== DYNAMIC) {
+        a.wakeTime = stamp;
+      } else {
         work.join(a.liveIndex, b.liveIndex);
       }
     }

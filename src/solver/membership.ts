@@ -5,7 +5,7 @@ import { BEFORE_STEP } from '../events/events.js';
 import { END } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { enliven, joinLists, leaveLists, quieten, sleepPairs, wakeBody } from './sleep.js';
+import { enliven, joinLists, leaveLists, quieten, wakeBody } from './sleep.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {
@@ -62,7 +62,6 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
   }
   if (kind === STATIC) {
     body.asleep = true;
-    sleepPairs(world, body);
     return;
   }
   enliven(world, body);

@@ -188,12 +188,12 @@ function pushSleepingTies(world: World, body: RigidBody, found: (RigidBody | Con
   }
 }
 
-/** Dynamic bodies in accepted contact with a body when they fell asleep. */
+/** Sleeping dynamic bodies in accepted contact with a sleeping body. */
 function restingOn(body: RigidBody): RigidBody[] {
   const found: RigidBody[] = [];
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
-      if (pair.sleeping && pair.accepted) {
+      if ((pair.sleeping || pair.active) && pair.accepted) {
         const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
         if (other.kind === DYNAMIC && other.asleep) {
           found.push(other);
@@ -209,17 +209,17 @@ function wakePair(world: World, pair: Arbiter): void {
   pair.sleeping = false;
   pair.active = true;
   world.pairs.arrive(pair);
+  joinLists(world, pair);
   if (world.stepping) {
     pair.seen = world.timeStamp;
     tellProgress(world, pair);
   } else {
     pair.lastInteraction = world.timeStamp;
-    joinLists(world, pair);
   }
 }
 
 /** A pair that only goes on, or falls asleep, has its event in this step unless it had one. */
-export function tellProgress(world: World, pair: Arbiter): void {
+function tellProgress(world: World, pair: Arbiter): void {
   if (pair.lastInteraction !== world.timeStamp) {
     pair.lastInteraction = world.timeStamp;
     world.events.interaction(PROGRESS, pair, IN_STEP);
@@ -230,7 +230,6 @@ export function tellProgress(world: World, pair: Arbiter): void {
 export function sleepBody(world: World, body: RigidBody): void {
   if (body.kind === DYNAMIC && !body.asleep) {
     quieten(world, body);
-    sleepPairs(world, body);
   }
 }
 
@@ -263,29 +262,30 @@ export function sleepIsland(world: World, island: Island): void {
 }
 
 /** Running interactions with something that sleeps as well stop costing anything. */
-export function sleepPairs(world: World, body: RigidBody): void {
+function sleepPairs(world: World, body: RigidBody): void {
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
       if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
-        pair.sleeping = true;
-        pair.active = false;
-        leaveLists(world, pair);
-        if (!world.stepping || pair.lastInteraction !== world.timeStamp) {
-          world.pairs.doze(pair);
-        }
+        sleepPair(world, pair);
       }
     }
   }
 }
 
+/** An interaction falls asleep with its bodies, in the step in which they do or in the next; its last `progress` tells so. */
+export function sleepPair(world: World, pair: Arbiter): void {
+  pair.sleeping = true;
+  pair.active = false;
+  tellProgress(world, pair);
+}
+
 /** Kinematic bodies that did not move in this step fall asleep, without an event. */
 export function sleepKinematics(world: World): void {
   const live = world.liveKinematics;
-  for (let i = live.length - 1; i >= 0; i -= 1) {
+  for (let i = live.length - 1; i >= 0 && world.allowSleeping; i -= 1) {
     const body = live[i]!;
     if (body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
-      sleepPairs(world, body);
     }
   }
 }

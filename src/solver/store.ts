@@ -23,7 +23,11 @@ export function store(world: World): void {
   storeContacts(world, data, data.one);
 }
 
+/** A body that a callback woke while the step was being solved has no slot: it joins in the next. */
 function storeBody(data: SolverData, body: RigidBody): void {
+  if (body.slot === 0) {
+    return;
+  }
   const at = body.slot * d.BODY_STRIDE;
   const { velocity: v, motion: q } = data;
   if (body.kind === DYNAMIC) {
@@ -94,9 +98,11 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
   n[c.NORMAL + to] = normal;
   n[c.TANGENT + to] = tangent;
   n[c.STEP_NORMAL + to] = total;
-  n[c.STEP_TANGENT + to] = r[i + d.TANGENT_SUM1]! + tangent;
+  const slid = r[i + d.TANGENT_SUM1]! + tangent;
+  n[c.STEP_TANGENT + to] = slid;
   const bit = 1 << which;
-  pair.usedPoints = n[g.S0 + g.POINT * which]! > 0 && total === 0 ? pair.usedPoints & ~bit : pair.usedPoints | bit;
+  const unused = n[g.S0 + g.POINT * which]! > 0 && total === 0 && slid === 0;
+  pair.usedPoints = unused ? pair.usedPoints & ~bit : pair.usedPoints | bit;
 }
 
 /** Surfaces that were apart when the step began and met during it: the interaction begins late in the step. */

@@ -1,0 +1,175 @@
+import type { RigidBody } from './body.js';
+import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
+import type { Broadphase } from './broadphase/broadphase.js';
+import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
+import type { Constraint } from './constraint/constraint.js';
+import type { Arbiter } from './contact/arbiter.js';
+import { Pairs } from './contact/pairs.js';
+import { EventQueue } from './events/events.js';
+import type { Vec2Like } from './math/vectors.js';
+import { SolverData } from './solver/data.js';
+import { IslandWork } from './solver/islands.js';
+import { JointData } from './solver/joint-data.js';
+import { boolean, integer, optional, options, typeError, vector } from './validate.js';
+
+/** Options of `createWorld`. */
+export interface WorldParams {
+  /** Finds pairs of shapes that are near each other; any object of that interface. Default: a box tree. */
+  broadphase?: Broadphase | undefined;
+  /** m/s². Default `[0, 10]`: down, as y points down. */
+  gravity?: Vec2Like | undefined;
+  /** Total per step, integer >= 1. Default 8. */
+  velocityIterations?: number | undefined;
+  /** Total per step, integer >= 1. Default 8. */
+  positionIterations?: number | undefined;
+  /** Equal parts in which a step is integrated, integer >= 1; the iterations are spread over them. Default 4. */
+  substeps?: number | undefined;
+  /** Whether bodies at rest fall asleep by themselves. Default `true`. */
+  allowSleeping?: boolean | undefined;
+}
+
+const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 'sample'] as const;
+
+/** What a world is made of: its lists, its settings, and the parts it owns. {@link World} is its public face. */
+export abstract class WorldState {
+  readonly rigidBodies: RigidBody[] = [];
+  readonly constraints: Constraint[] = [];
+  /** Dynamic bodies that are awake. */
+  readonly liveDynamics: RigidBody[] = [];
+  /** Kinematic bodies that are awake. */
+  readonly liveKinematics: RigidBody[] = [];
+  /** Constraints that are enabled and awake. */
+  readonly liveConstraints: Constraint[] = [];
+  /** Awake interactions, running or cached, between two dynamic bodies. */
+  readonly dynamicArbiters: Arbiter[] = [];
+  /** Awake interactions, running or cached, with a static or kinematic body. */
+  readonly staticArbiters: Arbiter[] = [];
+  readonly broadphase: Broadphase;
+
+  /** @internal */
+  gravityX: number;
+  /** @internal */
+  gravityY: number;
+  /** @internal from the first line of `step` until its events are delivered */
+  stepping = false;
+  /** @internal bodies whose geometry has to be refreshed; what lies beyond the count is old */
+  readonly stale: RigidBody[] = [];
+  /** @internal */
+  staleCount = 0;
+  /** @internal sleeping bodies hit in this step */
+  readonly hit: RigidBody[] = [];
+  /** @internal what the solver knows of the live constraints is out of date */
+  jointsStale = false;
+  /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */
+  jointsTouched = false;
+  /** @internal grows with each constraint added */
+  nextOrder = 0;
+  /** @internal */
+  readonly pairs = new Pairs();
+  /** @internal */
+  readonly events = new EventQueue();
+  /** @internal */
+  readonly solver = new SolverData(new JointData());
+  /** @internal */
+  readonly islandWork = new IslandWork();
+
+  /** @internal */
+  protected time = 0;
+  /** @internal */
+  protected stamp = 0;
+  /** @internal events are being delivered */
+  protected delivering = false;
+  private velocityTotal: number;
+  private positionTotal: number;
+  private parts: number;
+  private mayRest: boolean;
+
+  /** @internal use `createWorld` */
+  constructor(params?: WorldParams) {
+    const where = 'createWorld';
+    const given = options(where, params, false);
+    const gravity = given.gravity === undefined ? [0, 10] : vector(where, 'gravity', given.gravity, 2);
+    this.gravityX = gravity[0]!;
+    this.gravityY = gravity[1]!;
+    this.velocityTotal = integer(
+      where,
+      'velocityIterations',
+      optional(given.velocityIterations, DEFAULT_ITERATIONS),
+      1,
+    );
+    this.positionTotal = integer(
+      where,
+      'positionIterations',
+      optional(given.positionIterations, DEFAULT_ITERATIONS),
+      1,
+    );
+    this.parts = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
+    this.mayRest = boolean(where, 'allowSleeping', optional(given.allowSleeping, true));
+    this.broadphase =
+      given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
+  }
+
+  /** s. Grows by the step length at the start of each step; never reset. */
+  get simulatedTime(): number {
+    return this.time;
+  }
+
+  /** Number of steps; grows at the start of each step; never reset. */
+  get timeStamp(): number {
+    return this.stamp;
+  }
+
+  /** Velocity iterations per step in total, integer >= 1. */
+  get velocityIterations(): number {
+    return this.velocityTotal;
+  }
+
+  set velocityIterations(value: number) {
+    this.velocityTotal = integer('World', 'velocityIterations', value, 1);
+  }
+
+  /** Position iterations per step in total, integer >= 1. */
+  get positionIterations(): number {
+    return this.positionTotal;
+  }
+
+  set positionIterations(value: number) {
+    this.positionTotal = integer('World', 'positionIterations', value, 1);
+  }
+
+  /** Equal parts in which a step is integrated, integer >= 1; the iterations are spread over them, at least one each. */
+  get substeps(): number {
+    return this.parts;
+  }
+
+  set substeps(value: number) {
+    this.parts = integer('World', 'substeps', value, 1);
+  }
+
+  /** Whether bodies at rest fall asleep by themselves. Setting it wakes everything: their delay begins anew. */
+  get allowSleeping(): boolean {
+    return this.mayRest;
+  }
+
+  set allowSleeping(value: boolean) {
+    if (boolean('World', 'allowSleeping', value) !== this.mayRest) {
+      this.mayRest = value;
+      this.wakeAll();
+    }
+  }
+
+  /** @internal wakes all bodies */
+  protected abstract wakeAll(): void;
+}
+
+function checkedBroadphase(where: string, value: unknown): Broadphase {
+  if (typeof value !== 'object' || value === null) {
+    throw typeError(where, 'broadphase', 'a Broadphase', value);
+  }
+  for (const method of BROADPHASE_METHODS) {
+    if (typeof (value as Record<string, unknown>)[method] !== 'function') {
+      throw typeError(where, 'broadphase', `a Broadphase with the method ${method}`, value);
+    }
+  }
+  return value as Broadphase;
+}

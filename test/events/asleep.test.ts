@@ -1,0 +1,284 @@
+import { describe, expect, it, vi } from 'vitest';
+import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
+import { add, addFloor, boxBody, disc, heavy, plainBody, steps, tie, weightless } from '../conformance/setting.js';
+
+// Interactions of bodies that fall asleep, wake, or never do: events, lists, states.
+
+const TYPES = ['begin', 'progress', 'end'] as const;
+
+/** Notes types of events, with an S where the arbiter sleeps and an A where it is active. */
+function listen(shape: Shape): string[] {
+  const log: string[] = [];
+  for (const type of TYPES) {
+    shape.addEventListener(type, ({ sleeping, active }) =>
+      log.push(type + (sleeping ? 'S' : '') + (active ? 'A' : '')),
+    );
+  }
+  return log;
+}
+
+/** Two bodies that overlap; the first has the given shape. */
+function overlapping(type: 'dynamic' | 'kinematic' | 'static', shape: Shape = disc(0.5, { sensor: true })) {
+  const world = weightless();
+  const a = plainBody({ shapes: [shape] });
+  const b = plainBody({ type, position: [0.99, 0] });
+  add(world, a, b);
+  return { world, a, b, log: listen(shape) };
+}
+
+const counts = (world: World) => [world.dynamicArbiters.length, world.staticArbiters.length];
+
+describe('sleep() and wake() by hand', () => {
+  it('one progress tells that both sleep, none follows, and waking goes on', () => {
+    for (const type of ['dynamic', 'kinematic', 'static'] as const) {
+      for (const shape of [disc(0.5), disc(0.5, { sensor: true })]) {
+        const { world, a, b, log } = overlapping(type, shape);
+        steps(world, 2);
+        b.sleep();
+        a.sleep();
+        steps(world, 3);
+        const { arbiters } = shape;
+        expect([arbiters.length, arbiters[0]!.sleeping, arbiters[0]!.active], type).toEqual([1, true, false]);
+        expect(counts(world)).toEqual([0, 0]);
+        expect(log, type).toEqual(['beginA', 'progressA', 'progressS']);
+        a.wake();
+        expect([arbiters[0]!.sleeping, arbiters[0]!.active], type).toEqual([false, true]);
+        expect(counts(world), type).toEqual(type === 'dynamic' ? [1, 0] : [0, 1]);
+        steps(world, 1);
+        expect(log, type).toEqual(['beginA', 'progressA', 'progressS', 'progressA']);
+      }
+    }
+  });
+
+  it('within one pause nothing is lost or told twice', () => {
+    const programs: [string, ((a: RigidBody) => void)[], string[]][] = [
+      ['sleep, wake', [(a) => a.sleep(), (a) => a.wake()], ['progressA']],
+      ['sleep, wake, sleep', [(a) => a.sleep(), (a) => a.wake(), (a) => a.sleep()], ['progressS']],
+      ['sleep, move away', [(a) => a.sleep(), (a) => a.setPosition([0, 9])], ['end']],
+      ['sleep, remove', [(a) => a.sleep(), (a) => a.world!.removeRigidBody(a)], ['end']],
+      ['sleep, become static', [(a) => a.sleep(), (a) => a.setAsStatic()], ['end']],
+      [
+        'sleep, become kinematic, move',
+        [(a) => a.sleep(), (a) => a.setAsKinematic(), (a) => a.setVelocity([0, 1])],
+        ['progressA'],
+      ],
+    ];
+    for (const [name, program, expected] of programs) {
+      const { world, a, log } = overlapping('static');
+      steps(world, 1);
+      log.length = 0;
+      for (const act of program) {
+        act(a);
+      }
+      steps(world, 1);
+      expect(log, name).toEqual(expected);
+    }
+  });
+
+  it('a body put to sleep beside an awake one is woken with an event; beside a sensor it is not', () => {
+    for (const sensor of [false, true]) {
+      const { world, a, b } = overlapping('dynamic', disc(0.5, { sensor }));
+      const wake = vi.fn();
+      b.addEventListener('wake', wake);
+      a.setVelocity([0, 0.1]);
+      steps(world, 1);
+      b.sleep();
+      steps(world, 1);
+      expect(b.sleeping).toBe(sensor);
+      expect(wake).toHaveBeenCalledTimes(sensor ? 0 : 1);
+    }
+  });
+
+  it('sleep() in a preSolve handler leaves one event per step', () => {
+    const world = heavy();
+    const floor = addFloor(world);
+    const body = boxBody(1, 1);
+    add(world, body);
+    const perStep: string[][] = [];
+    for (const type of TYPES) {
+      floor.shapes[0]!.addEventListener(type, () => perStep.at(-1)!.push(type));
+    }
+    body.shapes[0]!.addEventListener('preSolve', () => {
+      if (world.timeStamp === 5) {
+        body.sleep();
+      }
+    });
+    for (let i = 1; i <= 8; i += 1) {
+      perStep.push([]);
+      steps(world, 1);
+    }
+    expect(perStep.flatMap((events) => (events.length > 1 ? [events] : []))).toEqual([]);
+  });
+
+  it('the world cleared while a last progress is due does not spoil later pairs', () => {
+    const { world, a } = overlapping('static');
+    steps(world, 1);
+    a.sleep();
+    world.removeRigidBody(a);
+    world.clear();
+    steps(world, 3);
+    const shape = disc(0.5, { sensor: true });
+    const c = plainBody({ shapes: [shape] });
+    const log = listen(shape);
+    add(world, plainBody({ type: 'static' }), c);
+    steps(world, 1);
+    c.sleep();
+    steps(world, 2);
+    expect(log).toEqual(['beginA', 'progressS']);
+  });
+});
+
+describe('kinematic bodies', () => {
+  it('a begin tells of an active arbiter, also to a sensor that stands still', () => {
+    for (const moves of [true, false]) {
+      const world = weightless();
+      const zone = plainBody({ type: 'kinematic', shapes: [disc(0.5, { sensor: true })] });
+      const log = listen(zone.shapes[0]!);
+      zone.setVelocity(moves ? [0.1, 0] : [0, 0]);
+      add(world, plainBody({ type: 'static', position: [0.9, 0] }), zone);
+      steps(world, 1);
+      expect(log).toEqual(['beginA']);
+    }
+  });
+
+  it('progress ends with one that tells of sleep, and comes again with motion', () => {
+    const world = weightless();
+    const zone = plainBody({ type: 'kinematic', velocity: [0.1, 0], shapes: [disc(0.5, { sensor: true })] });
+    const log = listen(zone.shapes[0]!);
+    add(world, plainBody({ type: 'static', position: [0.9, 0] }), zone);
+    steps(world, 2);
+    zone.setVelocity([0, 0]);
+    steps(world, 5);
+    expect(log.filter((event) => event.includes('S'))).toEqual(['progressS']);
+    const { length } = log;
+    expect(length).toBeLessThanOrEqual(4);
+    zone.setVelocity([0.1, 0]);
+    steps(world, 2);
+    expect(log.slice(length)).toEqual(['progressA', 'progressA']);
+  });
+
+  it('one that is put into a body pushes it out, whenever it comes', () => {
+    for (let before = 58; before < 66; before += 1) {
+      const world = weightless();
+      const body = plainBody();
+      const door = plainBody({ type: 'kinematic', position: [5, 0] });
+      add(world, body, door);
+      steps(world, before);
+      door.setPosition([0.6, 0]);
+      steps(world, 100);
+      expect(body.getPosition()[0], `after ${before} steps`).toBeLessThan(-0.38);
+    }
+  });
+
+  it('stay awake where nothing may sleep', () => {
+    const world = weightless({ allowSleeping: false });
+    const body = plainBody({ type: 'kinematic' });
+    add(world, body);
+    steps(world, 3);
+    expect(body.sleeping).toBe(false);
+  });
+});
+
+describe('falling asleep', () => {
+  it('in the step in which another body arrives loses no momentum', () => {
+    for (let before = 58; before < 66; before += 1) {
+      for (const gap of [0.003, 0.015, 0.03]) {
+        const world = weightless();
+        const still = plainBody();
+        const ball = plainBody({ position: [1 + gap, 0], velocity: [-1, 0] });
+        add(world, still);
+        steps(world, before);
+        add(world, ball);
+        steps(world, 5);
+        const [moved, left] = [still.getVelocity()[0], ball.getVelocity()[0]];
+        expect(moved + left, `gap ${gap} after ${before} steps`).toBeCloseTo(-1, 9);
+        expect(moved).toBeCloseTo(-0.5, 9);
+      }
+    }
+  });
+});
+
+describe('waking', () => {
+  it('no wake event for a body that is removed, or asleep again, before the step', () => {
+    for (const undo of [
+      (body: RigidBody) => body.world!.removeRigidBody(body),
+      (body: RigidBody) => body.sleep(),
+      (body: RigidBody) => body.setAsStatic(),
+      (body: RigidBody) => body.setAsKinematic(),
+    ]) {
+      const world = weightless();
+      const other = weightless();
+      const body = plainBody();
+      const wake = vi.fn();
+      body.addEventListener('wake', wake);
+      add(world, body);
+      steps(world, 70);
+      body.setForce([1e-9, 0]);
+      undo(body);
+      steps(world, 2);
+      if (body.world === null) {
+        add(other, body);
+        steps(other, 2);
+      }
+      expect(wake, String(undo)).not.toHaveBeenCalled();
+    }
+  });
+
+  it('is silent for the body only, not for the rest of its stack', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [0, 1, 2].map((i) => boxBody(1, 1, { position: [0, -i] }));
+    const log: string[] = [];
+    bodies.forEach((body, i) => {
+      body.addEventListener('wake', () => log.push(`wake ${i}`));
+    });
+    add(world, ...bodies);
+    const shape = bodies[1]!.shapes[0]!;
+    const handler = () => {};
+    const calls: [() => unknown, string[]][] = [
+      [() => bodies[1]!.wake(), ['wake 0', 'wake 2']],
+      [() => shape.addEventListener('end', handler), ['wake 0', 'wake 2']],
+      [() => shape.removeEventListener('end', handler), ['wake 0', 'wake 2']],
+      [() => shape.arbiters[0]!.setElasticity(0), ['wake 2']],
+      [() => shape.removeEventListener('end', handler), []],
+      [() => shape.setMask(0xffffffff), ['wake 0', 'wake 1', 'wake 2']],
+    ];
+    for (const [call, expected] of calls) {
+      for (let i = 0; i < 300 && !bodies.every((body) => body.sleeping); i += 1) {
+        steps(world, 1);
+      }
+      expect(bodies.map((body) => body.sleeping)).toEqual([true, true, true]);
+      log.length = 0;
+      call();
+      steps(world, 1);
+      expect(log, String(call)).toEqual(expected);
+    }
+  });
+
+  it('in a callback of a custom constraint keeps velocities and lists', () => {
+    const world = weightless();
+    const sleeper = plainBody({ velocity: [0, -2] });
+    const busy = plainBody({ position: [5, 0] });
+    const calls: (() => void)[] = [];
+    add(
+      world,
+      plainBody({ type: 'static', position: [0, 0.99], shapes: [disc(0.5, { sensor: true })] }),
+      sleeper,
+      busy,
+    );
+    tie(world, phys2D.createCustomConstraint({ dimension: 1, bodies: [busy], jacobian: () => calls.pop()?.() }));
+    sleeper.setVelocity([0, 0]);
+    steps(world, 1);
+    sleeper.setVelocity([0, -2]);
+    sleeper.sleep();
+    busy.setVelocity([1, 0]);
+    steps(world, 1);
+    calls.push(() => sleeper.wake());
+    steps(world, 1);
+    expect(calls).toEqual([]);
+    expect([sleeper.sleeping, sleeper.getVelocity()]).toEqual([false, [0, -2]]);
+    expect(world.staticArbiters).toEqual(sleeper.shapes[0]!.arbiters);
+    steps(world, 1);
+    expect(sleeper.getPosition()[1]).toBeCloseTo(-2 / 60, 9);
+  });
+});
