@@ -120,7 +120,8 @@ export class Pairs {
   /** At the start of a step: frees what was cut before the last one. */
   recycle(): void {
     const free = this.cutBefore;
-    for (const pair of free) {
+    for (let i = 0; i < free.length; i += 1) {
+      const pair = free[i]!;
       if (pair.awake) {
         this.cut.push(pair);
       } else {

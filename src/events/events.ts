@@ -99,6 +99,9 @@ export class EventQueue {
 
   /** Notes the `wake` events of what woke since the last call. */
   noteWoken(world: World): void {
+    if (this.woken.length === 0) {
+      return;
+    }
     for (const object of this.woken) {
       if (object.woken && object.owner === world) {
         object.woken = false;
@@ -123,21 +126,27 @@ export class EventQueue {
     const lists = this.lists;
     this.lists = this.handed;
     this.handed = lists;
-    this.struck.forEach((arbiter, i) => {
-      this.hits[i]!.read(arbiter);
-    });
-    this.struck.length = 0;
-    for (const list of lists) {
-      list.sort();
-      for (let i = 0; i < list.count; i += 1) {
-        const note = list.all[i]!;
-        this.hand(list, note, false);
-        if (note.other !== null) {
-          this.hand(list, note, true);
-        }
-      }
-      list.clear();
+    for (let i = 0; i < this.struck.length; i += 1) {
+      this.hits[i]!.read(this.struck[i]!);
     }
+    this.struck.length = 0;
+    for (let i = 0; i < lists.length; i += 1) {
+      if (lists[i]!.count > 0) {
+        this.handOut(lists[i]!);
+      }
+    }
+  }
+
+  private handOut(list: Notes): void {
+    list.sort();
+    for (let i = 0; i < list.count; i += 1) {
+      const note = list.all[i]!;
+      this.hand(list, note, false);
+      if (note.other !== null) {
+        this.hand(list, note, true);
+      }
+    }
+    list.clear();
   }
 
   /**

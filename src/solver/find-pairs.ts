@@ -220,9 +220,9 @@ function part(world: World, pair: Arbiter): void {
 
 function wakeHit(world: World): void {
   const hit = world.hit;
-  for (const body of hit) {
-    if (body.asleep) {
-      wakeBody(world, body, false);
+  for (let i = 0; i < hit.length; i += 1) {
+    if (hit[i]!.asleep) {
+      wakeBody(world, hit[i]!, false);
     }
   }
   hit.length = 0;

@@ -13,14 +13,16 @@ import { joinLists } from './sleep.js';
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {
   const data = world.solver;
-  for (const body of world.liveDynamics) {
-    storeBody(data, body);
-  }
-  for (const body of world.liveKinematics) {
-    storeBody(data, body);
-  }
+  storeBodies(data, world.liveDynamics);
+  storeBodies(data, world.liveKinematics);
   storeContacts(world, data, data.two);
   storeContacts(world, data, data.one);
+}
+
+function storeBodies(data: SolverData, bodies: readonly RigidBody[]): void {
+  for (let i = 0; i < bodies.length; i += 1) {
+    storeBody(data, bodies[i]!);
+  }
 }
 
 /** A body that a callback woke while the step was being solved has no slot: it joins in the next. */
