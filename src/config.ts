@@ -109,6 +109,15 @@ export const SLEEP_SPEED_SQUARED = 0.0006;
 /** (m/s)². At rest: squared speed of the rim, (ω·R)², and of the last turn over dt². */
 export const SLEEP_RIM_SPEED_SQUARED = 0.001;
 
+/** m. Points this far beyond an edge of a polygon count as inside. */
+export const POLYGON_POINT_TOLERANCE = 1e-6;
+
+/** m². Squared distances this much larger than the squared radius count as inside a circle. */
+export const CIRCLE_POINT_TOLERANCE = 1e-12;
+
+/** m. A swept shape has hit something when the gap is no larger; near rounding, as each step towards it gains many digits. */
+export const CAST_TOLERANCE = 1e-9;
+
 /** m. Vertices closer than this are one point. */
 export const VERTEX_TOLERANCE = 1e-9;
 

@@ -3,6 +3,7 @@ import type { RigidBodyParams } from './body-params.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { SweepAndPrune } from './broadphase/sweep-and-prune.js';
+import { CollisionUtils } from './collide/utils.js';
 import { AngleConstraint, type AngleConstraintParams } from './constraint/angle.js';
 import { CustomConstraint, type CustomConstraintParams } from './constraint/custom.js';
 import { DistanceConstraint, type DistanceConstraintParams } from './constraint/distance.js';
@@ -66,6 +67,11 @@ export class Physics2DDevice {
 
   createPolygonShape(params: PolygonParams): Polygon {
     return new Polygon(params);
+  }
+
+  /** Distances, intersections, rays and sweeps of shapes, without a world. */
+  createCollisionUtils(): CollisionUtils {
+    return new CollisionUtils();
   }
 
   /** Two points of two bodies coincide. */

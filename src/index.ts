@@ -6,6 +6,7 @@ export { BoxTree, BoxTreeNode } from './broadphase/box-tree.js';
 export { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 export type { Broadphase, BroadphaseHandle } from './broadphase/broadphase.js';
 export { SweepAndPrune } from './broadphase/sweep-and-prune.js';
+export { CollisionUtils } from './collide/utils.js';
 export type { AngleConstraintParams } from './constraint/angle.js';
 export { AngleConstraint } from './constraint/angle.js';
 export type { ConstraintEventType, ConstraintHandler, ConstraintType } from './constraint/constraint.js';
@@ -35,6 +36,7 @@ export { createBoxVertices, createRectangleVertices, createRegularPolygonVertice
 export type { MaterialParams } from './material.js';
 export { Material } from './material.js';
 export type { Matrix23Like, NumberSink, Ray, Rect, RectLike, Vec2, Vec2Like, Vec3, Vec3Like } from './math/vectors.js';
+export type { CastResult } from './query/casts.js';
 export type { CircleParams } from './shape/circle.js';
 export { Circle } from './shape/circle.js';
 export type { PolygonParams } from './shape/polygon.js';

@@ -5,6 +5,8 @@
  * Wrong kind of thing: `TypeError`. Right kind, value out of range: `RangeError`.
  */
 
+import type { Ray } from './math/vectors.js';
+
 /** A value as it appears in a message: short, and never throwing, whatever it is. */
 function show(value: unknown): string {
   if (typeof value === 'string') {
@@ -135,6 +137,32 @@ export function vector(where: string, name: string, value: unknown, count: numbe
     finite(where, `${name}[${i}]`, list[i]);
   }
   return list;
+}
+
+/** `count` numbers, which may be infinite, at the indices 0 … count − 1. */
+export function numbers(where: string, name: string, value: unknown, count: number): void {
+  const list = value as ArrayLike<number> | null | undefined;
+  if (typeof list !== 'object' || list === null || !(list.length >= count)) {
+    throw typeError(where, name, `${count} numbers`, value);
+  }
+  for (let i = 0; i < count; i += 1) {
+    notNaN(where, `${name}[${i}]`, list[i]);
+  }
+}
+
+/** A ray: a finite origin, a finite direction that is not zero, and how far it goes, which may be `Infinity`. */
+export function checkedRay(where: string, ray: unknown): Ray {
+  if (typeof ray !== 'object' || ray === null) {
+    throw typeError(where, 'ray', 'a ray { origin, direction, maxFactor }', ray);
+  }
+  const { origin, direction, maxFactor } = ray as Ray;
+  vector(where, 'ray.origin', origin, 2);
+  vector(where, 'ray.direction', direction, 2);
+  if (direction[0] === 0 && direction[1] === 0) {
+    throw rangeError(where, 'ray.direction', 'other than [0, 0]', direction);
+  }
+  nonNegativeOrInfinite(where, 'ray.maxFactor', maxFactor);
+  return ray as Ray;
 }
 
 /** A destination for numbers: anything with writable indices. */

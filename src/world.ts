@@ -2,14 +2,27 @@ import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
-import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
-import type { Shape } from './shape/shape.js';
+import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { type CastResult, castRay, castRayThrough, castShape } from './query/casts.js';
+import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapesMeeting } from './query/queries.js';
+import { Shape } from './shape/shape.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
-import { instance, positive, vector } from './validate.js';
+import {
+  boolean,
+  callable,
+  checkedRay,
+  instance,
+  numbers,
+  positive,
+  positiveOrInfinite,
+  sink,
+  typeError,
+  vector,
+} from './validate.js';
 import { type WorldParams, WorldState } from './world-state.js';
 
 /**
@@ -184,6 +197,115 @@ export class World extends WorldState {
     this.events.clear();
   }
 
+  /** The shapes that contain a point, written to the start of `store`; boundaries count. @returns how many. */
+  shapePointQuery(point: Vec2Like, store: Shape[]): number {
+    return put(this.atPoint('World.shapePointQuery', point, store), store);
+  }
+
+  /** The bodies with a shape that contains a point; as `shapePointQuery`. */
+  bodyPointQuery(point: Vec2Like, store: RigidBody[]): number {
+    return put(bodiesOf(this.atPoint('World.bodyPointQuery', point, store)), store);
+  }
+
+  /** The shapes that a disc meets, written to the start of `store`; touching counts. `radius` > 0, may be `Infinity`. @returns how many. */
+  shapeCircleQuery(center: Vec2Like, radius: number, store: Shape[]): number {
+    return put(this.inCircle('World.shapeCircleQuery', center, radius, store), store);
+  }
+
+  /** The bodies that a disc meets; as `shapeCircleQuery`. */
+  bodyCircleQuery(center: Vec2Like, radius: number, store: RigidBody[]): number {
+    return put(bodiesOf(this.inCircle('World.bodyCircleQuery', center, radius, store)), store);
+  }
+
+  /**
+   * The shapes that an upright rectangle meets, written to the start of `store`; touching counts. Two opposite corners in any order, which may be
+   * infinite. @returns how many.
+   */
+  shapeRectangleQuery(rectangle: RectLike, store: Shape[]): number {
+    return put(this.inRectangle('World.shapeRectangleQuery', rectangle, store), store);
+  }
+
+  /** The bodies that a rectangle meets; as `shapeRectangleQuery`. */
+  bodyRectangleQuery(rectangle: RectLike, store: RigidBody[]): number {
+    return put(bodiesOf(this.inRectangle('World.bodyRectangleQuery', rectangle, store)), store);
+  }
+
+  /**
+   * The shapes of other bodies that a shape meets where its body is now, in this world or not, written to the start of `store`; touching counts.
+   *
+   * @returns how many.
+   */
+  shapeQuery(shape: Shape, store: Shape[]): number {
+    const where = 'World.shapeQuery';
+    shapeOfBody(where, shape);
+    sink(where, 'store', store);
+    return put(shapesMeeting(this, shape), store);
+  }
+
+  /**
+   * The nearest surface that a ray meets at a factor below `ray.maxFactor`, or `null`. A ray that starts inside a shape meets it where it leaves it,
+   * unless `ignoreInnerSurfaces`. `callback` is asked about each hit that is nearer than those before, by an object that is used again; if it
+   * returns `false` the shape is left out. It must not change the world.
+   */
+  rayCast(
+    ray: Ray,
+    ignoreInnerSurfaces: boolean = false,
+    callback?: (ray: Ray, temporaryResult: CastResult) => boolean,
+    thisObject?: unknown,
+  ): CastResult | null {
+    const where = 'World.rayCast';
+    checkedRay(where, ray);
+    boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
+    const accept = optionalCallable(where, callback);
+    return castRay(this, ray, ignoreInnerSurfaces, accept && ((found) => accept.call(thisObject, ray, found)));
+  }
+
+  /** Every shape that a ray meets, as `rayCast` would, nearest first, written to the start of `store`. @returns how many. */
+  rayCastAll(ray: Ray, ignoreInnerSurfaces: boolean, store: CastResult[]): number {
+    const where = 'World.rayCastAll';
+    checkedRay(where, ray);
+    boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
+    sink(where, 'store', store);
+    return put(castRayThrough(this, ray, ignoreInnerSurfaces), store);
+  }
+
+  /**
+   * Sweeps a shape with its body's velocities for `deltaTime` seconds (> 0) against everything else in the world, which stands still: the first hit, or
+   * `null`. What touches at the start, and other shapes of the body, are left out; the body may be in any world or none, and stays as it
+   * is. `factor` is the time of the hit, s; `callback` as in `rayCast`.
+   */
+  convexCast(
+    shape: Shape,
+    deltaTime: number,
+    callback?: (shape: Shape, temporaryResult: CastResult) => boolean,
+    thisObject?: unknown,
+  ): CastResult | null {
+    const where = 'World.convexCast';
+    shapeOfBody(where, shape);
+    positive(where, 'deltaTime', deltaTime);
+    const accept = optionalCallable(where, callback);
+    return castShape(this, shape, deltaTime, accept && ((found) => accept.call(thisObject, shape, found)));
+  }
+
+  private atPoint(where: string, point: Vec2Like, store: unknown): Shape[] {
+    vector(where, 'point', point, 2);
+    sink(where, 'store', store);
+    return shapesAtPoint(this, point);
+  }
+
+  private inCircle(where: string, center: Vec2Like, radius: number, store: unknown): Shape[] {
+    vector(where, 'center', center, 2);
+    positiveOrInfinite(where, 'radius', radius);
+    sink(where, 'store', store);
+    return shapesInCircle(this, center, radius);
+  }
+
+  private inRectangle(where: string, rectangle: RectLike, store: unknown): Shape[] {
+    numbers(where, 'rectangle', rectangle, 4);
+    sink(where, 'store', store);
+    return shapesInRectangle(this, rectangle);
+  }
+
   /** @internal */
   wakeBody(body: RigidBody, silent: boolean): void {
     wakeBody(this, body, silent);
@@ -270,6 +392,20 @@ export class World extends WorldState {
       }
     }
   }
+}
+
+function shapeOfBody(where: string, shape: Shape): void {
+  if (instance(where, 'shape', shape, Shape, 'a Shape').owner === null) {
+    throw typeError(where, 'shape', 'a shape of a body', shape);
+  }
+}
+
+function optionalCallable<T>(where: string, callback: T | undefined): T | null {
+  if (callback === undefined) {
+    return null;
+  }
+  callable(where, 'callback', callback);
+  return callback;
 }
 
 /** Resets what a body had from its world. */

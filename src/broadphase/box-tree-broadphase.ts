@@ -1,4 +1,4 @@
-import type { RectLike } from '../math/vectors.js';
+import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
 import { PackedTree } from './packed-tree.js';
 
@@ -166,6 +166,10 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     } finally {
       this.depth -= 1;
     }
+  }
+
+  castRay(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void {
+    this.still.cast(origin, direction, this.moving.cast(origin, direction, limit, visit), visit);
   }
 
   /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */

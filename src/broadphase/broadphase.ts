@@ -1,4 +1,4 @@
-import type { RectLike } from '../math/vectors.js';
+import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { rangeError, typeError } from '../validate.js';
 
 /** A thing in a broadphase. */
@@ -38,6 +38,12 @@ export interface Broadphase<T = unknown> {
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject?: unknown,
   ): void;
+
+  /**
+   * Not needed, but makes ray casts fast: visits each handle whose bounds the ray origin + direction · f, 0 ≤ f ≤ `limit`, may meet, nearer ones
+   * as early as is cheap. `visit` returns up to where the ray matters from then on.
+   */
+  castRay?(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
 }
 
 /** Whether four numbers are a rectangle; false for NaN. */

@@ -95,6 +95,49 @@ export class PackedTree<T> {
     return found;
   }
 
+  /**
+   * Visits what the leaves hold whose boxes the ray o + d · f, 0 ≤ f ≤ limit, meets; of two subtrees the one that lies nearer along the ray comes
+   * first. `visit` returns the new limit, which is returned in the end.
+   */
+  cast(origin: ArrayLike<number>, direction: ArrayLike<number>, limit: number, visit: (item: T) => number): number {
+    const ox = origin[0]!;
+    const oy = origin[1]!;
+    const dx = direction[0]!;
+    const dy = direction[1]!;
+    const ix = inverse(dx);
+    const iy = inverse(dy);
+    const { boxes, left, right } = this;
+    const stack = this.root === NONE ? [] : [this.root];
+    let end = limit;
+    for (let node = stack.pop(); node !== undefined; node = stack.pop()) {
+      const at = BOX * node;
+      const x1 = (boxes[at]! - ox) * ix;
+      const x2 = (boxes[at + 2]! - ox) * ix;
+      const y1 = (boxes[at + 1]! - oy) * iy;
+      const y2 = (boxes[at + 3]! - oy) * iy;
+      const enter = Math.max(0, Math.min(x1, x2), Math.min(y1, y2));
+      if (enter > Math.min(end, Math.max(x1, x2), Math.max(y1, y2))) {
+        continue;
+      }
+      if (left[node] === NONE) {
+        end = visit(this.items[node]!);
+        continue;
+      }
+      const a = left[node]!;
+      const b = right[node]!;
+      const i = BOX * a;
+      const j = BOX * b;
+      const x = boxes[i]! + boxes[i + 2]! - boxes[j]! - boxes[j + 2]!;
+      const y = boxes[i + 1]! + boxes[i + 3]! - boxes[j + 1]! - boxes[j + 3]!;
+      if (x * dx + y * dy > 0) {
+        stack.push(a, b);
+      } else {
+        stack.push(b, a);
+      }
+    }
+    return end;
+  }
+
   /** Copies the box of a node to `box`, and returns that. */
   boxOf(node: number, box: Float64Array = new Float64Array(BOX)): Float64Array {
     const { boxes } = this;
@@ -310,4 +353,10 @@ export class PackedTree<T> {
     boxes[at + 3] = Math.max(boxes[i + 3]!, boxes[j + 3]!);
     level[node] = 1 + Math.max(level[a]!, level[b]!);
   }
+}
+
+/** 1 / d, but never infinite: a box side that a parallel ray starts on is then reached at 0, not at NaN. */
+function inverse(d: number): number {
+  const most = 1e300;
+  return d === 0 ? most : Math.max(-most, Math.min(most, 1 / d));
 }

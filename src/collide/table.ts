@@ -9,7 +9,8 @@ import { collidePolygons, polygonsIntersect } from './polygons.js';
 type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, m: Manifold) => void;
 
 const KINDS = 2;
-const POLYGON = 1;
+/** `kind` of polygons. */
+export const POLYGON = 1;
 
 /** Which kernel serves which pair, at `kindOfA · KINDS + kindOfB`. */
 const KERNELS: readonly [

@@ -58,8 +58,8 @@ export class Contact {
 const end = { x: 0.5, y: 0.5, penetration: 0.5 };
 
 /**
- * Follows a point of the manifold through the motion of the last step. Worked out when asked for, from what the bodies remember of that
- * motion, because most contacts are never asked; inside a step the bodies have not moved yet.
+ * Follows a point of the manifold from the placements that it was found for to those of now. Worked out when asked for, because most
+ * contacts are never asked.
  */
 function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
   const n = arbiter.manifold.numbers;
@@ -68,16 +68,10 @@ function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
   const x = n[g.X0 + g.POINT * which]!;
   const y = n[g.Y0 + g.POINT * which]!;
   const separation = n[g.S0 + g.POINT * which]!;
-  if (arbiter.sleeping || a.owner?.stepping || b.owner?.stepping) {
-    end.x = a.x + x;
-    end.y = a.y + y;
-    end.penetration = -separation;
-    return;
-  }
-  const cA = cos(a.lastTurn);
-  const sA = sin(a.lastTurn);
-  const cB = cos(b.lastTurn);
-  const sB = sin(b.lastTurn);
+  const cA = cos(a.angle - n[g.ANGLE_A]!);
+  const sA = sin(a.angle - n[g.ANGLE_A]!);
+  const cB = cos(b.angle - n[g.ANGLE_B]!);
+  const sB = sin(b.angle - n[g.ANGLE_B]!);
   const halfX = 0.5 * separation * n[g.NX]!;
   const halfY = 0.5 * separation * n[g.NY]!;
   const ax = x - halfX;

@@ -24,6 +24,15 @@ export class Outline {
     this.corners[1] = y;
   }
 
+  /** An upright rectangle, which may have no width or height. */
+  setRectangle(minX: number, minY: number, maxX: number, maxY: number): void {
+    this.count = 4;
+    this.edges = 4;
+    this.radius = 0;
+    this.corners.set([minX, minY, 0, -1, maxX, minY, 1, 0, maxX, maxY, 0, 1, minX, maxY, -1, 0]);
+    this.offsets.set([-minY, maxX, maxY, -minX]);
+  }
+
   /** Corners, normals and offsets of a polygon in its own coordinates, whose origin is put at `(x, y)`, turned by an angle. */
   setPolygon(local: Float64Array, offsets: Float64Array, x: number, y: number, cos: number, sin: number): void {
     const count = offsets.length;

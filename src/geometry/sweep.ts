@@ -1,5 +1,5 @@
 import { cosSin } from '../math/trig.js';
-import { type Distance, measureDistance } from './distance.js';
+import { Distance, measureDistance } from './distance.js';
 import { EDGE_STRIDE } from './layout.js';
 import { Outline } from './outline.js';
 
@@ -13,6 +13,7 @@ export interface Swept {
 
 /** A shape on its way: where its origin is at time 0, and at what rates it moves and turns. */
 export class Travel {
+  shape: Swept | null = null;
   readonly outline = new Outline();
   /** Of the origin, at time 0. */
   x = 0;
@@ -26,12 +27,12 @@ export class Travel {
   atY = 0;
 
   /** Brings the outline to where it is at time t. */
-  place(shape: Swept, t: number): void {
+  place(t: number): void {
     turned[0] = this.angle + this.w * t;
     cosSin(turned);
     this.atX = this.x + this.vx * t;
     this.atY = this.y + this.vy * t;
-    shape.outline(this.outline, this.atX, this.atY, turned[1]!, turned[2]!);
+    this.shape!.outline(this.outline, this.atX, this.atY, turned[1]!, turned[2]!);
   }
 
   /** Largest distance of a corner from the origin. */
@@ -45,6 +46,13 @@ export class Travel {
     }
     return Math.sqrt(squared);
   }
+}
+
+/** Two shapes on their ways, and how they lie to each other at the time last looked at. */
+export class Sweep {
+  readonly a = new Travel();
+  readonly b = new Travel();
+  readonly distance = new Distance();
 }
 
 /** A bound on the farthest corner along an axis in a while, and its rate: scratch. */
@@ -102,25 +110,18 @@ function safeTime(a: Travel, b: Travel, distance: Distance, target: number, most
 const MAX_ITERATIONS = 1000;
 
 /**
- * The first time at which two travelling shapes are no farther apart than `target` (negative: overlap by that much), or −1 if that does not come
- * before `most`. Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive 3D Environments, 2003), with steps
- * by a bound of second order for the axis of the signed distance, so that it closes in on an impact quadratically however fast the shapes
- * turn. Leaves outlines and distance as they are at that time.
+ * The first time from `from` on at which two travelling shapes are no farther apart than `target` (negative: overlap by that much) and
+ * `tolerance`, or −1 if that does not come before `most`. Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive
+ * 3D Environments, 2003), with steps by a bound of second order for the axis of the signed distance, so that it closes in on an impact
+ * quadratically however fast the shapes turn. Leaves the sweep as it is at that time.
  */
-export function timeOfImpact(
-  a: Travel,
-  b: Travel,
-  shapes: readonly [Swept, Swept],
-  distance: Distance,
-  target: number,
-  tolerance: number,
-  most: number,
-): number {
-  let t = 0;
+export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, from: number, most: number): number {
+  const { a, b, distance } = sweep;
+  let t = from;
   let curvature = -1;
   for (let i = 0; i < MAX_ITERATIONS; i += 1) {
-    a.place(shapes[0], t);
-    b.place(shapes[1], t);
+    a.place(t);
+    b.place(t);
     measureDistance(a.outline, b.outline, distance);
     if (distance.value <= target + tolerance) {
       return t;

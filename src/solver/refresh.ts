@@ -14,8 +14,21 @@ export function widened(shape: Shape): Float64Array {
   return bounds;
 }
 
-/** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped; notes what woke. */
+/** The beginning of a step: everything is where it is, and what woke since the last one is told. */
 export function refreshMoved(world: World): void {
+  refreshBodies(world);
+  world.events.noteWoken(world);
+}
+
+/** For queries: within a step placements are those that it began with. */
+export function refreshPlaces(world: World): void {
+  if (!world.stepping) {
+    refreshBodies(world);
+  }
+}
+
+/** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped. */
+function refreshBodies(world: World): void {
   const { stale, broadphase } = world;
   for (let i = 0; i < world.staleCount; i += 1) {
     const body = stale[i]!;
@@ -29,5 +42,4 @@ export function refreshMoved(world: World): void {
     }
   }
   world.staleCount = 0;
-  world.events.noteWoken(world);
 }

@@ -1,0 +1,24 @@
+import { CIRCLE_POINT_TOLERANCE, POLYGON_POINT_TOLERANCE } from '../config.js';
+import { EDGE_STRIDE } from '../geometry/layout.js';
+import type { Circle } from '../shape/circle.js';
+import type { Polygon } from '../shape/polygon.js';
+import type { Shape } from '../shape/shape.js';
+import { POLYGON } from './table.js';
+
+/** Whether a placed shape contains a point, given relative to the origin of its body; the boundary counts. */
+export function containsPoint(shape: Shape, x: number, y: number): boolean {
+  if (shape.kind !== POLYGON) {
+    const { centreX, centreY, radius } = shape as Circle;
+    const dx = x - centreX;
+    const dy = y - centreY;
+    return dx * dx + dy * dy - radius * radius <= CIRCLE_POINT_TOLERANCE;
+  }
+  const { edges, offsets } = shape as Polygon;
+  for (let i = 0; i < offsets.length; i += 1) {
+    const height = edges[EDGE_STRIDE * i + 2]! * x + edges[EDGE_STRIDE * i + 3]! * y - offsets[i]!;
+    if (height > POLYGON_POINT_TOLERANCE) {
+      return false;
+    }
+  }
+  return true;
+}

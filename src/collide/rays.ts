@@ -1,0 +1,90 @@
+import { EDGE_STRIDE } from '../geometry/layout.js';
+import type { Circle } from '../shape/circle.js';
+import type { Polygon } from '../shape/polygon.js';
+import type { Shape } from '../shape/shape.js';
+import { POLYGON } from './table.js';
+
+/** A ray o + d · f, 0 ≤ f < `most`, relative to the origin of a body, and where it met a shape of that body. */
+export class RayTest {
+  ox = 0;
+  oy = 0;
+  dx = 1;
+  dy = 0;
+  most = Infinity;
+  /** A ray that starts inside a shape does not see it. */
+  outerOnly = false;
+  /** Where it met the surface, and the unit normal there, which faces against the ray. */
+  factor = 0;
+  nx = 0;
+  ny = 0;
+}
+
+/** Whether a ray meets the surface of a placed shape; convex, so that it does so from outside or, if it starts inside, from there. */
+export function rayShape(shape: Shape, ray: RayTest): boolean {
+  return shape.kind === POLYGON ? rayPolygon(shape as Polygon, ray) : rayCircle(shape as Circle, ray);
+}
+
+/** Clips the ray to the half-planes of the edges: it is inside from the last one that it enters to the first that it leaves (Cyrus & Beck 1978). */
+function rayPolygon({ edges, offsets }: Polygon, ray: RayTest): boolean {
+  const { ox, oy, dx, dy } = ray;
+  let enter = -Infinity;
+  let leave = Infinity;
+  let entered = 0;
+  let left = 0;
+  for (let i = 0; i < offsets.length; i += 1) {
+    const nx = edges[EDGE_STRIDE * i + 2]!;
+    const ny = edges[EDGE_STRIDE * i + 3]!;
+    const height = nx * ox + ny * oy - offsets[i]!;
+    const rate = nx * dx + ny * dy;
+    if (rate === 0) {
+      if (height > 0) {
+        return false;
+      }
+    } else if (rate < 0) {
+      if (-height / rate > enter) {
+        enter = -height / rate;
+        entered = i;
+      }
+    } else if (-height / rate < leave) {
+      leave = -height / rate;
+      left = i;
+    }
+  }
+  if (enter > leave) {
+    return false;
+  }
+  const outer = enter >= 0;
+  const edge = EDGE_STRIDE * (outer ? entered : left);
+  const side = outer ? 1 : -1;
+  return accept(ray, outer, outer ? enter : leave, side * edges[edge + 2]!, side * edges[edge + 3]!);
+}
+
+/** The ray is nearest to the centre at `middle`; the surface lies as far before and behind that as the chord is long. */
+function rayCircle({ centreX, centreY, radius }: Circle, ray: RayTest): boolean {
+  const { dx, dy } = ray;
+  const px = ray.ox - centreX;
+  const py = ray.oy - centreY;
+  const squared = dx * dx + dy * dy;
+  const middle = -(px * dx + py * dy) / squared;
+  const qx = px + dx * middle;
+  const qy = py + dy * middle;
+  const chord = radius * radius - (qx * qx + qy * qy);
+  if (chord < 0) {
+    return false;
+  }
+  const half = Math.sqrt(chord / squared);
+  const outer = middle - half >= 0;
+  const factor = outer ? middle - half : middle + half;
+  const side = outer ? 1 / radius : -1 / radius;
+  return accept(ray, outer, factor, side * (px + dx * factor), side * (py + dy * factor));
+}
+
+function accept(ray: RayTest, outer: boolean, factor: number, nx: number, ny: number): boolean {
+  if (!(factor >= 0 && factor < ray.most) || (!outer && ray.outerOnly)) {
+    return false;
+  }
+  ray.factor = factor;
+  ray.nx = nx;
+  ray.ny = ny;
+  return true;
+}

@@ -1,0 +1,146 @@
+import { CAST_TOLERANCE } from '../config.js';
+import { Distance, measureDistance } from '../geometry/distance.js';
+import { Outline } from '../geometry/outline.js';
+import { Sweep, timeOfImpact } from '../geometry/sweep.js';
+import type { NumberSink, Ray, Vec2Like } from '../math/vectors.js';
+import { Shape } from '../shape/shape.js';
+import { boolean, checkedRay, instance, positive, sink, typeError, vector } from '../validate.js';
+import { containsPoint } from './contains.js';
+import { RayTest, rayShape } from './rays.js';
+
+const outlineA = new Outline();
+const outlineB = new Outline();
+const distance = new Distance();
+const sweep = new Sweep();
+const ray = new RayTest();
+
+/**
+ * Geometry of shapes where their bodies are now, in a world or not. Every shape must have a body. Sensors, groups and masks play no part, and
+ * nothing is changed.
+ */
+export class CollisionUtils {
+  static readonly version = 1;
+
+  /** Whether a shape contains a world point; its boundary counts. */
+  containsPoint(shape: Shape, point: Vec2Like): boolean {
+    const where = 'CollisionUtils.containsPoint';
+    const { x, y } = placed(where, 'shape', shape);
+    vector(where, 'point', point, 2);
+    return containsPoint(shape, point[0]! - x, point[1]! - y);
+  }
+
+  /**
+   * The distance of two shapes, m; if they overlap, minus the least translation that separates them. Writes the points that it is between, and
+   * the unit axis from A to B: `witnessB = witnessA + axis · distance`.
+   */
+  signedDistance(shapeA: Shape, shapeB: Shape, witnessA: NumberSink, witnessB: NumberSink, axis: NumberSink): number {
+    const where = 'CollisionUtils.signedDistance';
+    const { x, y } = placed(where, 'shapeA', shapeA);
+    placed(where, 'shapeB', shapeB);
+    sink(where, 'witnessA', witnessA);
+    sink(where, 'witnessB', witnessB);
+    sink(where, 'axis', axis);
+    measure(shapeA, shapeB);
+    witnessA[0] = x + distance.ax;
+    witnessA[1] = y + distance.ay;
+    witnessB[0] = x + distance.bx;
+    witnessB[1] = y + distance.by;
+    axis[0] = distance.axisX + 0;
+    axis[1] = distance.axisY + 0;
+    return distance.value;
+  }
+
+  /** Whether two shapes intersect; touching counts. */
+  intersects(shapeA: Shape, shapeB: Shape): boolean {
+    const where = 'CollisionUtils.intersects';
+    placed(where, 'shapeA', shapeA);
+    placed(where, 'shapeB', shapeB);
+    measure(shapeA, shapeB);
+    return distance.value <= 0;
+  }
+
+  /**
+   * The factor at which a ray meets a shape, as `World.rayCast`, with the unit normal there written to `normal`; `undefined`, and nothing written,
+   * if it does not.
+   */
+  rayTest(shape: Shape, along: Ray, normal: NumberSink, ignoreInnerSurfaces: boolean = false): number | undefined {
+    const where = 'CollisionUtils.rayTest';
+    const { x, y } = placed(where, 'shape', shape);
+    const { origin, direction, maxFactor } = checkedRay(where, along);
+    sink(where, 'normal', normal);
+    boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
+    const scale = Math.max(Math.abs(direction[0]!), Math.abs(direction[1]!));
+    ray.ox = origin[0]! - x;
+    ray.oy = origin[1]! - y;
+    ray.dx = direction[0]! / scale;
+    ray.dy = direction[1]! / scale;
+    ray.most = maxFactor * scale;
+    ray.outerOnly = ignoreInnerSurfaces;
+    if (!rayShape(shape, ray)) {
+      return undefined;
+    }
+    normal[0] = ray.nx + 0;
+    normal[1] = ray.ny + 0;
+    return ray.factor / scale;
+  }
+
+  /**
+   * When two shapes that move with their bodies' velocities first touch, s; 0 if they do, `undefined` if not before `deltaTime` seconds (> 0). Writes
+   * the unit normal from A to B, and the point in the middle between the surfaces at that time.
+   */
+  sweepTest(
+    shapeA: Shape,
+    shapeB: Shape,
+    deltaTime: number,
+    point: NumberSink,
+    normal: NumberSink,
+  ): number | undefined {
+    const where = 'CollisionUtils.sweepTest';
+    const a = placed(where, 'shapeA', shapeA);
+    const b = placed(where, 'shapeB', shapeB);
+    positive(where, 'deltaTime', deltaTime);
+    sink(where, 'point', point);
+    sink(where, 'normal', normal);
+    for (const [travel, moving, body] of [
+      [sweep.a, shapeA, a],
+      [sweep.b, shapeB, b],
+    ] as const) {
+      travel.shape = moving;
+      travel.x = body.x - a.x;
+      travel.y = body.y - a.y;
+      travel.angle = body.angle;
+      travel.vx = body.vx;
+      travel.vy = body.vy;
+      travel.w = body.w;
+    }
+    const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, deltaTime);
+    const found = sweep.distance;
+    if (time < 0) {
+      return undefined;
+    }
+    point[0] = a.x + 0.5 * (found.ax + found.bx);
+    point[1] = a.y + 0.5 * (found.ay + found.by);
+    normal[0] = found.axisX + 0;
+    normal[1] = found.axisY + 0;
+    return time;
+  }
+}
+
+/** The body of a shape, with its shapes where it is. */
+function placed(where: string, name: string, shape: Shape) {
+  const body = instance(where, name, shape, Shape, 'a Shape').owner;
+  if (body === null) {
+    throw typeError(where, name, 'a shape of a body', shape);
+  }
+  body.place();
+  return body;
+}
+
+/** Fills in `distance`, relative to the origin of the first body. */
+function measure(shapeA: Shape, shapeB: Shape): void {
+  const a = shapeA.owner!;
+  const b = shapeB.owner!;
+  shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
+  shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
+  measureDistance(outlineA, outlineB, distance);
+}

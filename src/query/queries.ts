@@ -1,0 +1,91 @@
+import type { RigidBody } from '../body.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { containsPoint } from '../collide/contains.js';
+import { Distance, measureDistance } from '../geometry/distance.js';
+import { Outline } from '../geometry/outline.js';
+import type { RectLike, Vec2Like } from '../math/vectors.js';
+import type { Shape } from '../shape/shape.js';
+import { refreshPlaces } from '../solver/refresh.js';
+import type { World } from '../world.js';
+
+/** Scratch of one test; no user code runs within. */
+const own = new Outline();
+const other = new Outline();
+const distance = new Distance();
+
+/** All shapes whose bounds may meet `bounds`, at their present placement. */
+export function near(world: World, bounds: RectLike): Shape[] {
+  refreshPlaces(world);
+  const found: Shape[] = [];
+  world.broadphase.sample(bounds, (handle: BroadphaseHandle) => found.push(handle.data as Shape));
+  return found;
+}
+
+/** Writes what was found to the start of `store`. @returns how many. */
+export function put<T>(found: readonly T[], store: T[]): number {
+  found.forEach((item, i) => {
+    store[i] = item;
+  });
+  return found.length;
+}
+
+/** The bodies of shapes, each once. */
+export function bodiesOf(shapes: readonly Shape[]): RigidBody[] {
+  return [...new Set(shapes.map(({ owner }) => owner!))];
+}
+
+export function shapesAtPoint(world: World, point: Vec2Like): Shape[] {
+  const x = point[0]!;
+  const y = point[1]!;
+  return near(world, [x, y, x, y]).filter((shape) => containsPoint(shape, x - shape.owner!.x, y - shape.owner!.y));
+}
+
+export function shapesInCircle(world: World, center: Vec2Like, radius: number): Shape[] {
+  const x = center[0]!;
+  const y = center[1]!;
+  const found = near(world, [x - radius, y - radius, x + radius, y + radius]);
+  if (radius === Infinity) {
+    return found;
+  }
+  own.setCircle(0, 0, radius);
+  return found.filter((shape) => meets(shape, x, y));
+}
+
+export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
+  const bounds = [
+    Math.min(rectangle[0]!, rectangle[2]!),
+    Math.min(rectangle[1]!, rectangle[3]!),
+    Math.max(rectangle[0]!, rectangle[2]!),
+    Math.max(rectangle[1]!, rectangle[3]!),
+  ];
+  return near(world, bounds).filter((shape) => {
+    const { owner, bounds: around } = shape;
+    const { x, y } = owner!;
+    // Of a rectangle that may be infinite only what is near the shape counts.
+    const minX = Math.max(bounds[0]!, around[0]! - 1);
+    const minY = Math.max(bounds[1]!, around[1]! - 1);
+    const maxX = Math.min(bounds[2]!, around[2]! + 1);
+    const maxY = Math.min(bounds[3]!, around[3]! + 1);
+    if (minX > maxX || minY > maxY) {
+      return false;
+    }
+    own.setRectangle(minX - x, minY - y, maxX - x, maxY - y);
+    return meets(shape, x, y);
+  });
+}
+
+/** Shapes of other bodies that intersect a shape where its body is now. */
+export function shapesMeeting(world: World, shape: Shape): Shape[] {
+  const body = shape.owner!;
+  body.place();
+  shape.outline(own, 0, 0, body.cos, body.sin);
+  return near(world, shape.bounds).filter((found) => found.owner !== body && meets(found, body.x, body.y));
+}
+
+/** Whether a shape meets the outline in `own`, which is given relative to `(x, y)`; touching counts. */
+function meets(shape: Shape, x: number, y: number): boolean {
+  const body = shape.owner!;
+  shape.outline(other, body.x - x, body.y - y, body.cos, body.sin);
+  measureDistance(own, other, distance);
+  return distance.value <= 0;
+}
