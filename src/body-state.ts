@@ -89,6 +89,8 @@ export abstract class BodyState {
   liveIndex = -1;
   /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
   slot = 0;
+  /** @internal index among the movers of a step, −1 if it is none */
+  mover = -1;
   /** @internal those it fell asleep with */
   island: Island | null = null;
   /** @internal how many enabled constraints in a world keep it from interacting with other bodies */

@@ -118,6 +118,21 @@ export const CIRCLE_POINT_TOLERANCE = 1e-12;
 /** m. A swept shape has hit something when the gap is no larger; near rounding, as each step towards it gains many digits. */
 export const CAST_TOLERANCE = 1e-9;
 
+/** m. Shapes that are swept have met when the gap to the depth wanted is no larger. */
+export const SWEEP_TOLERANCE = 1e-6;
+
+/**
+ * m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that
+ * the joints of a tiled floor stop nothing. Larger lets fast things enter surfaces farther.
+ */
+export const IMPACT_DEPTH = 0.05;
+
+/** The same as a share of the thickness of both shapes, so that thin ones cannot pass each other. */
+export const IMPACT_SHARE = 0.25;
+
+/** How often the points of an impact are solved, friction first: enough for a box that lands flat. */
+export const IMPACT_ITERATIONS = 10;
+
 /** m. Vertices closer than this are one point. */
 export const VERTEX_TOLERANCE = 1e-9;
 

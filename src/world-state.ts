@@ -10,6 +10,7 @@ import type { Vec2Like } from './math/vectors.js';
 import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joint-data.js';
+import { Movers } from './solver/movers.js';
 import { boolean, integer, optional, options, typeError, vector } from './validate.js';
 
 /** Options of `createWorld`. */
@@ -72,6 +73,8 @@ export abstract class WorldState {
   readonly solver = new SolverData(new JointData());
   /** @internal */
   readonly islandWork = new IslandWork();
+  /** @internal what moved fast in this step */
+  readonly movers = new Movers();
 
   /** @internal */
   protected time = 0;

@@ -257,6 +257,13 @@ export class Arbiter {
     this.fixed = 0;
   }
 
+  /** @internal lists the points that the manifold has, as new ones */
+  showPoints(): void {
+    this.dropPoints();
+    this.contacts.length = 0;
+    this.contacts.push(...this.points.slice(0, this.manifold.count));
+  }
+
   /** @internal new points: nothing is kept of the impulses of old ones */
   dropPoints(): void {
     this.manifold.numbers.fill(0, c.NORMAL, c.ELASTICITY);

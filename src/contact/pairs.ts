@@ -28,6 +28,11 @@ export class Pairs {
   private cut: Arbiter[] = [];
   private cutBefore: Arbiter[] = [];
 
+  /** The pair of two shapes, if there is one. */
+  find(shapeA: Shape, shapeB: Shape): Arbiter | null {
+    return this.table.find(shapeA, shapeB);
+  }
+
   /** The pair of two shapes, made if needed. */
   obtain(shapeA: Shape, shapeB: Shape): Arbiter {
     let pair = this.table.find(shapeA, shapeB);

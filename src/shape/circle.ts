@@ -123,6 +123,11 @@ export class Circle extends Shape {
   }
 
   /** @internal */
+  override thickness(): number {
+    return this.radius;
+  }
+
+  /** @internal */
   protected override scaleGeometry(scaleX: number): void {
     this.radius *= scaleX;
     this.originX *= scaleX;

@@ -138,6 +138,22 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
+  override thickness(): number {
+    const { localEdges, offsets } = this;
+    let width = Infinity;
+    for (let i = 0; i < offsets.length; i += 1) {
+      const nx = localEdges[EDGE_STRIDE * i + 2]!;
+      const ny = localEdges[EDGE_STRIDE * i + 3]!;
+      let depth = 0;
+      for (let k = 0; k < localEdges.length; k += EDGE_STRIDE) {
+        depth = Math.max(depth, offsets[i]! - nx * localEdges[k]! - ny * localEdges[k + 1]!);
+      }
+      width = Math.min(width, depth);
+    }
+    return width / 2;
+  }
+
+  /** @internal */
   protected override scaleGeometry(scaleX: number, scaleY: number): void {
     this.mapGeometry(scaleX, 0, 0, scaleY, 0, 0);
   }

@@ -254,6 +254,9 @@ export abstract class Shape {
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;
 
+  /** @internal half of the least width */
+  abstract thickness(): number;
+
   /** @internal */
   protected abstract scaleGeometry(scaleX: number, scaleY: number): void;
 

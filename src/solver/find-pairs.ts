@@ -15,7 +15,7 @@ import { sleepPair, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
 
 /** Filters, and what makes an interaction possible at all. */
-function mayInteract(a: Shape, b: Shape): boolean {
+export function mayInteract(a: Shape, b: Shape): boolean {
   const bodyA = a.owner!;
   const bodyB = b.owner!;
   return (
@@ -109,7 +109,7 @@ function overlap(pair: Arbiter): boolean {
 }
 
 /** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
-function touch(pair: Arbiter): boolean {
+export function touch(pair: Arbiter): boolean {
   const m = pair.manifold;
   const { id0, id1, edgeA, edgeB } = m;
   placePair(pair);
@@ -122,9 +122,7 @@ function touch(pair: Arbiter): boolean {
     return false;
   }
   if (contacts.length !== m.count) {
-    pair.dropPoints();
-    contacts.length = 0;
-    contacts.push(...pair.points.slice(0, m.count));
+    pair.showPoints();
   } else if (m.count === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
     matchPoints(pair, id0, id1);
   }
@@ -186,7 +184,7 @@ function interact(world: World, pair: Arbiter): void {
 }
 
 /** How hard a collision begins has to be found out before it is solved. */
-function noteApproach(pair: Arbiter): void {
+export function noteApproach(pair: Arbiter): void {
   pair.manifold.numbers[c.APPROACH] = approachSpeed(pair);
 }
 

@@ -1,5 +1,6 @@
 import type { World } from '../world.js';
 import { applyBounces, planBounces, releaseBounces } from './bounce.js';
+import { continuous } from './continuous.js';
 import { findPairs, listArbiters } from './find-pairs.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
@@ -52,6 +53,7 @@ export function step(world: World, dt: number): void {
   }
   storeJoints(world);
   store(world);
+  continuous(world);
   sleepKinematics(world);
 }
 

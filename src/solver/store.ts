@@ -1,42 +1,40 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
+import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
-import { BEGIN } from '../listeners.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
-import { joinLists } from './sleep.js';
+import { beginLate } from './impact.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {
   const data = world.solver;
-  storeBodies(data, world.liveDynamics);
-  storeBodies(data, world.liveKinematics);
+  storeBodies(world, world.liveDynamics);
+  storeBodies(world, world.liveKinematics);
   storeContacts(world, data, data.two);
   storeContacts(world, data, data.one);
 }
 
-function storeBodies(data: SolverData, bodies: readonly RigidBody[]): void {
+function storeBodies(world: World, bodies: readonly RigidBody[]): void {
   for (let i = 0; i < bodies.length; i += 1) {
-    storeBody(data, bodies[i]!);
+    storeBody(world, bodies[i]!);
   }
 }
 
-/** A body that a callback woke while the step was being solved has no slot: it joins in the next. */
-function storeBody(data: SolverData, body: RigidBody): void {
+/**
+ * A body that a callback woke while the step was being solved has no slot: it joins in the next. One that moved by more than half the
+ * margin within which pairs are solved may have met something that was not.
+ */
+function storeBody(world: World, body: RigidBody): void {
   if (body.slot === 0) {
     return;
   }
   const at = body.slot * d.BODY_STRIDE;
-  const { velocity: v, motion: q } = data;
-  if (body.kind === DYNAMIC) {
-    body.vx = v[at + d.VX]!;
-    body.vy = v[at + d.VY]!;
-    body.w = v[at + d.W]!;
-  }
+  const { velocity: v, motion: q } = world.solver;
   const dx = q[at + d.DX]!;
   const dy = q[at + d.DY]!;
   const turn = q[at + d.DW]!;
@@ -51,6 +49,14 @@ function storeBody(data: SolverData, body: RigidBody): void {
       body.refreshTurn();
     }
     body.moved();
+    if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > SPECULATIVE_MARGIN / 2) {
+      world.movers.add(body, true);
+    }
+  }
+  if (body.kind === DYNAMIC) {
+    body.vx = v[at + d.VX]!;
+    body.vy = v[at + d.VY]!;
+    body.w = v[at + d.W]!;
   }
 }
 
@@ -113,15 +119,8 @@ function meet(world: World, pair: Arbiter): void {
   if (n[c.STEP_NORMAL] === 0 && (pair.manifold.count === 1 || n[c.STEP_NORMAL + c.IMPULSES] === 0)) {
     return;
   }
-  if (!pair.listed) {
-    world.pairs.list(pair);
-    joinLists(world, pair);
-  }
   pair.near = false;
-  pair.persistent = false;
   pair.accepted = true;
-  pair.active = true;
-  pair.lastInteraction = world.timeStamp;
-  world.events.interaction(BEGIN, pair, FOUND_LATE);
+  beginLate(world, pair);
   world.events.hit(pair, FOUND_LATE);
 }

@@ -1,0 +1,203 @@
+import * as g from '../collide/layout.js';
+import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import * as c from '../contact/layout.js';
+import { FOUND_LATE } from '../events/events.js';
+import { preSolve } from '../events/pre-solve.js';
+import { Distance, measureDistance } from '../geometry/distance.js';
+import { Outline } from '../geometry/outline.js';
+import { BEGIN } from '../listeners.js';
+import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
+import { noteApproach, touch } from './find-pairs.js';
+import type { Mover } from './movers.js';
+import { joinLists, wakeBody } from './sleep.js';
+
+const outlineA = new Outline();
+const outlineB = new Outline();
+const distance = new Distance();
+
+/** An interaction begins in the course of a step. */
+export function beginLate(world: World, pair: Arbiter): void {
+  if (!pair.listed) {
+    world.pairs.list(pair);
+    joinLists(world, pair);
+  }
+  pair.persistent = false;
+  pair.active = true;
+  pair.lastInteraction = world.timeStamp;
+  world.events.interaction(BEGIN, pair, FOUND_LATE);
+}
+
+/** A sensor is crossed. */
+export function beginSensing(world: World, a: Shape, b: Shape): void {
+  beginLate(world, world.pairs.obtain(a, b));
+}
+
+/** Two shapes meet on their ways, where their bodies are now. @returns whether that has an effect, which it had by then. */
+export function strike(world: World, a: Shape, b: Shape, time: number): boolean {
+  const pair = world.pairs.obtain(a, b);
+  const { bodyA, bodyB } = pair;
+  a.place(bodyA);
+  b.place(bodyB);
+  if (!touch(pair)) {
+    touchAtPoint(pair);
+  }
+  beginLate(world, pair);
+  if (preSolve(world.events, pair)) {
+    bodyA.wakeTime = world.timeStamp;
+    bodyB.wakeTime = world.timeStamp;
+  }
+  if (!pair.accepted) {
+    pair.dropPoints();
+    return false;
+  }
+  for (const body of [bodyA, bodyB]) {
+    if (body.isDynamic()) {
+      wakeBody(world, body, false);
+      world.movers.of(body).slowTo(time);
+    }
+  }
+  noteApproach(pair);
+  solveImpact(pair);
+  world.events.hit(pair, FOUND_LATE);
+  return true;
+}
+
+/** For corners that meet corners, where no edges face each other: the one point where they do. */
+function touchAtPoint(pair: Arbiter): void {
+  const { manifold: m, shapeA, shapeB, bodyA: a, bodyB: b } = pair;
+  const n = m.numbers;
+  shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
+  shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
+  measureDistance(outlineA, outlineB, distance);
+  m.count = 1;
+  m.face = -1;
+  n[g.NX] = distance.axisX;
+  n[g.NY] = distance.axisY;
+  n[g.X0] = 0.5 * (distance.ax + distance.bx);
+  n[g.Y0] = 0.5 * (distance.ay + distance.by);
+  n[g.S0] = distance.value;
+  pair.showPoints();
+}
+
+/** One point of an impact: arms, effective masses, what has to be reached, and what has been given. */
+interface Point {
+  readonly which: 0 | 1;
+  readonly ax: number;
+  readonly ay: number;
+  readonly bx: number;
+  readonly by: number;
+  readonly normalMass: number;
+  readonly tangentMass: number;
+  readonly leave: number;
+  readonly friction: number;
+  normal: number;
+  tangent: number;
+}
+
+/**
+ * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, by sequential impulses (Catto, GDC 2006). Nothing
+ * is kept for the next step to start from, as an impact does not go on.
+ */
+function solveImpact(pair: Arbiter): void {
+  const points: Point[] = [];
+  const { numbers: n, count } = pair.manifold;
+  pair.dropPoints();
+  for (const which of [0, 1] as const) {
+    if (which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP) {
+      points.push(makePoint(pair, which));
+    }
+  }
+  for (let i = 0; i < IMPACT_ITERATIONS; i += 1) {
+    for (const point of points) {
+      solvePoint(pair, point);
+    }
+  }
+  for (const { which, normal, tangent } of points) {
+    n[c.STEP_NORMAL + c.IMPULSES * which] = normal;
+    n[c.STEP_TANGENT + c.IMPULSES * which] = tangent;
+    pair.usedPoints |= 1 << which;
+    pair.freshPoints |= 1 << which;
+  }
+}
+
+/** Velocity of B against A at a point. */
+const relative = { x: 0.5, y: 0.5 };
+
+function measureRelative({ bodyA: a, bodyB: b }: Arbiter, ax: number, ay: number, bx: number, by: number): void {
+  relative.x = b.vx - b.w * by - a.vx + a.w * ay;
+  relative.y = b.vy + b.w * bx - a.vy - a.w * ax;
+}
+
+function makePoint(pair: Arbiter, which: 0 | 1): Point {
+  const n = pair.manifold.numbers;
+  const { bodyA: a, bodyB: b } = pair;
+  const nx = n[g.NX]!;
+  const ny = n[g.NY]!;
+  const ax = n[g.X0 + g.POINT * which]!;
+  const ay = n[g.Y0 + g.POINT * which]!;
+  const bx = ax - n[g.DX]!;
+  const by = ay - n[g.DY]!;
+  const mass = a.inverseMass() + b.inverseMass();
+  const iA = a.inverseInertia();
+  const iB = b.inverseInertia();
+  const [rnA, rnB] = [ax * ny - ay * nx, bx * ny - by * nx];
+  const [rtA, rtB] = [ax * nx + ay * ny, bx * nx + by * ny];
+  const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
+  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
+  measureRelative(pair, ax, ay, bx, by);
+  const bounce = n[c.ELASTICITY]! * (nx * relative.x + ny * relative.y);
+  const slide = nx * relative.y - ny * relative.x;
+  return {
+    which,
+    ax,
+    ay,
+    bx,
+    by,
+    normalMass: kn > 0 ? 1 / kn : 0,
+    tangentMass: kt > 0 ? 1 / kt : 0,
+    leave: (bounce < -BOUNCE_THRESHOLD ? bounce : 0) - (a.surfaceY + b.surfaceY),
+    friction: slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!,
+    normal: 0,
+    tangent: 0,
+  };
+}
+
+function solvePoint(pair: Arbiter, point: Point): void {
+  const { bodyA: a, bodyB: b } = pair;
+  const nx = pair.manifold.numbers[g.NX]!;
+  const ny = pair.manifold.numbers[g.NY]!;
+  const { ax, ay, bx, by } = point;
+  measureRelative(pair, ax, ay, bx, by);
+  const limit = point.friction * point.normal;
+  const slide = nx * relative.y - ny * relative.x - (a.surfaceX + b.surfaceX);
+  const tangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
+  push(pair, point, -ny * (tangent - point.tangent), nx * (tangent - point.tangent));
+  point.tangent = tangent;
+  measureRelative(pair, ax, ay, bx, by);
+  const approach = nx * relative.x + ny * relative.y + point.leave;
+  const normal = Math.max(0, point.normal - approach * point.normalMass);
+  push(pair, point, nx * (normal - point.normal), ny * (normal - point.normal));
+  point.normal = normal;
+}
+
+/** Gives B an impulse and A the opposite. */
+function push({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point, x: number, y: number): void {
+  const mA = a.inverseMass();
+  const mB = b.inverseMass();
+  a.vx -= x * mA;
+  a.vy -= y * mA;
+  a.w -= (ax * y - ay * x) * a.inverseInertia();
+  b.vx += x * mB;
+  b.vy += y * mB;
+  b.w += (bx * y - by * x) * b.inverseInertia();
+}
+
+/** The dynamic bodies of an impact stay where it came, for the rest of the step; a kinematic one that goes on takes the other along. */
+export function halt(mover: Mover, partner: Mover, time: number): void {
+  mover.stop(time);
+  if (partner.body.isKinematic()) {
+    mover.ride(partner);
+  }
+}

@@ -1,0 +1,156 @@
+import type { RigidBody } from '../body.js';
+import type { Travel } from '../geometry/sweep.js';
+import type { Shape } from '../shape/shape.js';
+
+/** A body on its way through the step that was just solved, seen from its end: time runs from 0 to 1. */
+export class Mover {
+  body!: RigidBody;
+  /** Moved so far that it may have passed something. */
+  sweeps = false;
+  /** An impact ended its way. */
+  stopped = false;
+  /** Velocities at the start of the step. */
+  vx = 0;
+  vy = 0;
+  w = 0;
+  /** Where the body was at time `from`, and how it goes on from there to time 1. */
+  from = 0;
+  x = 0;
+  y = 0;
+  angle = 0;
+  dx = 0;
+  dy = 0;
+  turn = 0;
+  /** Where it was at time 0. */
+  startX = 0;
+  startY = 0;
+  startAngle = 0;
+  /** Bounds of all shapes on their way. */
+  readonly bounds = new Float64Array(4);
+
+  begin(body: RigidBody, sweeps: boolean): void {
+    this.body = body;
+    this.sweeps = sweeps;
+    this.stopped = false;
+    this.vx = body.vx;
+    this.vy = body.vy;
+    this.w = body.w;
+    this.from = 0;
+    this.dx = body.lastDx;
+    this.dy = body.lastDy;
+    this.turn = body.lastTurn;
+    this.x = body.x - this.dx;
+    this.y = body.y - this.dy;
+    this.angle = body.angle - this.turn;
+    this.startX = this.x;
+    this.startY = this.y;
+    this.startAngle = this.angle;
+  }
+
+  /** Sets a travel on the way from `from` on, relative to `(x, y)`. */
+  follow(travel: Travel, shape: Shape, x: number, y: number): void {
+    const rest = 1 - this.from;
+    const rate = rest > 0 ? 1 / rest : 0;
+    travel.shape = shape;
+    travel.vx = this.dx * rate;
+    travel.vy = this.dy * rate;
+    travel.w = this.turn * rate;
+    travel.x = this.x - travel.vx * this.from - x;
+    travel.y = this.y - travel.vy * this.from - y;
+    travel.angle = this.angle - travel.w * this.from;
+  }
+
+  /** Gives the body the velocity it has at a time: what forces and contacts added in the step came evenly. Before the first stop. */
+  slowTo(time: number): void {
+    if (!this.stopped) {
+      const { body } = this;
+      body.vx = this.vx + (body.vx - this.vx) * time;
+      body.vy = this.vy + (body.vy - this.vy) * time;
+      body.w = this.w + (body.w - this.w) * time;
+    }
+  }
+
+  /** Puts the body to where it is at a time, not before `from`. */
+  putAt(time: number): void {
+    const rest = 1 - this.from;
+    const share = rest > 0 ? (time - this.from) / rest : 0;
+    const { body } = this;
+    body.x = this.x + share * this.dx;
+    body.y = this.y + share * this.dy;
+    body.angle = this.angle + share * this.turn;
+    body.refreshTurn();
+  }
+
+  /** Stops where the body is put at a time; from there on it stays. */
+  stop(time: number): void {
+    this.putAt(time);
+    const { body } = this;
+    this.stopped = true;
+    this.from = time;
+    this.x = body.x;
+    this.y = body.y;
+    this.angle = body.angle;
+    this.dx = 0;
+    this.dy = 0;
+    this.turn = 0;
+  }
+
+  /** From a stop on is carried along by another body, as if it were part of that. */
+  ride(carrier: Mover): void {
+    const { body } = this;
+    const { body: under } = carrier;
+    carrier.putAt(this.from);
+    const x = under.cos * (body.x - under.x) + under.sin * (body.y - under.y);
+    const y = under.cos * (body.y - under.y) - under.sin * (body.x - under.x);
+    const { angle } = under;
+    carrier.putAt(1);
+    this.dx = under.x + under.cos * x - under.sin * y - this.x;
+    this.dy = under.y + under.sin * x + under.cos * y - this.y;
+    this.turn = under.angle - angle;
+  }
+
+  /** Leaves the body where it is at the end of the step. */
+  finish(): void {
+    const { body } = this;
+    this.putAt(1);
+    body.lastDx = body.x - this.startX;
+    body.lastDy = body.y - this.startY;
+    body.lastTurn = body.angle - this.startAngle;
+    body.moved();
+  }
+}
+
+/** The movers of a step: those that sweep, and others that were met. Used again and again. */
+export class Movers {
+  /** What lies beyond the count is for later. */
+  readonly all: Mover[] = [];
+  count = 0;
+
+  add(body: RigidBody, sweeps: boolean): Mover {
+    if (this.count === this.all.length) {
+      this.all.push(new Mover());
+    }
+    const mover = this.all[this.count]!;
+    mover.begin(body, sweeps);
+    body.mover = this.count;
+    this.count += 1;
+    return mover;
+  }
+
+  /** The mover of a body; made, without sweeping, if it has none. */
+  of(body: RigidBody): Mover {
+    return body.mover >= 0 ? this.all[body.mover]! : this.add(body, false);
+  }
+
+  /** Whether a body is swept by itself. */
+  sweeps({ mover }: RigidBody): boolean {
+    return mover >= 0 && this.all[mover]!.sweeps;
+  }
+
+  clear(): void {
+    for (let i = 0; i < this.count; i += 1) {
+      this.all[i]!.body.mover = -1;
+    }
+    this.count = 0;
+  }
+}
