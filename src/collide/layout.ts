@@ -27,4 +27,4 @@ export const FACE_ANGLE_A = 14;
 export const FACE_ANGLE_B = 15;
 /** What the contacts keep with a manifold begins here: see `contact/layout.ts`. */
 export const MANIFOLD_NUMBERS = 16;
-export const PAIR_NUMBERS = 31;
+export const PAIR_NUMBERS = 33;

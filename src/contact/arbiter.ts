@@ -58,6 +58,8 @@ export class Arbiter {
   indexB = -1;
   /** @internal the surfaces are apart but near enough to meet within the step; the solver sees them, no one else does */
   near = false;
+  /** @internal … because of the way they go: their points are those of the time when they will meet */
+  foreseen = false;
   /** @internal */
   accepted = true;
   /** @internal */
@@ -109,19 +111,22 @@ export class Arbiter {
     if (sign === 0 || !this.active) {
       return vec3(0, 0, 0, dst);
     }
-    const [nx, ny] = this.getNormal();
+    const n = this.manifold.numbers;
+    const ofB = sign > 0 ? 1 : 0;
     let x = 0;
     let y = 0;
     let w = 0;
     w += sign * this.getRollingImpulse();
-    for (const contact of this.contacts) {
-      const jx = sign * (nx * contact.getNormalImpulse() - ny * contact.getTangentImpulse());
-      const jy = sign * (ny * contact.getNormalImpulse() + nx * contact.getTangentImpulse());
+    this.contacts.forEach((contact, i) => {
+      const normal = sign * contact.getNormalImpulse();
+      const tangent = sign * contact.getTangentImpulse();
+      const jx = n[g.NX]! * normal - n[g.NY]! * tangent;
+      const jy = n[g.NY]! * normal + n[g.NX]! * tangent;
+      // The arms are those that the solver had, not those of the end of the step.
+      w += (n[g.X0 + g.POINT * i]! - ofB * n[g.DX]!) * jy - (n[g.Y0 + g.POINT * i]! - ofB * n[g.DY]!) * jx;
       x += jx;
       y += jy;
-      const [px, py] = contact.getPosition();
-      w += (px - body.x) * jy - (py - body.y) * jx;
-    }
+    });
     return vec3(x, y, w, dst);
   }
 
@@ -245,6 +250,7 @@ export class Arbiter {
     this.dead = false;
     this.awake = false;
     this.near = false;
+    this.foreseen = false;
     this.forget();
   }
 

@@ -11,7 +11,7 @@ export class Hit {
   private readonly point: Vec2 = [0, 0];
   private readonly normal: Vec2 = [0, 0];
 
-  /** m/s, >= 0. How fast the surfaces came together along the normal, where they did so fastest, when the step began. */
+  /** m/s, >= 0. How fast the surfaces came together along the normal, where they did so fastest, when they met or the step began. */
   get approachSpeed(): number {
     return this.speed;
   }

@@ -15,5 +15,7 @@ export const ELASTICITY = 26;
 export const STATIC_FRICTION = 27;
 export const DYNAMIC_FRICTION = 28;
 export const ROLLING_FRICTION = 29;
+/** m. What the separations of a contact that is foreseen are less than those at the time when it comes. */
+export const FORESIGHT = 31;
 /** m/s. How fast the surfaces come together; only kept right where a `hit` is listened for. */
 export const APPROACH = 30;

@@ -67,6 +67,7 @@ export function findPairs(world: World): void {
 function renew(world: World, pair: Arbiter): boolean {
   const stamp = world.timeStamp;
   pair.near = false;
+  pair.foreseen = false;
   if (pair.lastInteraction === stamp) {
     // Woken by a handler a moment ago: it goes on with the manifold it fell asleep with.
     return true;
@@ -203,7 +204,7 @@ function approach(pair: Arbiter): void {
 }
 
 /** Nothing that would move keeps it from moving. */
-function canGiveWay({ kind, asleep }: RigidBody): boolean {
+export function canGiveWay({ kind, asleep }: RigidBody): boolean {
   return kind !== DYNAMIC || !asleep;
 }
 

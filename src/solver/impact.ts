@@ -34,16 +34,20 @@ export function beginSensing(world: World, a: Shape, b: Shape): void {
   beginLate(world, world.pairs.obtain(a, b));
 }
 
-/** Two shapes meet on their ways, where their bodies are now. @returns whether that has an effect, which it had by then. */
+/** Two shapes meet on their ways, where their bodies are now, or get too deep into each other. @returns whether that has an effect. */
 export function strike(world: World, a: Shape, b: Shape, time: number): boolean {
   const pair = world.pairs.obtain(a, b);
+  const begins = !pair.active;
   const { bodyA, bodyB } = pair;
   a.place(bodyA);
   b.place(bodyB);
   if (!touch(pair)) {
     touchAtPoint(pair);
   }
-  beginLate(world, pair);
+  if (begins) {
+    beginLate(world, pair);
+    pair.dropPoints();
+  }
   if (preSolve(world.events, pair)) {
     bodyA.wakeTime = world.timeStamp;
     bodyB.wakeTime = world.timeStamp;
@@ -60,12 +64,15 @@ export function strike(world: World, a: Shape, b: Shape, time: number): boolean 
   }
   noteApproach(pair);
   solveImpact(pair);
-  world.events.hit(pair, FOUND_LATE);
+  if (begins) {
+    pair.freshPoints = pair.usedPoints;
+    world.events.hit(pair, FOUND_LATE);
+  }
   return true;
 }
 
 /** For corners that meet corners, where no edges face each other: the one point where they do. */
-function touchAtPoint(pair: Arbiter): void {
+export function touchAtPoint(pair: Arbiter): void {
   const { manifold: m, shapeA, shapeB, bodyA: a, bodyB: b } = pair;
   const n = m.numbers;
   shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
@@ -97,13 +104,12 @@ interface Point {
 }
 
 /**
- * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, by sequential impulses (Catto, GDC 2006). Nothing
- * is kept for the next step to start from, as an impact does not go on.
+ * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, by sequential impulses (Catto, GDC 2006). They
+ * are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
  */
-function solveImpact(pair: Arbiter): void {
+export function solveImpact(pair: Arbiter): void {
   const points: Point[] = [];
   const { numbers: n, count } = pair.manifold;
-  pair.dropPoints();
   for (const which of [0, 1] as const) {
     if (which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP) {
       points.push(makePoint(pair, which));
@@ -115,10 +121,10 @@ function solveImpact(pair: Arbiter): void {
     }
   }
   for (const { which, normal, tangent } of points) {
-    n[c.STEP_NORMAL + c.IMPULSES * which] = normal;
-    n[c.STEP_TANGENT + c.IMPULSES * which] = tangent;
+    const at = c.IMPULSES * which;
+    n[c.STEP_NORMAL + at] = n[c.STEP_NORMAL + at]! + normal;
+    n[c.STEP_TANGENT + at] = n[c.STEP_TANGENT + at]! + tangent;
     pair.usedPoints |= 1 << which;
-    pair.freshPoints |= 1 << which;
   }
 }
 

@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 
@@ -28,7 +29,7 @@ export class Mover {
   /** Bounds of all shapes on their way. */
   readonly bounds = new Float64Array(4);
 
-  begin(body: RigidBody, sweeps: boolean): void {
+  private begin(body: RigidBody, sweeps: boolean): void {
     this.body = body;
     this.sweeps = sweeps;
     this.stopped = false;
@@ -36,15 +37,33 @@ export class Mover {
     this.vy = body.vy;
     this.w = body.w;
     this.from = 0;
+  }
+
+  /** The way of the step that is over, to where the body is now. */
+  look(body: RigidBody, sweeps: boolean): void {
+    this.begin(body, sweeps);
     this.dx = body.lastDx;
     this.dy = body.lastDy;
     this.turn = body.lastTurn;
-    this.x = body.x - this.dx;
-    this.y = body.y - this.dy;
-    this.angle = body.angle - this.turn;
-    this.startX = this.x;
-    this.startY = this.y;
-    this.startAngle = this.angle;
+    this.setStart(body.x - this.dx, body.y - this.dy, body.angle - this.turn);
+  }
+
+  /** The way that the body would go from here in `time` seconds at an average of `vx`, `vy`, `w`. */
+  foresee(body: RigidBody, time: number, vx: number, vy: number, w: number): void {
+    this.begin(body, body.liveIndex >= 0 && goesFar(body, vx * time, vy * time, w * time));
+    this.dx = vx * time;
+    this.dy = vy * time;
+    this.turn = w * time;
+    this.setStart(body.x, body.y, body.angle);
+  }
+
+  private setStart(x: number, y: number, angle: number): void {
+    this.x = x;
+    this.y = y;
+    this.angle = angle;
+    this.startX = x;
+    this.startY = y;
+    this.startAngle = angle;
   }
 
   /** Sets a travel on the way from `from` on, relative to `(x, y)`. */
@@ -120,26 +139,41 @@ export class Mover {
   }
 }
 
+/** A body that moves by more than half the margin within which pairs are solved may meet something that is not. */
+export function goesFar(body: RigidBody, dx: number, dy: number, turn: number): boolean {
+  return Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > SPECULATIVE_MARGIN / 2;
+}
+
 /** The movers of a step: those that sweep, and others that were met. Used again and again. */
 export class Movers {
   /** What lies beyond the count is for later. */
   readonly all: Mover[] = [];
   count = 0;
+  /** s. While a step is foreseen its length, else 0. */
+  ahead = 0;
 
-  add(body: RigidBody, sweeps: boolean): Mover {
+  /** A mover for a body, whose way is to be set. */
+  add(body: RigidBody): Mover {
     if (this.count === this.all.length) {
       this.all.push(new Mover());
     }
-    const mover = this.all[this.count]!;
-    mover.begin(body, sweeps);
     body.mover = this.count;
     this.count += 1;
-    return mover;
+    return this.all[body.mover]!;
   }
 
-  /** The mover of a body; made, without sweeping, if it has none. */
+  /** The mover of a body; if it has none it gets one, which does not sweep. */
   of(body: RigidBody): Mover {
-    return body.mover >= 0 ? this.all[body.mover]! : this.add(body, false);
+    if (body.mover >= 0) {
+      return this.all[body.mover]!;
+    }
+    const mover = this.add(body);
+    if (this.ahead > 0) {
+      mover.foresee(body, this.ahead, body.vx, body.vy, body.w);
+    } else {
+      mover.look(body, false);
+    }
+    return mover;
   }
 
   /** Whether a body is swept by itself. */
@@ -152,5 +186,6 @@ export class Movers {
       this.all[i]!.body.mover = -1;
     }
     this.count = 0;
+    this.ahead = 0;
   }
 }

@@ -54,7 +54,8 @@ function packContact(data: SolverData, pair: Arbiter): void {
 /** Both points are near enough to matter. */
 function hasTwoPoints(pair: Arbiter): boolean {
   const { count, numbers: n } = pair.manifold;
-  return count === 2 && n[g.S0]! <= SPECULATIVE_MARGIN && n[g.S1]! <= SPECULATIVE_MARGIN;
+  const limit = SPECULATIVE_MARGIN + (pair.foreseen ? Math.min(n[g.S0]!, n[g.S1]!) : 0);
+  return count === 2 && n[g.S0]! <= limit && n[g.S1]! <= limit;
 }
 
 /** Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. */

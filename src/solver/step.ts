@@ -2,6 +2,7 @@ import type { World } from '../world.js';
 import { applyBounces, planBounces, releaseBounces } from './bounce.js';
 import { continuous } from './continuous.js';
 import { findPairs, listArbiters } from './find-pairs.js';
+import { foresee } from './foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
 import { finishJoints, solvePositionJoints, solveVelocityJoints, storeJoints, warmStartJoints } from './joints.js';
@@ -21,6 +22,7 @@ export function step(world: World, dt: number): void {
   const h = dt / substeps;
   refreshMoved(world);
   findPairs(world);
+  foresee(world, dt);
   sleepIslands(world, dt);
   listArbiters(world);
   prepare(world, h);

@@ -1,14 +1,15 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
-import { beginLate } from './impact.js';
+import { endForesight } from './foresee.js';
+import { beginLate, solveImpact } from './impact.js';
+import { goesFar } from './movers.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {
@@ -25,10 +26,7 @@ function storeBodies(world: World, bodies: readonly RigidBody[]): void {
   }
 }
 
-/**
- * A body that a callback woke while the step was being solved has no slot: it joins in the next. One that moved by more than half the
- * margin within which pairs are solved may have met something that was not.
- */
+/** A body that a callback woke while the step was being solved has no slot: it joins in the next. */
 function storeBody(world: World, body: RigidBody): void {
   if (body.slot === 0) {
     return;
@@ -49,8 +47,8 @@ function storeBody(world: World, body: RigidBody): void {
       body.refreshTurn();
     }
     body.moved();
-    if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > SPECULATIVE_MARGIN / 2) {
-      world.movers.add(body, true);
+    if (goesFar(body, dx, dy, turn)) {
+      world.movers.add(body).look(body, true);
     }
   }
   if (body.kind === DYNAMIC) {
@@ -113,7 +111,10 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
   pair.usedPoints = unused ? pair.usedPoints & ~bit : pair.usedPoints | bit;
 }
 
-/** Surfaces that were apart when the step began and met during it: the interaction begins late in the step. */
+/**
+ * Surfaces that were apart when the step began and met during it: the interaction begins late in the step. If it was in the last sub-step
+ * they still have the speed that brought them together by the end of it.
+ */
 function meet(world: World, pair: Arbiter): void {
   const n = pair.manifold.numbers;
   if (n[c.STEP_NORMAL] === 0 && (pair.manifold.count === 1 || n[c.STEP_NORMAL + c.IMPULSES] === 0)) {
@@ -121,6 +122,10 @@ function meet(world: World, pair: Arbiter): void {
   }
   pair.near = false;
   pair.accepted = true;
+  if (pair.foreseen) {
+    endForesight(pair);
+  }
+  solveImpact(pair);
   beginLate(world, pair);
   world.events.hit(pair, FOUND_LATE);
 }

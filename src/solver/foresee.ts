@@ -1,0 +1,134 @@
+import type { RigidBody } from '../body.js';
+import { DYNAMIC, STATIC } from '../body-kind.js';
+import * as g from '../collide/layout.js';
+import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import * as c from '../contact/layout.js';
+import { isHitHeard } from '../events/events.js';
+import { asksFirst } from '../events/pre-solve.js';
+import { cos, sin } from '../math/trig.js';
+import type { World } from '../world.js';
+import { canGiveWay, noteApproach, touch } from './find-pairs.js';
+import { touchAtPoint } from './impact.js';
+import { comesBefore, findMeetings, isSensed, type Meeting } from './meetings.js';
+import { goesFar, type Mover } from './movers.js';
+
+/**
+ * Before the step is solved: where a fast body would meet something first, if nothing else happened, is given to the solver as a contact that is
+ * still open. So it lands within the step, together with whatever it is tied to or carries, and none of the step is lost. What bounces,
+ * turns fast or has to be asked first, and whatever this does not see, is left to the sweep of the step's true motion at its end.
+ */
+export function foresee(world: World, dt: number): void {
+  const { movers } = world;
+  movers.ahead = dt;
+  const average = (world.substeps + 1) / (2 * world.substeps);
+  for (let i = 0; i < world.liveDynamics.length; i += 1) {
+    foreseeFalling(world, world.liveDynamics[i]!, dt, average * dt);
+  }
+  for (let i = 0; i < world.liveKinematics.length; i += 1) {
+    const body = world.liveKinematics[i]!;
+    if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
+      movers.add(body).foresee(body, dt, body.vx, body.vy, body.w);
+    }
+  }
+  if (movers.count > 0) {
+    for (const meeting of firstOfEach(findMeetings(world, FORESIGHT_DEPTH))) {
+      open(world, meeting);
+    }
+    world.pairs.merge();
+  }
+  movers.clear();
+}
+
+/** Of a dynamic body, with what forces add on the average of the step. */
+function foreseeFalling(world: World, body: RigidBody, dt: number, gain: number): void {
+  const mass = body.inverseMass();
+  const vx = body.vx + (mass > 0 ? world.gravityX + body.fx * mass : 0) * gain;
+  const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
+  const w = body.w + body.appliedTorque * body.inverseInertia() * gain;
+  if (goesFar(body, vx * dt, vy * dt, w * dt)) {
+    world.movers.add(body).foresee(body, dt, vx, vy, w);
+  }
+}
+
+/** The first meetings of each dynamic body: what lies behind those, such as the next tile of a floor, it may never come to. */
+function firstOfEach(meetings: Meeting[]): Meeting[] {
+  const first = new Map<RigidBody, number>();
+  return meetings
+    .filter(({ a, b }) => !isSensed(a, b))
+    .sort((one, two) => (comesBefore(one, two) ? -1 : 1))
+    .filter(({ a, b, time }) => {
+      const bodies = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC);
+      const comes = bodies.every((body) => time <= (first.get(body) ?? time) + SAME_TIME);
+      for (const body of bodies) {
+        first.set(body, first.get(body) ?? time);
+      }
+      return comes && bodies.every(canGiveWay);
+    });
+}
+
+/** Opens a contact as it will be when the shapes meet, with the separation that they have before. */
+function open(world: World, { a, b, time }: Meeting): void {
+  const pair = world.pairs.obtain(a, b);
+  pair.mixMaterials();
+  if (asksFirst(pair) || pair.manifold.numbers[c.ELASTICITY]! > 0) {
+    return;
+  }
+  const one = world.movers.of(a.owner!);
+  const two = world.movers.of(b.owner!);
+  if (Math.abs(one.turn) + Math.abs(two.turn) > SOLVED_TURN) {
+    return;
+  }
+  const movers = one.body.kind === STATIC ? [two] : two.body.kind === STATIC ? [one] : [one, two];
+  for (const mover of movers) {
+    mover.putAt(time);
+  }
+  a.place(one.body);
+  b.place(two.body);
+  if (!touch(pair)) {
+    touchAtPoint(pair);
+  }
+  if (isHitHeard(pair)) {
+    noteApproach(pair);
+  }
+  moveBack(pair, one, two, time);
+  for (const mover of movers) {
+    mover.putAt(0);
+  }
+  a.place(one.body);
+  b.place(two.body);
+  pair.near = true;
+  pair.foreseen = true;
+}
+
+/** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
+function moveBack({ manifold: m }: Arbiter, a: Mover, b: Mover, time: number): void {
+  const n = m.numbers;
+  const nx = n[g.NX]!;
+  const ny = n[g.NY]!;
+  const way = time * (nx * (b.dx - a.dx) + ny * (b.dy - a.dy));
+  const turnA = time * a.turn;
+  const turnB = time * b.turn;
+  for (let i = 0; i < m.count; i += 1) {
+    const ax = n[g.X0 + g.POINT * i]!;
+    const ay = n[g.Y0 + g.POINT * i]!;
+    const bx = ax - n[g.DX]!;
+    const by = ay - n[g.DY]!;
+    const swing = along(nx, ny, bx, by, turnB) - along(nx, ny, ax, ay, turnA);
+    n[c.FORESIGHT + i] = way + swing;
+    n[g.S0 + g.POINT * i] = n[g.S0 + g.POINT * i]! - way - swing;
+  }
+}
+
+/** How far an arm moves along n by a turn. */
+function along(nx: number, ny: number, x: number, y: number, turn: number): number {
+  return (cos(turn) - 1) * (x * nx + y * ny) + sin(turn) * (x * ny - y * nx);
+}
+
+/** The shapes have met: the separation is again that of the placement that the points were found for. */
+export function endForesight({ manifold: m }: Arbiter): void {
+  const n = m.numbers;
+  for (let i = 0; i < m.count; i += 1) {
+    n[g.S0 + g.POINT * i] = n[g.S0 + g.POINT * i]! + n[c.FORESIGHT + i]!;
+  }
+}

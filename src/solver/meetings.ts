@@ -1,0 +1,159 @@
+import type { RigidBody } from '../body.js';
+import { DYNAMIC, KINEMATIC } from '../body-kind.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { IMPACT_SHARE, SOLVED_TURN, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { Sweep, timeOfImpact } from '../geometry/sweep.js';
+import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
+import { mayInteract } from './find-pairs.js';
+import type { Mover, Movers } from './movers.js';
+
+/** Two shapes that meet on their ways, and when: 0 where the step began, 1 where it ended. */
+export interface Meeting {
+  readonly a: Shape;
+  readonly b: Shape;
+  readonly time: number;
+}
+
+const sweep = new Sweep();
+const bounds = new Float64Array(4);
+
+export function isSensed(a: Shape, b: Shape): boolean {
+  return a.sensor || b.sensor;
+}
+
+/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes. */
+export function comesBefore(one: Meeting, two: Meeting): boolean {
+  const [k, l] = [isKinematic(one), isKinematic(two)];
+  if (one.time !== two.time || k !== l) {
+    return one.time !== two.time ? one.time < two.time : k;
+  }
+  return one.a.id !== two.a.id ? one.a.id < two.a.id : one.b.id < two.b.id;
+}
+
+function isKinematic({ a, b }: Meeting): boolean {
+  return a.owner!.kind === KINEMATIC || b.owner!.kind === KINEMATIC;
+}
+
+/** Everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
+export function findMeetings(world: World, depth: number): Meeting[] {
+  const { movers, broadphase } = world;
+  const found: Meeting[] = [];
+  const count = movers.count;
+  for (let i = 0; i < count; i += 1) {
+    setBounds(movers.all[i]!);
+  }
+  for (let i = 0; i < count; i += 1) {
+    const mover = movers.all[i]!;
+    for (const shape of mover.body.shapes) {
+      const nearby: Shape[] = [];
+      setShapeBounds(mover, shape);
+      broadphase.sample(bounds, (handle: BroadphaseHandle) => nearby.push(handle.data as Shape));
+      for (const other of nearby) {
+        if (!movers.sweeps(other.owner!)) {
+          note(world, shape, other, depth, found);
+        }
+      }
+    }
+    for (let j = 0; j < count && meetsMovers(mover); j += 1) {
+      const other = movers.all[j]!;
+      if ((j > i || !meetsMovers(other)) && j !== i && overlap(mover.bounds, other.bounds)) {
+        pairUp(world, mover, other, depth, found);
+      }
+    }
+  }
+  return found;
+}
+
+/** Bounds of all places that a shape can have on the way of its body. */
+function setShapeBounds({ body, dx, dy, turn }: Mover, { bounds: start }: Shape): void {
+  const swing = Math.abs(turn) * body.radius;
+  bounds[0] = start[0]! + Math.min(dx, 0) - swing;
+  bounds[1] = start[1]! + Math.min(dy, 0) - swing;
+  bounds[2] = start[2]! + Math.max(dx, 0) + swing;
+  bounds[3] = start[3]! + Math.max(dy, 0) + swing;
+}
+
+function setBounds(mover: Mover): void {
+  const all = mover.bounds;
+  all.set([Infinity, Infinity, -Infinity, -Infinity]);
+  for (const shape of mover.body.shapes) {
+    setShapeBounds(mover, shape);
+    all[0] = Math.min(all[0]!, bounds[0]!);
+    all[1] = Math.min(all[1]!, bounds[1]!);
+    all[2] = Math.max(all[2]!, bounds[2]!);
+    all[3] = Math.max(all[3]!, bounds[3]!);
+  }
+}
+
+function overlap(a: Float64Array, b: Float64Array): boolean {
+  return a[0]! <= b[2]! && a[2]! >= b[0]! && a[1]! <= b[3]! && a[3]! >= b[1]!;
+}
+
+/** Is swept against dynamic bodies: a bullet that is fast, or kinematic. */
+function meetsMovers({ body, sweeps }: Mover): boolean {
+  return (body.bullet && sweeps) || body.kind !== DYNAMIC;
+}
+
+function isSwept(one: Mover, two: Mover): boolean {
+  return meetsMovers(one) || meetsMovers(two);
+}
+
+function pairUp(world: World, one: Mover, two: Mover, depth: number, found: Meeting[]): void {
+  for (const a of one.body.shapes) {
+    for (const b of two.body.shapes) {
+      note(world, a, b, depth, found);
+    }
+  }
+}
+
+/** Notes two shapes that may interact, do not yet in this step, and meet. */
+function note(world: World, one: Shape, two: Shape, depth: number, found: Meeting[]): void {
+  const a = one.id < two.id ? one : two;
+  const b = one.id < two.id ? two : one;
+  const { movers, pairs } = world;
+  if (!mayInteract(a, b) || !isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
+    return;
+  }
+  if (isKnown(pairs.find(a, b), movers) || !(isSensed(a, b) || canPush(a.owner!) || canPush(b.owner!))) {
+    return;
+  }
+  const time = meetingTime(world, a, b, depth, 0);
+  if (time >= 0) {
+    found.push({ a, b, time });
+  }
+}
+
+/** The solver has seen to the pair, or need not. It cannot where bodies turn fast, as a contact keeps its normal for the whole step. */
+function isKnown(pair: Arbiter | null, movers: Movers): boolean {
+  if (pair === null || !(pair.active || pair.near)) {
+    return false;
+  }
+  const turn = Math.abs(movers.of(pair.bodyA).turn) + Math.abs(movers.of(pair.bodyB).turn);
+  return pair.sensor || !pair.accepted || pair.foreseen || turn <= SOLVED_TURN;
+}
+
+/** An impulse has an effect on the body. */
+function canPush(body: RigidBody): boolean {
+  return body.inverseMass() > 0 || body.inverseInertia() > 0;
+}
+
+/**
+ * When two shapes first touch, not before `from`; −1 if they do not, or will not get deeper than contacts leave: what slides over the joint of
+ * two tiles meets the second one, but no deeper than it lies on the first. If they touch already: when they are that deep.
+ */
+export function meetingTime(world: World, a: Shape, b: Shape, depth: number, from: number): number {
+  const one = world.movers.of(a.owner!);
+  const two = world.movers.of(b.owner!);
+  const { x, y } = one;
+  one.follow(sweep.a, a, x, y);
+  two.follow(sweep.b, b, x, y);
+  if (isSensed(a, b)) {
+    return timeOfImpact(sweep, 0, SWEEP_TOLERANCE, from, 1);
+  }
+  const least = Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+  const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, from, 1);
+  const deep = time < 0 ? -1 : timeOfImpact(sweep, -least, SWEEP_TOLERANCE, time, 1);
+  return deep >= 0 && time > from ? time : deep;
+}
