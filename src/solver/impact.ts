@@ -59,7 +59,9 @@ export function strike(world: World, a: Shape, b: Shape, time: number): boolean 
   for (const body of [bodyA, bodyB]) {
     if (body.isDynamic()) {
       wakeBody(world, body, false);
-      world.movers.of(body).slowTo(time);
+      if (begins) {
+        world.movers.of(body).slowTo(time);
+      }
     }
   }
   noteApproach(pair);

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { IMPACT_SHARE, SOLVED_TURN, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import { IMPACT_SHARE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
@@ -116,7 +116,12 @@ function note(world: World, one: Shape, two: Shape, depth: number, found: Meetin
   if (!mayInteract(a, b) || !isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
     return;
   }
-  if (isKnown(pairs.find(a, b), movers) || !(isSensed(a, b) || canPush(a.owner!) || canPush(b.owner!))) {
+  const pair = pairs.find(a, b);
+  if (isKnown(pair, movers, depth) || !(isSensed(a, b) || canPush(a.owner!) || canPush(b.owner!))) {
+    return;
+  }
+  if (pair?.foreseen) {
+    recheck(world, a, b, depth, found);
     return;
   }
   const time = meetingTime(world, a, b, depth, 0);
@@ -125,13 +130,48 @@ function note(world: World, one: Shape, two: Shape, depth: number, found: Meetin
   }
 }
 
-/** The solver has seen to the pair, or need not. It cannot where bodies turn fast, as a contact keeps its normal for the whole step. */
-function isKnown(pair: Arbiter | null, movers: Movers): boolean {
+/**
+ * A contact that was foreseen and solved may not have held, as where a sliver is hit at its tip and whirls round. The true way had a bend where
+ * they met, from where on they turned: so the straight one is looked at as if they had been turned from the start.
+ */
+function recheck(world: World, a: Shape, b: Shape, depth: number, found: Meeting[]): void {
+  const movers = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC).map((body) => world.movers.of(body));
+  const turns = movers.map(({ turn }) => turn);
+  for (const mover of movers) {
+    mover.angle += mover.turn;
+    mover.turn = 0;
+  }
+  const time = meetingTime(world, a, b, depth, 0);
+  if (time >= 0) {
+    found.push({ a, b, time });
+    return;
+  }
+  movers.forEach((mover, i) => {
+    mover.angle -= turns[i]!;
+    mover.turn = turns[i]!;
+  });
+}
+
+/**
+ * The solver has seen to the pair, or need not. A contact keeps its normal for the whole step: where bodies turn meanwhile, surfaces get as deep
+ * as they go sideways, times the turn.
+ */
+function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   if (pair === null || !(pair.active || pair.near)) {
     return false;
   }
-  const turn = Math.abs(movers.of(pair.bodyA).turn) + Math.abs(movers.of(pair.bodyB).turn);
-  return pair.sensor || !pair.accepted || pair.foreseen || turn <= SOLVED_TURN;
+  if (pair.sensor || !pair.accepted || movers.ahead > 0) {
+    return true;
+  }
+  const a = movers.of(pair.bodyA);
+  const b = movers.of(pair.bodyB);
+  const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
+  return !pair.foreseen && (Math.abs(a.turn) + Math.abs(b.turn)) * way < leastDepth(pair.shapeA, pair.shapeB, depth);
+}
+
+/** How deep two shapes have to get for an impact: thin ones less. */
+function leastDepth(a: Shape, b: Shape, depth: number): number {
+  return Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
 }
 
 /** An impulse has an effect on the body. */
@@ -152,7 +192,7 @@ export function meetingTime(world: World, a: Shape, b: Shape, depth: number, fro
   if (isSensed(a, b)) {
     return timeOfImpact(sweep, 0, SWEEP_TOLERANCE, from, 1);
   }
-  const least = Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+  const least = leastDepth(a, b, depth);
   const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, from, 1);
   const deep = time < 0 ? -1 : timeOfImpact(sweep, -least, SWEEP_TOLERANCE, time, 1);
   return deep >= 0 && time > from ? time : deep;
