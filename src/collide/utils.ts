@@ -76,12 +76,12 @@ export class CollisionUtils {
     ray.dy = direction[1]! / scale;
     ray.most = maxFactor * scale;
     ray.outerOnly = ignoreInnerSurfaces;
-    if (!rayShape(shape, ray)) {
+    if (!rayShape(shape, ray) || !(ray.factor / scale < maxFactor)) {
       return undefined;
     }
     normal[0] = ray.nx + 0;
     normal[1] = ray.ny + 0;
-    return ray.factor / scale;
+    return ray.factor / scale + 0;
   }
 
   /**

@@ -88,7 +88,10 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   const start = nx * pc[i + 1]! - ny * pc[i]!;
   const end = nx * pc[j + 1]! - ny * pc[j]!;
   const along = levelPoint(q, nx, ny, separation + p.offsets[edge]!, start, end);
-  if (separation > 0 && (along < start || along > end)) {
+  if (
+    separation > LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!)) &&
+    (along < start || along > end)
+  ) {
     return false;
   }
   const side = ofB ? -1 : 1;

@@ -82,12 +82,16 @@ function reachAlong(travel: Travel, nx: number, ny: number, dt: number): void {
 /**
  * The longest time for which two travels certainly stay farther apart than `target` along the axis on which they are apart now; at most
  * `most`. With n fixed their gap is at least g(s) = gap − (A's reach + B's) − ½·(w²·r of both)·s², which is concave: if it holds at the
- * end it holds all the way, and Newton's method from there comes down on its root.
+ * end it holds all the way, and Newton's method from there comes down on its root. The end is where the corners that are farthest now would
+ * meet, or before.
  */
 function safeTime(a: Travel, b: Travel, distance: Distance, target: number, most: number, curvature: number): number {
   const { axisX, axisY } = distance;
   const limit = target + a.outline.radius + b.outline.radius;
-  let s = most;
+  reachAlong(a, axisX, axisY, 0);
+  const { rate: rateA } = bound;
+  reachAlong(b, -axisX, -axisY, 0);
+  let s = Math.min(most, latestRoot(distance.value - target, rateA + bound.rate, curvature));
   for (let i = 0; i < 64; i += 1) {
     reachAlong(a, axisX, axisY, s);
     const { height, rate } = bound;
@@ -106,8 +110,16 @@ function safeTime(a: Travel, b: Travel, distance: Distance, target: number, most
   return s;
 }
 
-/** More than any sweep has been seen to need; if it is not enough the shapes are taken to meet where they are by then. */
-const MAX_ITERATIONS = 1000;
+/** When a gap that closes at a rate, faster by the curvature, is closed. */
+function latestRoot(gap: number, rate: number, curvature: number): number {
+  if (curvature > 0) {
+    return (Math.sqrt(rate * rate + 2 * curvature * gap) - rate) / curvature;
+  }
+  return rate > 0 ? gap / rate : Infinity;
+}
+
+/** Several times what any sweep has been seen to need: some 6,000 for shapes that turn forty times close to each other. The mean is 23. */
+const MAX_ITERATIONS = 20_000;
 
 /**
  * The first time from `from` on at which two travelling shapes are no farther apart than `target` (negative: overlap by that much) and
@@ -135,5 +147,5 @@ export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, fr
     }
     t += safe;
   }
-  return t;
+  return -1;
 }

@@ -1,6 +1,8 @@
+import type { RigidBody } from '../body.js';
 import type { Broadphase, BroadphaseHandle } from '../broadphase/broadphase.js';
 import { RayTest, rayShape } from '../collide/rays.js';
 import { CAST_TOLERANCE } from '../config.js';
+import type { Distance } from '../geometry/distance.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { Ray, Vec2 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
@@ -54,14 +56,14 @@ class RayWalk {
     const body = shape.owner!;
     test.ox = ray.origin[0]! - body.x;
     test.oy = ray.origin[1]! - body.y;
-    return rayShape(shape, test) ? test.factor : -1;
+    return rayShape(shape, test) && test.factor / this.scale < ray.maxFactor ? test.factor : -1;
   }
 
   /** Fills in the hit that `meet` just found. */
   write(shape: Shape, result: CastResult): void {
     const { test, ray, scale } = this;
     result.shape = shape;
-    result.factor = test.factor / scale;
+    result.factor = test.factor / scale + 0;
     result.hitPoint[0] = ray.origin[0]! + this.ux * test.factor;
     result.hitPoint[1] = ray.origin[1]! + this.uy * test.factor;
     result.hitNormal[0] = test.nx + 0;
@@ -106,17 +108,18 @@ function sampleAlong(
 export function castRay(world: World, ray: Ray, outerOnly: boolean, accept: Accept | null): CastResult | null {
   const walk = new RayWalk(ray, outerOnly);
   let best: CastResult | null = null;
-  let spare: CastResult | null = null;
+  let temporary: CastResult | null = null;
   let limit = ray.maxFactor * walk.scale;
   walk.walk(world, (shape) => {
     const factor = walk.meet(shape);
     if (factor >= 0 && (factor < limit || (factor === limit && best !== null && shape.id < best.shape.id))) {
-      const candidate: CastResult = spare ?? emptyResult(shape);
-      spare = candidate;
-      walk.write(shape, candidate);
-      if (accept === null || accept(candidate)) {
-        spare = best;
-        best = candidate;
+      if (accept !== null) {
+        temporary ??= emptyResult(shape);
+        walk.write(shape, temporary);
+      }
+      if (accept === null || accept(temporary!)) {
+        best ??= emptyResult(shape);
+        walk.write(shape, best);
         limit = factor;
       }
     }
@@ -148,7 +151,7 @@ export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): Cast
 export function castShape(world: World, shape: Shape, deltaTime: number, accept: Accept | null): CastResult | null {
   const body = shape.owner!;
   const sweep = new Sweep();
-  const { a: swept, b: still, distance } = sweep;
+  const { a: swept, b: still } = sweep;
   swept.shape = shape;
   swept.angle = body.angle;
   swept.vx = body.vx;
@@ -166,20 +169,21 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
     still.y = owner!.y - body.y;
     still.angle = owner!.angle;
     const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, limit);
-    if (time > 0) {
-      const candidate: CastResult = {
-        shape: other,
-        hitPoint: [body.x + distance.bx, body.y + distance.by],
-        hitNormal: [0 - distance.axisX, 0 - distance.axisY],
-        factor: time,
-      };
-      if (accept === null || accept(candidate)) {
-        best = candidate;
-        limit = time;
-      }
+    if (time > 0 && (accept === null || accept(resultOf(sweep.distance, body, other, time)))) {
+      best = resultOf(sweep.distance, body, other, time);
+      limit = time;
     }
   }
   return best;
+}
+
+function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor: number): CastResult {
+  return {
+    shape,
+    hitPoint: [x + distance.bx, y + distance.by],
+    hitNormal: [0 - distance.axisX, 0 - distance.axisY],
+    factor,
+  };
 }
 
 /** Bounds of a shape on its way: those of its start and end, or of all its turns about the body origin. */

@@ -3,6 +3,9 @@ import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 
+/** Whole turns within a step change nothing. */
+const TURN = 2 * Math.PI;
+
 /** A body on its way through the step that was just solved, seen from its end: time runs from 0 to 1. */
 export class Mover {
   body!: RigidBody;
@@ -26,6 +29,9 @@ export class Mover {
   startX = 0;
   startY = 0;
   startAngle = 0;
+  endX = 0;
+  endY = 0;
+  endAngle = 0;
   /** Bounds of all shapes on their way. */
   readonly bounds = new Float64Array(4);
 
@@ -44,8 +50,8 @@ export class Mover {
     this.begin(body, sweeps);
     this.dx = body.lastDx;
     this.dy = body.lastDy;
-    this.turn = body.lastTurn;
-    this.setStart(body.x - this.dx, body.y - this.dy, body.angle - this.turn);
+    this.turn = body.lastTurn % TURN;
+    this.setStart(body.x - this.dx, body.y - this.dy, body.angle - body.lastTurn);
   }
 
   /** The way that the body would go from here in `time` seconds at an average of `vx`, `vy`, `w`. */
@@ -53,7 +59,7 @@ export class Mover {
     this.begin(body, body.liveIndex >= 0 && goesFar(body, vx * time, vy * time, w * time));
     this.dx = vx * time;
     this.dy = vy * time;
-    this.turn = w * time;
+    this.turn = (w * time) % TURN;
     this.setStart(body.x, body.y, body.angle);
   }
 
@@ -64,6 +70,9 @@ export class Mover {
     this.startX = x;
     this.startY = y;
     this.startAngle = angle;
+    this.endX = this.body.x;
+    this.endY = this.body.y;
+    this.endAngle = this.body.angle;
   }
 
   /** Sets a travel on the way from `from` on, relative to `(x, y)`. */
@@ -132,6 +141,12 @@ export class Mover {
   finish(): void {
     const { body } = this;
     this.putAt(1);
+    if (!this.stopped) {
+      body.x = this.endX;
+      body.y = this.endY;
+      body.angle = this.endAngle;
+      body.refreshTurn();
+    }
     body.lastDx = body.x - this.startX;
     body.lastDy = body.y - this.startY;
     body.lastTurn = body.angle - this.startAngle;

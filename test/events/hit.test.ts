@@ -192,7 +192,7 @@ describe('hit', () => {
       steps(world, 1);
       expect(seen).toHaveLength(begin.mock.calls.length);
       if (seen.length > count && before > 1) {
-        near(seen[count]!.speed, before);
+        near(seen[count]!.speed, before, 10 / 60);
         near(seen[count]!.impulse, before - ball.getVelocity()[1], 0.2);
       }
     }

@@ -61,7 +61,7 @@ describe('interactions', () => {
         bodies.slice(k + 1).map((b) => {
           const frozen = a.sleeping && b.sleeping;
           const apart = gap(a, b);
-          const late = may(a, b) && !shapeOf(a).sensor && !shapeOf(b).sensor && apart < LATE;
+          const late = may(a, b) && apart < LATE;
           return { a, b, frozen, late, expected: frozen ? runs(a, b) : may(a, b) && apart <= 0 };
         }),
       );

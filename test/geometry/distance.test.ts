@@ -1,0 +1,114 @@
+import { describe, expect, it } from 'vitest';
+import { Distance, measureDistance } from '../../src/geometry/distance.js';
+import { Outline } from '../../src/geometry/outline.js';
+import { phys2D, type Shape, type Vec2 } from '../../src/index.js';
+import { near } from '../conformance/setting.js';
+import { formOf } from './forms.js';
+import { exactDistance, type Form, gapAlong, signedDistance } from './reference.js';
+import { run } from './run.js';
+
+const PAIRS = 1_000_000;
+
+function form(radius: number, ...corners: number[]): Form {
+  return { corners: Float64Array.from(corners), radius };
+}
+
+interface Placed {
+  outline: Outline;
+  form: Form;
+}
+
+function place(shape: Shape, [x, y]: Vec2, angle = 0): Placed {
+  const outline = new Outline();
+  shape.outline(outline, x, y, Math.cos(angle), Math.sin(angle));
+  return { outline, form: formOf(outline) };
+}
+
+function measure(a: Placed, b: Placed): { out: Distance; forms: [Form, Form] } {
+  const out = new Distance();
+  measureDistance(a.outline, b.outline, out);
+  return { out, forms: [a.form, b.form] };
+}
+
+const box = (width: number, height: number): Shape =>
+  phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, height) });
+const disc = (radius: number): Shape => phys2D.createCircleShape({ radius });
+const triangle = phys2D.createPolygonShape({
+  vertices: [
+    [0, 0],
+    [3, -1],
+    [2, 1],
+  ],
+});
+
+describe('the references', () => {
+  const square = form(0, -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5);
+  const moved = (x: number, y: number): Form => ({
+    ...square,
+    corners: square.corners.map((c, i) => c + (i % 2 ? y : x)),
+  });
+
+  it.each([
+    ['side by side', square, moved(1.5, 0.25), 0.5],
+    ['corner to corner', square, moved(4, 5), 5],
+    ['touching', square, moved(1, 1), 0],
+    ['overlapping', square, moved(0.75, 0.125), -0.25],
+    ['the same twice', square, square, -1],
+    ['a disc over an edge', square, form(0.25, 0.125, 2), 1.25],
+    ['a disc off a corner', form(0.5, 3.5, 4.5), square, 4.5],
+    ['a disc within', square, form(0.25, 0.25, 0), -0.5],
+    ['a disc on a corner', square, form(0.25, 0.5, 0.5), -0.25],
+    ['two discs', form(1, 0, 0), form(2, 3, 4), 2],
+    ['one disc in the middle of another', form(1, 3, 4), form(2, 3, 4), -3],
+  ])('know %s', (_, a, b, distance) => {
+    expect(exactDistance(a, b)).toBe(distance);
+    expect(exactDistance(b, a)).toBe(distance);
+    expect(signedDistance(a, b)).toBe(distance);
+    expect(signedDistance(b, a)).toBe(distance);
+  });
+});
+
+describe('distance', () => {
+  it(`of ${PAIRS.toLocaleString('en')} random pairs is that of the references`, { timeout: 120_000 }, async () => {
+    const { worst, counts } = JSON.parse(await run('random-pairs.ts', PAIRS, 1));
+    console.log(`distance of ${PAIRS} pairs (${JSON.stringify(counts)}), worst errors over the extent of the pair:`);
+    for (const [kind, { error, pair }] of Object.entries<{ error: number; pair: string }>(worst)) {
+      console.log(`  ${kind.padEnd(12)} ${error.toExponential(1)}  (pair ${pair})`);
+    }
+    expect(counts.apart + counts.overlapping + counts.touching).toBe(PAIRS);
+    expect(Math.min(...Object.values<number>(counts))).toBeGreaterThan(PAIRS / 200);
+    for (const kind of ['distance', 'reference', 'exact', 'unit axis', 'witnesses', 'witness A', 'witness B']) {
+      expect(worst[kind].error, kind).toBeLessThan(1e-10);
+    }
+    expect(worst['best axis'].error, 'along the axis the gap is the distance').toBeLessThan(1e-10);
+  });
+
+  // Where a corner lies on a corner, the way from one to the other is nothing but rounding, and has no direction.
+  it.each([
+    ['a disc on the corner of a box', box(1, 1), disc(0.5), 0],
+    ['boxes corner to corner', box(1, 1), box(1, 1), Math.PI],
+    ['a triangle on the corner of a box', box(1, 1), triangle, 3],
+  ])('has an axis that separates for %s, however turned', (_, a, b, turn) => {
+    for (let i = 0; i < 1000; i += 1) {
+      const corner = place(a, [(i % 10) / 10, 0], i).form.corners;
+      const tip = place(b, [0, 0], i + turn).form.corners;
+      const at: Vec2 = [corner[0]! - tip[0]!, corner[1]! - tip[1]!];
+      const { out, forms } = measure(place(a, [(i % 10) / 10, 0], i), place(b, at, i + turn));
+      const [p, q] = forms;
+      near(gapAlong(p.corners, q.corners, out.axisX, out.axisY) - q.radius, out.value, 1e-12);
+    }
+  });
+
+  it('puts the witnesses in the middle of what parallel edges share', () => {
+    const { out } = measure(place(box(4, 1), [0, 0]), place(box(1, 1), [1, 2]));
+    expect([out.value, out.axisX, out.axisY]).toEqual([1, 0, 1]);
+    expect([out.ax, out.ay, out.bx, out.by]).toEqual([1, 0.5, 1, 1.5]);
+  });
+
+  it('takes outlines of many corners', () => {
+    const vertices = phys2D.createRegularPolygonVertices(2, 2, 500);
+    const round = phys2D.createPolygonShape({ vertices });
+    const { out, forms } = measure(place(round, [0, 0]), place(round, [2.5, 0.1], 1));
+    near(out.value, signedDistance(...forms), 1e-12);
+  });
+});

@@ -1,0 +1,143 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { add, box, disc, near, plainBody, speed, steps, tie, weightless } from '../conformance/setting.js';
+
+// Kinematic bodies that are fast or turn fast, and bodies that change their type in flight.
+
+const FAST = 120;
+const FREE = { linearDrag: 0, angularDrag: 0 };
+
+function allFinite(...bodies: RigidBody[]): boolean {
+  return bodies.every((body) =>
+    [...body.getPosition(), ...body.getVelocity(), body.getRotation(), body.getAngularVelocity()].every(
+      Number.isFinite,
+    ),
+  );
+}
+
+/** What stands in the way of a kinematic body: alone, asleep, or tied to something. */
+const WAYS = ['resting', 'asleep', 'rod', 'spring', 'box'] as const;
+
+function standing(world: World, way: (typeof WAYS)[number], x: number, y: number): RigidBody {
+  const shapes = [way === 'box' ? box(0.2, 0.2) : disc(0.1)];
+  const body = phys2D.createRigidBody({ shapes, position: [x, y], ...FREE });
+  add(world, body);
+  if (way === 'asleep') {
+    body.sleep();
+  }
+  if (way === 'rod') {
+    const partner = phys2D.createRigidBody({ shapes: [disc(0.1)], position: [2 * x, 2 * y], ...FREE });
+    const length = Math.sqrt(x * x + y * y);
+    add(world, partner);
+    tie(
+      world,
+      phys2D.createDistanceConstraint({ bodyA: body, bodyB: partner, lowerBound: length, upperBound: length }),
+    );
+  }
+  if (way === 'spring') {
+    const bodyA = phys2D.createRigidBody({ type: 'static' });
+    const anchorA: [number, number] = [x, y];
+    tie(world, phys2D.createPointConstraint({ bodyA, bodyB: body, anchorA, stiff: false, frequency: 2, damping: 0.5 }));
+  }
+  return body;
+}
+
+describe('kinematic bodies at speed', () => {
+  it('50 m/s: a thin bar sweeps along whatever it hits', () => {
+    for (const way of WAYS) {
+      for (const start of [-1.1, -1.4, -1.9]) {
+        const world = weightless();
+        const bar = phys2D.createRigidBody({ type: 'kinematic', velocity: [50, 0], shapes: [box(0.02, 4)] });
+        bar.setPosition([start, 0]);
+        const body = standing(world, way, 1, 0);
+        add(world, bar);
+        for (let i = 0; i < 20; i += 1) {
+          steps(world, 1);
+          expect(body.getPosition()[0], `${way} from ${start}`).toBeGreaterThan(bar.getPosition()[0] + 0.08);
+        }
+        expect(body.sleeping).toBe(false);
+        expect(bar.getVelocity()).toEqual([50, 0]);
+        near(bar.getPosition(), [start + 50 / 3, 0]);
+        if (way === 'rod') {
+          expect(body.getVelocity()[0]).toBeGreaterThan(45);
+        } else if (way !== 'spring') {
+          near(body.getVelocity()[0], 50, 0.5);
+        }
+      }
+    }
+  });
+
+  it('50 rad/s: a rotor does not pass what is in its way', () => {
+    for (const way of WAYS) {
+      for (const angle of [0.4, 0.8, 1.3, 2.6]) {
+        const world = weightless();
+        const rotor = phys2D.createRigidBody({ type: 'kinematic', angularVelocity: 50, shapes: [box(4, 0.05)] });
+        const body = standing(world, way, 1.2 * Math.cos(angle), 1.2 * Math.sin(angle));
+        add(world, rotor);
+        let [ahead, before] = [angle, angle];
+        for (let i = 0; i < 6; i += 1) {
+          steps(world, 1);
+          const [x, y] = body.getPosition();
+          if (x * x + y * y > 2.1 * 2.1) {
+            break;
+          }
+          const now = Math.atan2(y, x);
+          const turn = now - before - 2 * Math.PI * Math.round((now - before) / (2 * Math.PI));
+          ahead += turn - 50 / 60;
+          before = now;
+          expect(ahead, `${way} at ${angle}, step ${i}`).toBeGreaterThan(0);
+          expect(ahead, `${way} at ${angle}, step ${i}`).toBeLessThan(Math.PI);
+        }
+        expect(speed(body), `${way} at ${angle}`).toBeGreaterThan(way === 'rod' ? 15 : 40);
+        expect(allFinite(body)).toBe(true);
+      }
+    }
+  });
+
+  it('they carry a bullet that hits them, to the end of the step', () => {
+    const world = weightless();
+    const wall = phys2D.createRigidBody({
+      type: 'kinematic',
+      position: [4, 0],
+      velocity: [-60, 0],
+      shapes: [box(0.02, 9)],
+    });
+    const shot = plainBody({ shapes: [disc(0.25)], velocity: [60, 0] });
+    add(world, wall, shot);
+    for (let i = 0; i < 20; i += 1) {
+      steps(world, 1);
+      expect(shot.getPosition()[0] + 0.25).toBeLessThan(wall.getPosition()[0]);
+    }
+    near([shot.getPosition()[0], shot.getVelocity()[0]], [wall.getPosition()[0] - 0.26, -60], 0.01);
+  });
+});
+
+describe('changes of type', () => {
+  it('what is no longer solid for each other passes, what becomes so does not [D-43]', () => {
+    const world = weightless();
+    const wall = phys2D.createRigidBody({ type: 'static', position: [5, 0], shapes: [box(0.02, 20)] });
+    const shot = plainBody({ shapes: [disc(0.25)], velocity: [FAST, 0] });
+    add(world, wall, shot);
+    steps(world, 3);
+    near(shot.getPosition()[0], 4.74, 0.01);
+    shot.setAsKinematic();
+    shot.setVelocity([FAST, 0]);
+    steps(world, 1);
+    near(shot.getPosition()[0], 6.74, 0.01);
+    shot.setVelocity([-FAST, 0]);
+    shot.setAsDynamic();
+    steps(world, 3);
+    near(shot.getPosition()[0], 5.26, 0.01);
+    wall.setAsDynamic();
+    shot.setPosition([0, 0]);
+    shot.setVelocity([FAST, 0]);
+    steps(world, 5);
+    near(shot.getPosition()[0], 10, 0.01);
+    shot.setPosition([0, 0]);
+    wall.setAsKinematic();
+    wall.setPosition([5, 0]);
+    wall.setVelocity([0, 0]);
+    steps(world, 5);
+    near(shot.getPosition()[0], 4.74, 0.01);
+  });
+});
