@@ -128,16 +128,19 @@ export const SWEEP_TOLERANCE = 1e-6;
 export const IMPACT_DEPTH = 0.05;
 
 /** m. The same for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
-export const FORESIGHT_DEPTH = 0.01;
+export const FORESIGHT_DEPTH = 0.003;
 
 /** rad. Contacts of bodies that turn by more in a step, both together, do not hold for all of it: they are not foreseen, and swept all the same. */
 export const SOLVED_TURN = 0.2;
 
 /** As a share of the step: meetings of a body that come so soon after the first are foreseen with it, as for a box that falls flat on two tiles. */
-export const SAME_TIME = 0.02;
+export const SAME_TIME = 1e-4;
 
 /** The same as a share of the thickness of both shapes, so that thin ones cannot pass each other. */
 export const IMPACT_SHARE = 0.25;
+
+/** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
+export const DEEPER_SHARE = 0.1;
 
 /** How often the points of an impact are solved, friction first: enough for a box that lands flat. */
 export const IMPACT_ITERATIONS = 10;

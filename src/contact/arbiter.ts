@@ -70,6 +70,8 @@ export class Arbiter {
   freshPoints = 0;
   /** @internal */
   fixed = 0;
+  /** @internal what was given in a step before the points became others within it */
+  before: { step: number; x: number; y: number; wA: number; wB: number } | null = null;
 
   /** @internal */
   constructor(shapeA: Shape, shapeB: Shape) {
@@ -117,6 +119,12 @@ export class Arbiter {
     let y = 0;
     let w = 0;
     w += sign * this.getRollingImpulse();
+    const before = this.before !== null && this.before.step === this.lastInteraction ? this.before : null;
+    if (before !== null) {
+      x += sign * before.x;
+      y += sign * before.y;
+      w += ofB === 1 ? before.wB : before.wA;
+    }
     this.contacts.forEach((contact, i) => {
       const normal = sign * contact.getNormalImpulse();
       const tangent = sign * contact.getTangentImpulse();
@@ -261,6 +269,14 @@ export class Arbiter {
     this.accepted = !this.sensor;
     this.persistent = false;
     this.fixed = 0;
+  }
+
+  /** @internal in this step the pair meets once more, at other points: keeps the sum of what the ones so far gave */
+  meetAgain(): void {
+    const [x, y, wB] = this.getImpulseForBody(this.bodyB);
+    const [, , wA] = this.getImpulseForBody(this.bodyA);
+    this.before = { step: this.lastInteraction, x, y, wA, wB };
+    this.dropPoints();
   }
 
   /** @internal lists the points that the manifold has, as new ones */

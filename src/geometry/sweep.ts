@@ -112,10 +112,11 @@ function safeTime(a: Travel, b: Travel, distance: Distance, target: number, most
 
 /** When a gap that closes at a rate, faster by the curvature, is closed. */
 function latestRoot(gap: number, rate: number, curvature: number): number {
-  if (curvature > 0) {
-    return (Math.sqrt(rate * rate + 2 * curvature * gap) - rate) / curvature;
+  const root = Math.sqrt(rate * rate + 2 * curvature * gap);
+  if (rate > 0) {
+    return (2 * gap) / (rate + root);
   }
-  return rate > 0 ? gap / rate : Infinity;
+  return curvature > 0 ? (root - rate) / curvature : Infinity;
 }
 
 /** Several times what any sweep has been seen to need: some 6,000 for shapes that turn forty times close to each other. The mean is 23. */

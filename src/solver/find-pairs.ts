@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import * as g from '../collide/layout.js';
 import { collide, intersect } from '../collide/table.js';
+import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { approachSpeed } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
@@ -11,6 +12,7 @@ import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { goesFar } from './movers.js';
 import { sleepPair, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
 
@@ -43,7 +45,7 @@ function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle):
  * Finds what collides: broadphase → pairs → manifolds → begin, progress, end and `preSolve`. Sleeping bodies that were hit
  * wake once all pairs have been seen, with the manifolds they fell asleep with.
  */
-export function findPairs(world: World): void {
+export function findPairs(world: World, dt: number): void {
   const pairs = world.pairs;
   pairs.recycle();
   world.broadphase.perform(report, world);
@@ -52,7 +54,7 @@ export function findPairs(world: World): void {
   let kept = 0;
   for (let i = 0; i < sorted.length; i += 1) {
     const pair = sorted[i]!;
-    if (pair.dead || pair.sleeping || !renew(world, pair)) {
+    if (pair.dead || pair.sleeping || !renew(world, pair, dt)) {
       pair.awake = false;
       continue;
     }
@@ -64,7 +66,7 @@ export function findPairs(world: World): void {
 }
 
 /** Works out what a pair does in this step. @returns whether there is still something to it. */
-function renew(world: World, pair: Arbiter): boolean {
+function renew(world: World, pair: Arbiter, dt: number): boolean {
   const stamp = world.timeStamp;
   pair.near = false;
   pair.foreseen = false;
@@ -86,7 +88,7 @@ function renew(world: World, pair: Arbiter): boolean {
   }
   part(world, pair);
   if (isReported && pair.manifold.count > 0) {
-    approach(pair);
+    approach(pair, dt);
   }
   if (!isReported && !pair.listed) {
     world.pairs.retire(pair);
@@ -191,16 +193,27 @@ export function noteApproach(pair: Arbiter): void {
 
 /**
  * Surfaces that are near each other are given to the solver. Not if one belongs to a sleeping dynamic body, which could not
- * give way, nor if `preSolve` handlers have to be asked first.
+ * give way, nor if `preSolve` handlers have to be asked first; and what passes a static or kinematic body fast only if it will meet it, as its
+ * nearest face may be one that it slides past.
  */
-function approach(pair: Arbiter): void {
+function approach(pair: Arbiter, dt: number): void {
   if (canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB) && !asksFirst(pair)) {
-    pair.near = true;
     pair.mixMaterials();
+    pair.near = !isForeseen(pair, dt);
     if (isHitHeard(pair)) {
       noteApproach(pair);
     }
   }
+}
+
+/** Whether `foresee` looks where the bodies of a pair are going: it does for one dynamic body that goes far, but does not turn or bounce. */
+function isForeseen({ bodyA: a, bodyB: b, manifold }: Arbiter, dt: number): boolean {
+  return (
+    (a.kind !== DYNAMIC || b.kind !== DYNAMIC) &&
+    manifold.numbers[c.ELASTICITY]! <= 0 &&
+    (Math.abs(a.w) + Math.abs(b.w)) * dt <= SOLVED_TURN &&
+    (goesFar(a, a.vx * dt, a.vy * dt, a.w * dt) || goesFar(b, b.vx * dt, b.vy * dt, b.w * dt))
+  );
 }
 
 /** Nothing that would move keeps it from moving. */

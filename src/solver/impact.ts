@@ -41,6 +41,9 @@ export function strike(world: World, a: Shape, b: Shape, time: number): boolean 
   const { bodyA, bodyB } = pair;
   a.place(bodyA);
   b.place(bodyB);
+  if (!begins) {
+    pair.meetAgain();
+  }
   if (!touch(pair)) {
     touchAtPoint(pair);
   }

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { IMPACT_SHARE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import { DEEPER_SHARE, IMPACT_SHARE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
@@ -18,6 +18,7 @@ export interface Meeting {
 
 const sweep = new Sweep();
 const bounds = new Float64Array(4);
+const around = new Float64Array(4);
 
 export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
@@ -102,8 +103,15 @@ function isSwept(one: Mover, two: Mover): boolean {
 
 function pairUp(world: World, one: Mover, two: Mover, depth: number, found: Meeting[]): void {
   for (const a of one.body.shapes) {
-    for (const b of two.body.shapes) {
-      note(world, a, b, depth, found);
+    setShapeBounds(one, a);
+    if (overlap(bounds, two.bounds)) {
+      around.set(bounds);
+      for (const b of two.body.shapes) {
+        setShapeBounds(two, b);
+        if (overlap(around, bounds)) {
+          note(world, a, b, depth, found);
+        }
+      }
     }
   }
 }
@@ -166,7 +174,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  return !pair.foreseen && (Math.abs(a.turn) + Math.abs(b.turn)) * way < leastDepth(pair.shapeA, pair.shapeB, depth);
+  return !pair.foreseen && (a.spin + b.spin) * way < leastDepth(pair.shapeA, pair.shapeB, depth);
 }
 
 /** How deep two shapes have to get for an impact: thin ones less. */
@@ -181,7 +189,7 @@ function canPush(body: RigidBody): boolean {
 
 /**
  * When two shapes first touch, not before `from`; −1 if they do not, or will not get deeper than contacts leave: what slides over the joint of
- * two tiles meets the second one, but no deeper than it lies on the first. If they touch already: when they are that deep.
+ * two tiles meets the second one, but no deeper than it lies on the first. If they touch already: when they are that much deeper.
  */
 export function meetingTime(world: World, a: Shape, b: Shape, depth: number, from: number): number {
   const one = world.movers.of(a.owner!);
@@ -194,6 +202,11 @@ export function meetingTime(world: World, a: Shape, b: Shape, depth: number, fro
   }
   const least = leastDepth(a, b, depth);
   const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, from, 1);
-  const deep = time < 0 ? -1 : timeOfImpact(sweep, -least, SWEEP_TOLERANCE, time, 1);
+  if (time < 0) {
+    return -1;
+  }
+  const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
+  const deeper = sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least);
+  const deep = timeOfImpact(sweep, Math.min(-least, deeper), SWEEP_TOLERANCE, time, 1);
   return deep >= 0 && time > from ? time : deep;
 }

@@ -25,6 +25,8 @@ export class Mover {
   dx = 0;
   dy = 0;
   turn = 0;
+  /** How far it turns in the step, with whole turns. */
+  spin = 0;
   /** Where it was at time 0. */
   startX = 0;
   startY = 0;
@@ -50,7 +52,7 @@ export class Mover {
     this.begin(body, sweeps);
     this.dx = body.lastDx;
     this.dy = body.lastDy;
-    this.turn = body.lastTurn % TURN;
+    this.setTurn(body.lastTurn);
     this.setStart(body.x - this.dx, body.y - this.dy, body.angle - body.lastTurn);
   }
 
@@ -59,8 +61,13 @@ export class Mover {
     this.begin(body, body.liveIndex >= 0 && goesFar(body, vx * time, vy * time, w * time));
     this.dx = vx * time;
     this.dy = vy * time;
-    this.turn = (w * time) % TURN;
+    this.setTurn(w * time);
     this.setStart(body.x, body.y, body.angle);
+  }
+
+  private setTurn(turn: number): void {
+    this.turn = turn % TURN;
+    this.spin = Math.abs(turn);
   }
 
   private setStart(x: number, y: number, angle: number): void {

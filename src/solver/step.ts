@@ -21,7 +21,7 @@ export function step(world: World, dt: number): void {
   const { solver, substeps } = world;
   const h = dt / substeps;
   refreshMoved(world);
-  findPairs(world);
+  findPairs(world, dt);
   foresee(world, dt);
   sleepIslands(world, dt);
   listArbiters(world);
