@@ -139,6 +139,9 @@ export const SAME_TIME = 1e-4;
 /** The same as a share of the thickness of both shapes, so that thin ones cannot pass each other. */
 export const IMPACT_SHARE = 0.25;
 
+/** How much deeper than others jointed bodies may get. Times IMPACT_SHARE it must stay well below 1. */
+export const JOINT_PATIENCE = 3;
+
 /** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
 export const DEEPER_SHARE = 0.1;
 

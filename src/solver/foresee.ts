@@ -7,6 +7,7 @@ import * as c from '../contact/layout.js';
 import { isHitHeard } from '../events/events.js';
 import { asksFirst } from '../events/pre-solve.js';
 import { cos, sin } from '../math/trig.js';
+import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { canGiveWay, noteApproach, touch } from './find-pairs.js';
 import { touchAtPoint } from './impact.js';
@@ -32,7 +33,7 @@ export function foresee(world: World, dt: number): void {
     }
   }
   if (movers.count > 0) {
-    for (const meeting of firstOfEach(findMeetings(world, FORESIGHT_DEPTH))) {
+    for (const meeting of firstOfEach(world, findMeetings(world, FORESIGHT_DEPTH))) {
       open(world, meeting);
     }
     world.pairs.merge();
@@ -51,15 +52,18 @@ function foreseeFalling(world: World, body: RigidBody, dt: number, gain: number)
   }
 }
 
-/** The first meetings of each dynamic body: what lies behind those, such as the next tile of a floor, it may never come to. */
-function firstOfEach(meetings: Meeting[]): Meeting[] {
+/**
+ * The first meetings of each dynamic body, and those with what is near it already: what lies behind the first, such as the next tile of a floor,
+ * it may never come to.
+ */
+function firstOfEach(world: World, meetings: Meeting[]): Meeting[] {
   const first = new Map<RigidBody, number>();
   return meetings
     .filter(({ a, b }) => !isSensed(a, b))
     .sort((one, two) => (comesBefore(one, two) ? -1 : 1))
     .filter(({ a, b, time }) => {
       const bodies = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC);
-      const comes = bodies.every((body) => time <= (first.get(body) ?? time) + SAME_TIME);
+      const comes = isClose(world, a, b) || bodies.every((body) => time <= (first.get(body) ?? time) + SAME_TIME);
       for (const body of bodies) {
         first.set(body, first.get(body) ?? time);
       }
@@ -67,11 +71,21 @@ function firstOfEach(meetings: Meeting[]): Meeting[] {
     });
 }
 
+/** Found within the margin in this step. */
+function isClose(world: World, a: Shape, b: Shape): boolean {
+  const pair = world.pairs.find(a, b);
+  return pair !== null && pair.seen === world.timeStamp && pair.manifold.count > 0;
+}
+
 /** Opens a contact as it will be when the shapes meet, with the separation that they have before. */
 function open(world: World, { a, b, time }: Meeting): void {
   const pair = world.pairs.obtain(a, b);
   pair.mixMaterials();
   if (asksFirst(pair) || pair.manifold.numbers[c.ELASTICITY]! > 0) {
+    return;
+  }
+  if (isClose(world, a, b)) {
+    pair.near = true;
     return;
   }
   const one = world.movers.of(a.owner!);

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { DEEPER_SHARE, IMPACT_SHARE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import { DEEPER_SHARE, IMPACT_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
@@ -177,9 +177,10 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   return !pair.foreseen && (a.spin + b.spin) * way < leastDepth(pair.shapeA, pair.shapeB, depth);
 }
 
-/** How deep two shapes have to get for an impact: thin ones less. */
+/** How deep two shapes have to get for an impact: thin ones less; jointed bodies more, as stopping one of them alone opens its joints. */
 function leastDepth(a: Shape, b: Shape, depth: number): number {
-  return Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+  const patience = a.owner!.constraints.length + b.owner!.constraints.length > 0 ? JOINT_PATIENCE : 1;
+  return patience * Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
 }
 
 /** An impulse has an effect on the body. */
