@@ -177,10 +177,13 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   return !pair.foreseen && (a.spin + b.spin) * way < leastDepth(pair.shapeA, pair.shapeB, depth);
 }
 
+function isJointed(a: Shape, b: Shape): boolean {
+  return a.owner!.constraints.length + b.owner!.constraints.length > 0;
+}
+
 /** How deep two shapes have to get for an impact: thin ones less; jointed bodies more, as stopping one of them alone opens its joints. */
 function leastDepth(a: Shape, b: Shape, depth: number): number {
-  const patience = a.owner!.constraints.length + b.owner!.constraints.length > 0 ? JOINT_PATIENCE : 1;
-  return patience * Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+  return (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
 }
 
 /** An impulse has an effect on the body. */
@@ -190,7 +193,8 @@ function canPush(body: RigidBody): boolean {
 
 /**
  * When two shapes first touch, not before `from`; −1 if they do not, or will not get deeper than contacts leave: what slides over the joint of
- * two tiles meets the second one, but no deeper than it lies on the first. If they touch already: when they are that much deeper.
+ * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
+ * are put back: when they are that deep.
  */
 export function meetingTime(world: World, a: Shape, b: Shape, depth: number, from: number): number {
   const one = world.movers.of(a.owner!);
@@ -209,5 +213,5 @@ export function meetingTime(world: World, a: Shape, b: Shape, depth: number, fro
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
   const deeper = sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least);
   const deep = timeOfImpact(sweep, Math.min(-least, deeper), SWEEP_TOLERANCE, time, 1);
-  return deep >= 0 && time > from ? time : deep;
+  return deep >= 0 && time > from && !isJointed(a, b) ? time : deep;
 }
