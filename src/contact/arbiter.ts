@@ -119,8 +119,8 @@ export class Arbiter {
     let y = 0;
     let w = 0;
     w += sign * this.getRollingImpulse();
-    const before = this.before !== null && this.before.step === this.lastInteraction ? this.before : null;
-    if (before !== null) {
+    const { before } = this;
+    if (before !== null && this.metAgain()) {
       x += sign * before.x;
       y += sign * before.y;
       w += ofB === 1 ? before.wB : before.wA;
@@ -277,6 +277,11 @@ export class Arbiter {
     const [, , wA] = this.getImpulseForBody(this.bodyA);
     this.before = { step: this.lastInteraction, x, y, wA, wB };
     this.dropPoints();
+  }
+
+  /** @internal … which it did in the latest step */
+  metAgain(): boolean {
+    return this.before !== null && this.before.step === this.lastInteraction;
   }
 
   /** @internal lists the points that the manifold has, as new ones */

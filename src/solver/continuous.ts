@@ -1,17 +1,21 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC, STATIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
+import * as g from '../collide/layout.js';
 import { IMPACT_DEPTH } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { beginSensing, halt, strike } from './impact.js';
+import { beginSensing, strike } from './impact.js';
 import { comesBefore, findMeetings, isSensed, type Meeting, meetingTime } from './meetings.js';
+import type { Mover } from './movers.js';
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
  * was not in contact with it and so not known to the solver: dynamic bodies against static and kinematic ones, bullets against all. The first
  * impact stops a dynamic body there for the rest of the step, with its impulse; a kinematic partner that goes on carries it along.
  */
-export function continuous(world: World): void {
+export function continuous(world: World, dt: number): void {
   const { movers } = world;
   if (movers.count === 0) {
     return;
@@ -19,6 +23,7 @@ export function continuous(world: World): void {
   const meetings = findMeetings(world, IMPACT_DEPTH);
   settle(
     world,
+    dt,
     meetings.filter(({ a, b }) => !isSensed(a, b)),
   );
   for (const { a, b, time } of meetings) {
@@ -36,7 +41,7 @@ function comesTo(world: World, shape: Shape, time: number): boolean {
 }
 
 /** Lets the impacts happen in the order in which they come; each changes what comes after it. */
-function settle(world: World, meetings: Meeting[]): void {
+function settle(world: World, dt: number, meetings: Meeting[]): void {
   const { movers } = world;
   const met = new Set<RigidBody>();
   for (let coming = meetings; coming.length > 0; ) {
@@ -48,12 +53,15 @@ function settle(world: World, meetings: Meeting[]): void {
       met.add(body);
     }
     coming = coming.filter((meeting) => meeting !== next);
-    if (strike(world, a, b, time)) {
-      const one = movers.of(a.owner!);
-      const two = movers.of(b.owner!);
+    const pair = strike(world, a, b, time);
+    if (pair !== null) {
       const stopped = bodies.filter(({ kind }) => kind === DYNAMIC);
       for (const body of stopped) {
-        halt(movers.of(body), body === one.body ? two : one, time);
+        const partner = movers.of(body === a.owner ? b.owner! : a.owner!);
+        halt(movers.of(body), partner, time);
+        if (pair.metAgain() && partner.body.kind !== DYNAMIC) {
+          slide(movers.of(body), partner, pair, dt);
+        }
       }
       coming = lookAgain(world, coming, stopped, time);
     }
@@ -61,6 +69,32 @@ function settle(world: World, meetings: Meeting[]): void {
   for (const body of met) {
     movers.of(body).finish();
   }
+}
+
+/** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along. */
+function halt(mover: Mover, partner: Mover, time: number): void {
+  mover.stop(time);
+  if (partner.body.kind === KINEMATIC) {
+    mover.ride(partner);
+  }
+}
+
+/**
+ * What touched before, and only got too deep as it turned, goes on along the surface, without turning: else it would never get away. The surface
+ * itself may turn until the end of the step.
+ */
+function slide(mover: Mover, under: Mover, { manifold }: Arbiter, dt: number): void {
+  const { body } = mover;
+  const { body: base } = under;
+  const rest = 1 - mover.from;
+  const tx = -manifold.numbers[g.NY]!;
+  const ty = manifold.numbers[g.NX]!;
+  const vx = body.vx - (base.vx - base.w * (body.y - base.y));
+  const vy = body.vy - (base.vy + base.w * (body.x - base.x));
+  const way = (tx * vx + ty * vy) * rest * dt;
+  const turn = under.turn * rest;
+  mover.dx += way * (cos(turn) * tx - sin(turn) * ty);
+  mover.dy += way * (sin(turn) * tx + cos(turn) * ty);
 }
 
 /** The meetings that are left now that some bodies have stopped. */

@@ -10,7 +10,6 @@ import { BEGIN } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { noteApproach, touch } from './find-pairs.js';
-import type { Mover } from './movers.js';
 import { joinLists, wakeBody } from './sleep.js';
 
 const outlineA = new Outline();
@@ -34,8 +33,8 @@ export function beginSensing(world: World, a: Shape, b: Shape): void {
   beginLate(world, world.pairs.obtain(a, b));
 }
 
-/** Two shapes meet on their ways, where their bodies are now, or get too deep into each other. @returns whether that has an effect. */
-export function strike(world: World, a: Shape, b: Shape, time: number): boolean {
+/** Two shapes meet on their ways, where their bodies are now, or get too deep into each other. @returns the pair, or `null` if that has no effect. */
+export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter | null {
   const pair = world.pairs.obtain(a, b);
   const begins = !pair.active;
   const { bodyA, bodyB } = pair;
@@ -57,7 +56,7 @@ export function strike(world: World, a: Shape, b: Shape, time: number): boolean 
   }
   if (!pair.accepted) {
     pair.dropPoints();
-    return false;
+    return null;
   }
   for (const body of [bodyA, bodyB]) {
     if (body.isDynamic()) {
@@ -73,7 +72,7 @@ export function strike(world: World, a: Shape, b: Shape, time: number): boolean 
     pair.freshPoints = pair.usedPoints;
     world.events.hit(pair, FOUND_LATE);
   }
-  return true;
+  return pair;
 }
 
 /** For corners that meet corners, where no edges face each other: the one point where they do. */
@@ -203,12 +202,4 @@ function push({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point, x: num
   b.vx += x * mB;
   b.vy += y * mB;
   b.w += (bx * y - by * x) * b.inverseInertia();
-}
-
-/** The dynamic bodies of an impact stay where it came, for the rest of the step; a kinematic one that goes on takes the other along. */
-export function halt(mover: Mover, partner: Mover, time: number): void {
-  mover.stop(time);
-  if (partner.body.isKinematic()) {
-    mover.ride(partner);
-  }
 }

@@ -55,7 +55,7 @@ export function step(world: World, dt: number): void {
   }
   storeJoints(world);
   store(world);
-  continuous(world);
+  continuous(world, dt);
   sleepKinematics(world);
 }
 
