@@ -53,6 +53,10 @@ export class Sweep {
   readonly a = new Travel();
   readonly b = new Travel();
   readonly distance = new Distance();
+  /** Several times what any sweep has been seen to need: some 6,000 for shapes that turn forty times close to each other. The mean is 23. */
+  patience = 20_000;
+  /** What to say when that is used up: that they meet where they are by then. */
+  cautious = false;
 }
 
 /** A bound on the farthest corner along an axis in a while, and its rate: scratch. */
@@ -119,9 +123,6 @@ function latestRoot(gap: number, rate: number, curvature: number): number {
   return curvature > 0 ? (root - rate) / curvature : Infinity;
 }
 
-/** Several times what any sweep has been seen to need: some 6,000 for shapes that turn forty times close to each other. The mean is 23. */
-const MAX_ITERATIONS = 20_000;
-
 /**
  * The first time from `from` on at which two travelling shapes are no farther apart than `target` (negative: overlap by that much) and
  * `tolerance`, or −1 if that does not come before `most`. Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive
@@ -132,7 +133,7 @@ export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, fr
   const { a, b, distance } = sweep;
   let t = from;
   let curvature = -1;
-  for (let i = 0; i < MAX_ITERATIONS; i += 1) {
+  for (let i = 0; i < sweep.patience; i += 1) {
     a.place(t);
     b.place(t);
     measureDistance(a.outline, b.outline, distance);
@@ -148,5 +149,5 @@ export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, fr
     }
     t += safe;
   }
-  return -1;
+  return sweep.cautious ? t : -1;
 }

@@ -17,6 +17,8 @@ export interface Meeting {
 }
 
 const sweep = new Sweep();
+sweep.patience = 1000;
+sweep.cautious = true;
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
 
