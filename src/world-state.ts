@@ -59,6 +59,8 @@ export abstract class WorldState {
   staleCount = 0;
   /** @internal sleeping bodies hit in this step */
   readonly hit: RigidBody[] = [];
+  /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */
+  readonly closing: Arbiter[] = [];
   /** @internal what the solver knows of the live constraints is out of date */
   jointsStale = false;
   /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */

@@ -88,7 +88,7 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   }
   part(world, pair);
   if (isReported && pair.manifold.count > 0) {
-    approach(pair, dt);
+    approach(world, pair, dt);
   }
   if (!isReported && !pair.listed) {
     world.pairs.retire(pair);
@@ -196,10 +196,13 @@ export function noteApproach(pair: Arbiter): void {
  * give way, nor if `preSolve` handlers have to be asked first; and what passes a static or kinematic body fast only if it will meet it, as its
  * nearest face may be one that it slides past.
  */
-function approach(pair: Arbiter, dt: number): void {
+function approach(world: World, pair: Arbiter, dt: number): void {
   if (canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB) && !asksFirst(pair)) {
     pair.mixMaterials();
     pair.near = !isForeseen(pair, dt);
+    if (!pair.near) {
+      world.closing.push(pair);
+    }
     if (isHitHeard(pair)) {
       noteApproach(pair);
     }

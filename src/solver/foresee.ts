@@ -36,8 +36,14 @@ export function foresee(world: World, dt: number): void {
     for (const meeting of firstOfEach(world, findMeetings(world, FORESIGHT_DEPTH))) {
       open(world, meeting);
     }
+    for (let i = 0; i < world.closing.length; i += 1) {
+      if (!world.closing[i]!.near) {
+        openAtEnd(world, world.closing[i]!);
+      }
+    }
     world.pairs.merge();
   }
+  world.closing.length = 0;
   movers.clear();
 }
 
@@ -93,13 +99,23 @@ function open(world: World, { a, b, time }: Meeting): void {
   if (Math.abs(one.turn) + Math.abs(two.turn) > SOLVED_TURN) {
     return;
   }
+  openAt(pair, one, two, time);
+}
+
+/** What slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it. */
+function openAtEnd(world: World, pair: Arbiter): void {
+  openAt(pair, world.movers.of(pair.bodyA), world.movers.of(pair.bodyB), 1);
+}
+
+function openAt(pair: Arbiter, one: Mover, two: Mover, time: number): void {
+  const { shapeA: a, shapeB: b } = pair;
   const movers = one.body.kind === STATIC ? [two] : two.body.kind === STATIC ? [one] : [one, two];
   for (const mover of movers) {
     mover.putAt(time);
   }
   a.place(one.body);
   b.place(two.body);
-  if (!touch(pair)) {
+  if (!touch(pair) && time < 1) {
     touchAtPoint(pair);
   }
   if (isHitHeard(pair)) {
@@ -111,8 +127,8 @@ function open(world: World, { a, b, time }: Meeting): void {
   }
   a.place(one.body);
   b.place(two.body);
-  pair.near = true;
-  pair.foreseen = true;
+  pair.near = pair.manifold.count > 0;
+  pair.foreseen = pair.near;
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
