@@ -128,7 +128,7 @@ export const SWEEP_TOLERANCE = 1e-6;
 export const IMPACT_DEPTH = 0.05;
 
 /** m. The same for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
-export const FORESIGHT_DEPTH = 0.003;
+export const FORESIGHT_DEPTH = 0.005;
 
 /** rad. Contacts of bodies that turn by more in a step, both together, do not hold for all of it: they are not foreseen, and swept all the same. */
 export const SOLVED_TURN = 0.2;

@@ -54,8 +54,29 @@ function foreseeFalling(world: World, body: RigidBody, dt: number, gain: number)
   const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
   const w = body.w + body.appliedTorque * body.inverseInertia() * gain;
   if (goesFar(body, vx * dt, vy * dt, w * dt)) {
-    world.movers.add(body).foresee(body, dt, vx, vy, w);
+    const [x, y] = alongContacts(body, vx, vy);
+    world.movers.add(body).foresee(body, dt, x, y, w);
   }
+}
+
+/** A velocity without what goes into the static bodies that the body touches. */
+function alongContacts(body: RigidBody, vx: number, vy: number): [number, number] {
+  let x = vx;
+  let y = vy;
+  for (const shape of body.shapes) {
+    for (const pair of shape.arbiters) {
+      const first = pair.shapeA === shape;
+      if (pair.isSolid() && (first ? pair.bodyB : pair.bodyA).kind === STATIC) {
+        const { numbers: n } = pair.manifold;
+        const into = (first ? 1 : -1) * (x * n[g.NX]! + y * n[g.NY]!);
+        if (into > 0) {
+          x -= (first ? 1 : -1) * into * n[g.NX]!;
+          y -= (first ? 1 : -1) * into * n[g.NY]!;
+        }
+      }
+    }
+  }
+  return [x, y];
 }
 
 /**
