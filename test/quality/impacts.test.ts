@@ -74,17 +74,6 @@ function skim({ substeps, fall, tile, size, round, uneven }: Skim): { kept: numb
 }
 
 describe('skimming', { timeout: 120_000 }, () => {
-  it('a box of 1 m over 60 flush tiles keeps its speed, and is not held up', () => {
-    const lines: string[] = [];
-    for (const tile of [1, 1.3, 3]) {
-      for (const size of [0.3, 1, 2]) {
-        const { kept, thrown } = skim({ substeps: 4, fall: 0, tile, size, round: false, uneven: 0 });
-        lines.push(`${size} m over ${tile} m ${(100 * kept).toFixed(3)} %, thrown up ${(1000 * thrown).toFixed(2)} mm`);
-      }
-    }
-    console.log(lines.join('; '));
-  });
-
   for (const round of [false, true]) {
     for (const uneven of [0, 1e-4]) {
       const what = `${round ? 'discs' : 'boxes'} over ${uneven > 0 ? 'tiles that differ by 0.1 mm' : 'flush tiles'}`;
