@@ -152,11 +152,24 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     if (!isRect(bounds)) {
       throw badBounds('BoxTreeBroadphase.sample', bounds);
     }
+    this.report(bounds, true, callback, thisObject);
+  }
+
+  sampleStatic(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void {
+    this.report(bounds, false, callback, undefined);
+  }
+
+  private report(
+    bounds: RectLike,
+    alsoMoving: boolean,
+    callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
+    thisObject: unknown,
+  ): void {
     this.samples[this.depth] ??= [];
     const found = this.samples[this.depth]!;
     this.depth += 1;
     try {
-      const count = this.still.query(bounds, found, this.moving.query(bounds, found, 0));
+      const count = this.still.query(bounds, found, alsoMoving ? this.moving.query(bounds, found, 0) : 0);
       for (let i = 0; i < count; i += 1) {
         const h = found[i]!;
         if (h.minX <= bounds[2]! && h.maxX >= bounds[0]! && h.minY <= bounds[3]! && h.maxY >= bounds[1]!) {

@@ -39,6 +39,9 @@ export interface Broadphase<T = unknown> {
     thisObject?: unknown,
   ): void;
 
+  /** Not needed, but makes continuous collision fast: as `sample`, static handles only. */
+  sampleStatic?(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void;
+
   /**
    * Not needed, but makes ray casts fast: visits each handle whose bounds the ray origin + direction · f, 0 ≤ f ≤ `limit`, may meet, nearer ones
    * as early as is cheap. `visit` returns up to where the ray matters from then on.

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN } from '../config.js';
+import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { isHitHeard } from '../events/events.js';
@@ -23,8 +23,13 @@ export function foresee(world: World, dt: number): void {
   const { movers } = world;
   movers.ahead = dt;
   const average = (world.substeps + 1) / (2 * world.substeps);
+  const pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
-    foreseeFalling(world, world.liveDynamics[i]!, dt, average * dt);
+    const body = world.liveDynamics[i]!;
+    const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
+    if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
+      foreseeFalling(world, body, dt, average * dt);
+    }
   }
   for (let i = 0; i < world.liveKinematics.length; i += 1) {
     const body = world.liveKinematics[i]!;

@@ -41,32 +41,69 @@ function isKinematic({ a, b }: Meeting): boolean {
 
 /** Everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
 export function findMeetings(world: World, depth: number): Meeting[] {
-  const { movers, broadphase } = world;
+  const { movers } = world;
   const found: Meeting[] = [];
+  const sweeping = movers.count;
+  for (const body of world.liveKinematics) {
+    movers.of(body);
+  }
   const count = movers.count;
   for (let i = 0; i < count; i += 1) {
     setBounds(movers.all[i]!);
   }
-  for (let i = 0; i < count; i += 1) {
+  for (let i = 0; i < sweeping; i += 1) {
     const mover = movers.all[i]!;
     for (const shape of mover.body.shapes) {
-      const nearby: Shape[] = [];
       setShapeBounds(mover, shape);
-      broadphase.sample(bounds, (handle: BroadphaseHandle) => nearby.push(handle.data as Shape));
-      for (const other of nearby) {
-        if (!movers.sweeps(other.owner!)) {
+      for (const other of shapesWithin(world, meetsMovers(mover) || shape.sensor)) {
+        if (other.owner!.mover < 0 || other.owner!.mover >= count) {
           note(world, shape, other, depth, found);
         }
       }
     }
-    for (let j = 0; j < count && meetsMovers(mover); j += 1) {
+  }
+  pairMovers(world, sweeping, count, depth, found);
+  return found;
+}
+
+let nearby: Shape[] = [];
+
+function gather(handle: BroadphaseHandle): void {
+  nearby.push(handle.data as Shape);
+}
+
+/** The shapes that have something to do with `bounds`: the static and sleeping ones at least. */
+function shapesWithin({ broadphase }: World, all: boolean): Shape[] {
+  nearby.length = 0;
+  if (all || broadphase.sampleStatic === undefined) {
+    broadphase.sample(bounds, gather);
+  } else {
+    broadphase.sampleStatic(bounds, gather);
+  }
+  if (nearby.length === 0) {
+    return nearby;
+  }
+  const found = nearby;
+  nearby = [];
+  return found;
+}
+
+/** Kinematic bodies and fast bullets with everything that sweeps, and what sweeps with every kinematic body. */
+function pairMovers(world: World, sweeping: number, count: number, depth: number, found: Meeting[]): void {
+  const { movers } = world;
+  for (let i = 0; i < count; i += 1) {
+    const mover = movers.all[i]!;
+    if (!meetsMovers(mover)) {
+      continue;
+    }
+    for (let j = 0; j < count; j += 1) {
       const other = movers.all[j]!;
-      if ((j > i || !meetsMovers(other)) && j !== i && overlap(mover.bounds, other.bounds)) {
+      const once = j > i || !meetsMovers(other);
+      if (once && j !== i && (i < sweeping || j < sweeping) && overlap(mover.bounds, other.bounds)) {
         pairUp(world, mover, other, depth, found);
       }
     }
   }
-  return found;
 }
 
 /** Bounds of all places that a shape can have on the way of its body. */
