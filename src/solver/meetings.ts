@@ -48,9 +48,6 @@ export function findMeetings(world: World, depth: number): Meeting[] {
     movers.of(body);
   }
   const count = movers.count;
-  for (let i = 0; i < count; i += 1) {
-    setBounds(movers.all[i]!);
-  }
   for (let i = 0; i < sweeping; i += 1) {
     const mover = movers.all[i]!;
     for (const shape of mover.body.shapes) {
@@ -91,11 +88,16 @@ function shapesWithin({ broadphase }: World, all: boolean): Shape[] {
 /** Kinematic bodies and fast bullets with everything that sweeps, and what sweeps with every kinematic body. */
 function pairMovers(world: World, sweeping: number, count: number, depth: number, found: Meeting[]): void {
   const { movers } = world;
+  let bounded = false;
   for (let i = 0; i < count; i += 1) {
     const mover = movers.all[i]!;
     if (!meetsMovers(mover)) {
       continue;
     }
+    for (let j = 0; j < count && !bounded; j += 1) {
+      setBounds(movers.all[j]!);
+    }
+    bounded = true;
     for (let j = 0; j < count; j += 1) {
       const other = movers.all[j]!;
       const once = j > i || !meetsMovers(other);

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
+import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -9,7 +10,6 @@ import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 import { endForesight } from './foresee.js';
 import { beginLate, solveImpact } from './impact.js';
-import { goesFar } from './movers.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {
@@ -47,7 +47,8 @@ function storeBody(world: World, body: RigidBody): void {
       body.refreshTurn();
     }
     body.moved();
-    if (goesFar(body, dx, dy, turn)) {
+    // As `goesFar`, which called from here would have to box its numbers.
+    if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > SPECULATIVE_MARGIN / 2) {
       world.movers.add(body).look(body, true);
     }
   }
