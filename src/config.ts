@@ -139,6 +139,9 @@ export const SAME_TIME = 1e-4;
 /** The same as a share of the thickness of both shapes, so that thin ones cannot pass each other. */
 export const IMPACT_SHARE = 0.25;
 
+/** m. How much farther than foreseen a body may go in a step before it is looked at again; more means that more are near something. */
+export const CLEARANCE = 0.1;
+
 /** How much deeper than others jointed bodies may get. Times IMPACT_SHARE it must stay well below 1. */
 export const JOINT_PATIENCE = 3;
 

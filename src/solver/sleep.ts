@@ -48,6 +48,7 @@ export function quieten(world: World, body: RigidBody): void {
   body.lastDx = 0;
   body.lastDy = 0;
   body.lastTurn = 0;
+  body.clearance = 0;
   body.asleep = true;
   world.setHandlesStatic(body, true);
 }

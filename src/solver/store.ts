@@ -48,10 +48,11 @@ function storeBody(world: World, body: RigidBody): void {
     }
     body.moved();
     // As `goesFar`, which called from here would have to box its numbers.
-    if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > SPECULATIVE_MARGIN / 2) {
+    if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > Math.max(body.clearance, SPECULATIVE_MARGIN / 2)) {
       world.movers.add(body).look(body, true);
     }
   }
+  body.clearance = 0;
   if (body.kind === DYNAMIC) {
     body.vx = v[at + d.VX]!;
     body.vy = v[at + d.VY]!;
