@@ -1,16 +1,12 @@
 import { CAST_TOLERANCE } from '../config.js';
-import { Distance, measureDistance } from '../geometry/distance.js';
-import { Outline } from '../geometry/outline.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { NumberSink, Ray, Vec2Like } from '../math/vectors.js';
 import { Shape } from '../shape/shape.js';
 import { boolean, checkedRay, instance, positive, sink, typeError, vector } from '../validate.js';
 import { containsPoint } from './contains.js';
+import { gapBetween } from './gap.js';
 import { RayTest, rayShape } from './rays.js';
 
-const outlineA = new Outline();
-const outlineB = new Outline();
-const distance = new Distance();
 const sweep = new Sweep();
 const ray = new RayTest();
 
@@ -40,7 +36,7 @@ export class CollisionUtils {
     sink(where, 'witnessA', witnessA);
     sink(where, 'witnessB', witnessB);
     sink(where, 'axis', axis);
-    measure(shapeA, shapeB);
+    const distance = gapBetween(shapeA, shapeB);
     witnessA[0] = x + distance.ax;
     witnessA[1] = y + distance.ay;
     witnessB[0] = x + distance.bx;
@@ -55,8 +51,7 @@ export class CollisionUtils {
     const where = 'CollisionUtils.intersects';
     placed(where, 'shapeA', shapeA);
     placed(where, 'shapeB', shapeB);
-    measure(shapeA, shapeB);
-    return distance.value <= 0;
+    return gapBetween(shapeA, shapeB).value <= 0;
   }
 
   /**
@@ -101,18 +96,8 @@ export class CollisionUtils {
     positive(where, 'deltaTime', deltaTime);
     sink(where, 'point', point);
     sink(where, 'normal', normal);
-    for (const [travel, moving, body] of [
-      [sweep.a, shapeA, a],
-      [sweep.b, shapeB, b],
-    ] as const) {
-      travel.shape = moving;
-      travel.x = body.x - a.x;
-      travel.y = body.y - a.y;
-      travel.angle = body.angle;
-      travel.vx = body.vx;
-      travel.vy = body.vy;
-      travel.w = body.w;
-    }
+    sweep.a.start(shapeA, a, a);
+    sweep.b.start(shapeB, b, a);
     const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, deltaTime);
     const found = sweep.distance;
     if (time < 0) {
@@ -134,13 +119,4 @@ function placed(where: string, name: string, shape: Shape) {
   }
   body.place();
   return body;
-}
-
-/** Fills in `distance`, relative to the origin of the first body. */
-function measure(shapeA: Shape, shapeB: Shape): void {
-  const a = shapeA.owner!;
-  const b = shapeB.owner!;
-  shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
-  shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
-  measureDistance(outlineA, outlineB, distance);
 }

@@ -11,6 +11,18 @@ export interface Swept {
   outline(into: Outline, x: number, y: number, cos: number, sin: number): void;
 }
 
+interface Placement {
+  readonly x: number;
+  readonly y: number;
+  readonly angle: number;
+}
+
+interface Velocity {
+  readonly vx: number;
+  readonly vy: number;
+  readonly w: number;
+}
+
 /** A shape on its way: where its origin is at time 0, and at what rates it moves and turns. */
 export class Travel {
   shape: Swept | null = null;
@@ -25,6 +37,25 @@ export class Travel {
   /** Of the origin, at the time last placed for. */
   atX = 0;
   atY = 0;
+
+  /** Puts a shape where its body is, relative to another one, at rest. */
+  stand(shape: Swept, at: Placement, origin: Placement): void {
+    this.shape = shape;
+    this.x = at.x - origin.x;
+    this.y = at.y - origin.y;
+    this.angle = at.angle;
+    this.vx = 0;
+    this.vy = 0;
+    this.w = 0;
+  }
+
+  /** The same, on its way with the velocities of the body. */
+  start(shape: Swept, at: Placement & Velocity, origin: Placement): void {
+    this.stand(shape, at, origin);
+    this.vx = at.vx;
+    this.vy = at.vy;
+    this.w = at.w;
+  }
 
   /** Brings the outline to where it is at time t. */
   place(t: number): void {

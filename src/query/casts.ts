@@ -151,12 +151,7 @@ export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): Cast
 export function castShape(world: World, shape: Shape, deltaTime: number, accept: Accept | null): CastResult | null {
   const body = shape.owner!;
   const sweep = new Sweep();
-  const { a: swept, b: still } = sweep;
-  swept.shape = shape;
-  swept.angle = body.angle;
-  swept.vx = body.vx;
-  swept.vy = body.vy;
-  swept.w = body.w;
+  sweep.a.start(shape, body, body);
   let best: CastResult | null = null;
   let limit = deltaTime;
   for (const other of near(world, sweptBounds(shape, deltaTime)).sort((a, b) => a.id - b.id)) {
@@ -164,10 +159,7 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
     if (owner === body) {
       continue;
     }
-    still.shape = other;
-    still.x = owner!.x - body.x;
-    still.y = owner!.y - body.y;
-    still.angle = owner!.angle;
+    sweep.b.stand(other, owner!, body);
     const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, limit);
     if (time > 0 && (accept === null || accept(resultOf(sweep.distance, body, other, time)))) {
       best = resultOf(sweep.distance, body, other, time);

@@ -1,20 +1,15 @@
+import { gapBetween } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
 import { preSolve } from '../events/pre-solve.js';
-import { Distance, measureDistance } from '../geometry/distance.js';
-import { Outline } from '../geometry/outline.js';
 import { BEGIN } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { noteApproach, touch } from './find-pairs.js';
 import { joinLists, wakeBody } from './sleep.js';
-
-const outlineA = new Outline();
-const outlineB = new Outline();
-const distance = new Distance();
 
 /** An interaction begins in the course of a step. */
 export function beginLate(world: World, pair: Arbiter): void {
@@ -77,11 +72,9 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
 
 /** For corners that meet corners, where no edges face each other: the one point where they do. */
 export function touchAtPoint(pair: Arbiter): void {
-  const { manifold: m, shapeA, shapeB, bodyA: a, bodyB: b } = pair;
+  const { manifold: m } = pair;
   const n = m.numbers;
-  shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
-  shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
-  measureDistance(outlineA, outlineB, distance);
+  const distance = gapBetween(pair.shapeA, pair.shapeB);
   m.count = 1;
   m.face = -1;
   n[g.NX] = distance.axisX;

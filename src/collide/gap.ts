@@ -1,0 +1,17 @@
+import { Distance, measureDistance } from '../geometry/distance.js';
+import { Outline } from '../geometry/outline.js';
+import type { Shape } from '../shape/shape.js';
+
+const outlineA = new Outline();
+const outlineB = new Outline();
+const distance = new Distance();
+
+/** How two shapes lie to each other where their bodies are now, relative to the origin of the first body. Dead after the next call. */
+export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
+  const a = shapeA.owner!;
+  const b = shapeB.owner!;
+  shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
+  shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
+  measureDistance(outlineA, outlineB, distance);
+  return distance;
+}
