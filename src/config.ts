@@ -133,8 +133,8 @@ export const FORESIGHT_DEPTH = 0.005;
 /** rad. Contacts of bodies that turn by more in a step, both together, do not hold for all of it: they are not foreseen, and swept all the same. */
 export const SOLVED_TURN = 0.2;
 
-/** As a share of the step: meetings of a body that come so soon after the first are foreseen with it, as for a box that falls flat on two tiles. */
-export const SAME_TIME = 1e-4;
+/** As a share of the step: meetings of a body that come so soon after the first are foreseen with it, as for a box that falls flat on tiles. */
+export const SAME_TIME = 2e-3;
 
 /** The same as a share of the thickness of both shapes, so that thin ones cannot pass each other. */
 export const IMPACT_SHARE = 0.25;
@@ -147,6 +147,12 @@ export const JOINT_PATIENCE = 3;
 
 /** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
 export const DEEPER_SHARE = 0.1;
+
+/** m. Static shapes whose faces differ by no more than this are one surface for what slides over them; less catches on real tiles. */
+export const FLUSH_TOLERANCE = 5e-4;
+
+/** Cosine. A normal within 8° of a static face is that face's, for what slides over it: a body does not lie on it perfectly flat. */
+export const FACE_ALIGNMENT = 0.99;
 
 /** How often the points of an impact are solved, friction first: enough for a box that lands flat. */
 export const IMPACT_ITERATIONS = 10;

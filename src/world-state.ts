@@ -7,6 +7,7 @@ import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
 import type { Vec2Like } from './math/vectors.js';
+import type { Shape } from './shape/shape.js';
 import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joint-data.js';
@@ -61,6 +62,8 @@ export abstract class WorldState {
   readonly hit: RigidBody[] = [];
   /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */
   readonly closing: Arbiter[] = [];
+  /** @internal shapes that lie on or near several static ones, of one step */
+  readonly straddling: Shape[] = [];
   /** @internal what the solver knows of the live constraints is out of date */
   jointsStale = false;
   /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */

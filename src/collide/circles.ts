@@ -5,8 +5,8 @@ import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 import type { Manifold } from './manifold.js';
 
-/** Stores the single point half-way between two surfaces that face each other at `(x, y)` + n · distance. */
-function setPoint(m: Manifold, nx: number, ny: number, x: number, y: number, separation: number): void {
+/** Stores the single point half-way between two surfaces that face each other: from `(x, y)` by the separation along n. */
+export function setPoint(m: Manifold, nx: number, ny: number, x: number, y: number, separation: number): void {
   m.count = 1;
   const n = m.numbers;
   n[g.NX] = nx;

@@ -1,3 +1,4 @@
+import { IMPACT_SHARE } from '../config.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
 import type { Shape } from '../shape/shape.js';
@@ -14,4 +15,9 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
   measureDistance(outlineA, outlineB, distance);
   return distance;
+}
+
+/** How deep two shapes may get into each other before it is an impact: `depth`, or less if they are thin, so that they cannot pass each other. */
+export function impactDepth(a: Shape, b: Shape, depth: number): number {
+  return Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
 }

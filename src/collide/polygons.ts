@@ -88,6 +88,10 @@ export function collidePolygons(a: Polygon, b: Polygon, m: Manifold): void {
     }
     m.faceChosen(stamp);
   }
+  clipToFace(a, b, m);
+}
+
+function clipToFace(a: Polygon, b: Polygon, m: Manifold): void {
   if (m.face === 0) {
     clip(a, m.edgeA, b, m, 1);
   } else {
@@ -138,6 +142,21 @@ export function polygonsIntersect(a: Polygon, b: Polygon, m: Manifold): boolean 
   deepestEdge(b, a, m, -1, m.edgeB);
   m.edgeB = best.edge;
   return best.separation <= 0;
+}
+
+/** As `collidePolygons`, with the edge for reference that lies most squarely along the direction `(nx, ny)` from A to B, or against it. */
+export function collidePolygonsAlong(a: Polygon, b: Polygon, m: Manifold, nx: number, ny: number): void {
+  m.count = 0;
+  m.edgeA = opposedEdge(a, -nx, -ny);
+  m.edgeB = opposedEdge(b, nx, ny);
+  m.face = alignment(a, m.edgeA, nx, ny) >= -alignment(b, m.edgeB, nx, ny) - FACE_TIE ? 0 : 1;
+  m.faceChosen(a.geometryStamp + b.geometryStamp);
+  clipToFace(a, b, m);
+}
+
+/** Cosine between the normal of edge `i` and a direction. */
+function alignment(p: Polygon, i: number, nx: number, ny: number): number {
+  return p.edges[EDGE_STRIDE * i + 2]! * nx + p.edges[EDGE_STRIDE * i + 3]! * ny;
 }
 
 /** The axis that separated the shapes last time does so again. */

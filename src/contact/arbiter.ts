@@ -60,6 +60,8 @@ export class Arbiter {
   near = false;
   /** @internal … because of the way they go: their points are those of the time when they will meet */
   foreseen = false;
+  /** @internal what else its dynamic shape lies on or near */
+  nextGround: Arbiter | null = null;
   /** @internal */
   accepted = true;
   /** @internal */

@@ -1,3 +1,4 @@
+import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { cos, sin } from '../math/trig.js';
 import { type NumberSink, type Vec2, vec2 } from '../math/vectors.js';
@@ -72,15 +73,22 @@ function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
   const sA = sin(a.angle - n[g.ANGLE_A]!);
   const cB = cos(b.angle - n[g.ANGLE_B]!);
   const sB = sin(b.angle - n[g.ANGLE_B]!);
-  const halfX = 0.5 * separation * n[g.NX]!;
-  const halfY = 0.5 * separation * n[g.NY]!;
-  const ax = x - halfX;
-  const ay = y - halfY;
-  const bx = x + halfX - n[g.DX]!;
-  const by = y + halfY - n[g.DY]!;
-  const gapX = b.x - a.x + (cB * bx - sB * by) - (cA * ax - sA * ay);
-  const gapY = b.y - a.y + (sB * bx + cB * by) - (sA * ax + cA * ay);
-  end.x = a.x + (cA * ax - sA * ay) + 0.5 * gapX;
-  end.y = a.y + (sA * ax + cA * ay) + 0.5 * gapY;
-  end.penetration = -(n[g.NX]! * gapX + n[g.NY]! * gapY);
+  const nx = n[g.NX]!;
+  const ny = n[g.NY]!;
+  const roundA = roundness(arbiter.shapeA, separation);
+  const roundB = roundness(arbiter.shapeB, separation);
+  const ax = x - nx * roundA;
+  const ay = y - ny * roundA;
+  const bx = x - n[g.DX]! + nx * roundB;
+  const by = y - n[g.DY]! + ny * roundB;
+  const endX = a.x + cA * ax - sA * ay + nx * roundA;
+  const endY = a.y + sA * ax + cA * ay + ny * roundA;
+  const gapX = b.x + cB * bx - sB * by - nx * roundB - endX;
+  const gapY = b.y + sB * bx + cB * by - ny * roundB - endY;
+  const gap = nx * gapX + ny * gapY;
+  // Along the surfaces half-way too, but where one is round: that one goes with its centre.
+  const share = roundA > 0 === roundB > 0 ? 0.5 : roundB > 0 ? 1 : 0;
+  end.x = endX + share * gapX + (0.5 - share) * gap * nx;
+  end.y = endY + share * gapY + (0.5 - share) * gap * ny;
+  end.penetration = -separation - gap;
 }

@@ -74,6 +74,10 @@ export abstract class Shape {
   listeners: Listeners<HitHandler> = NO_LISTENERS;
   /** @internal */
   handle: BroadphaseHandle | null = null;
+  /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near, and the step they were found in */
+  grounds: Arbiter | null = null;
+  /** @internal */
+  groundStamp = -1;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
   readonly bounds = new Float64Array(4);
 

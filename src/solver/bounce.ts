@@ -1,4 +1,5 @@
-import { BOUNCE_THRESHOLD } from '../config.js';
+import { impactDepth } from '../collide/gap.js';
+import { BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -17,7 +18,7 @@ function normalVelocity(data: SolverData, batch: ContactBatch, record: number, s
   );
 }
 
-/** The separation of a point for the present placement; see `warmStartTwo`. */
+/** The separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
 function separation(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
   const r = batch.records;
   const { velocity: v, motion: q } = data;
@@ -25,13 +26,14 @@ function separation(data: SolverData, batch: ContactBatch, record: number, shift
   const a = batch.bodies[2 * k]!;
   const b = batch.bodies[2 * k + 1]!;
   const i = record + shift;
+  const isOne = batch === data.one;
   return (
     r[i + d.START1]! +
     r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
     r[record + d.NY]! * (q[b + d.DY]! - q[a + d.DY]!) +
-    v[b + d.COS_LESS_ONE]! * r[i + d.RT_B1]! +
+    v[b + d.COS_LESS_ONE]! * r[i + (isOne ? d.PIVOT_B : d.RT_B1)]! +
     v[b + d.SIN]! * r[i + d.RN_B1]! -
-    v[a + d.COS_LESS_ONE]! * r[i + d.RT_A1]! -
+    v[a + d.COS_LESS_ONE]! * r[i + (isOne ? d.PIVOT_A : d.RT_A1)]! -
     v[a + d.SIN]! * r[i + d.RN_A1]!
   );
 }
@@ -76,7 +78,10 @@ export function applyBounces(data: SolverData): void {
   }
 }
 
-/** Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height. */
+/**
+ * Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height; unless they are so deep
+ * that an impact would have come before.
+ */
 export function releaseBounces(data: SolverData): void {
   const list = data.bounces;
   for (let k = 0; k < list.count; k += 1) {
@@ -84,7 +89,10 @@ export function releaseBounces(data: SolverData): void {
     const record = list.record[k]!;
     const shift = list.shift[k]!;
     if (normalVelocity(data, batch, record, shift) > BOUNCE_THRESHOLD) {
-      batch.records[record + shift + d.SEPARATION1] = d.NEVER;
+      const at = record + shift + d.SEPARATION1;
+      const { shapeA, shapeB } = batch.arbiters[record / batch.stride]!;
+      const s = batch.records[at]!;
+      batch.records[at] = s < -FORESIGHT_DEPTH ? s + impactDepth(shapeA, shapeB, IMPACT_DEPTH) : d.NEVER;
     }
   }
 }

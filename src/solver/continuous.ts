@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { IMPACT_DEPTH } from '../config.js';
+import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
@@ -80,21 +80,27 @@ function halt(mover: Mover, partner: Mover, time: number): void {
 }
 
 /**
- * What touched before, and only got too deep as it turned, goes on along the surface, without turning: else it would never get away. The surface
- * itself may turn until the end of the step.
+ * What touched before, and only got too deep as it turned, goes on along the surface and out of it, without turning: else it would never get away.
+ * The surface itself may turn until the end of the step.
  */
-function slide(mover: Mover, under: Mover, { manifold }: Arbiter, dt: number): void {
+function slide(mover: Mover, under: Mover, { manifold: m, bodyA }: Arbiter, dt: number): void {
   const { body } = mover;
   const { body: base } = under;
+  const n = m.numbers;
   const rest = 1 - mover.from;
-  const tx = -manifold.numbers[g.NY]!;
-  const ty = manifold.numbers[g.NX]!;
+  const sign = body === bodyA ? -1 : 1;
+  const nx = sign * n[g.NX]!;
+  const ny = sign * n[g.NY]!;
   const vx = body.vx - (base.vx - base.w * (body.y - base.y));
   const vy = body.vy - (base.vy + base.w * (body.x - base.x));
-  const way = (tx * vx + ty * vy) * rest * dt;
+  const way = (nx * vy - ny * vx) * rest * dt;
+  const depth = -(m.count === 2 ? Math.min(n[g.S0]!, n[g.S1]!) : n[g.S0]!);
+  const out = PUSH_SHARE_STATIC * Math.max(depth - CONTACT_SLOP, 0);
+  const x = out * nx - way * ny;
+  const y = out * ny + way * nx;
   const turn = under.turn * rest;
-  mover.dx += way * (cos(turn) * tx - sin(turn) * ty);
-  mover.dy += way * (sin(turn) * tx + cos(turn) * ty);
+  mover.dx += cos(turn) * x - sin(turn) * y;
+  mover.dy += sin(turn) * x + cos(turn) * y;
 }
 
 /** The meetings that are left now that some bodies have stopped. */

@@ -80,7 +80,10 @@ export const ROLL_MASS = 19;
 export const ROLL_FRICTION = 20;
 export const ROLL = 21;
 export const ROLL_SUM = 22;
-export const ONE_STRIDE = 24;
+/** One-point records only: as RT, of what turns with the body; of a circle that is its centre, as its surface stays where it is when it turns. */
+export const PIVOT_A = 23;
+export const PIVOT_B = 24;
+export const ONE_STRIDE = 26;
 
 /** Two-point records only: the second point at the offsets of the first plus SECOND, and the rest of K. */
 export const SECOND = 14;

@@ -1,18 +1,19 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import * as g from '../collide/layout.js';
-import { collide, intersect } from '../collide/table.js';
+import { isTurnInvisible } from '../collide/along.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { approachSpeed } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
+import { overlap, touch } from '../contact/touch.js';
 import { IN_STEP, isHitHeard } from '../events/events.js';
 import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { goesFar } from './movers.js';
+import { noteGround, smoothSeams } from './seams.js';
 import { sleepPair, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
 
@@ -62,6 +63,7 @@ export function findPairs(world: World, dt: number): void {
     kept += 1;
   }
   sorted.length = kept;
+  smoothSeams(world);
   wakeHit(world);
 }
 
@@ -97,58 +99,6 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   return true;
 }
 
-/** Tells the kernels how the bodies of a pair lie to each other. */
-function placePair({ manifold: { numbers }, bodyA, bodyB }: Arbiter): void {
-  numbers[g.DX] = bodyB.x - bodyA.x;
-  numbers[g.DY] = bodyB.y - bodyA.y;
-  numbers[g.ANGLE_A] = bodyA.angle;
-  numbers[g.ANGLE_B] = bodyB.angle;
-}
-
-/** A sensor meets something: no more than whether the shapes intersect. */
-function overlap(pair: Arbiter): boolean {
-  placePair(pair);
-  return intersect(pair.shapeA, pair.shapeB, pair.manifold);
-}
-
-/** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
-export function touch(pair: Arbiter): boolean {
-  const m = pair.manifold;
-  const { id0, id1, edgeA, edgeB } = m;
-  placePair(pair);
-  collide(pair.shapeA, pair.shapeB, m);
-  const { contacts } = pair;
-  if (m.count === 0) {
-    if (!pair.listed && contacts.length > 0) {
-      pair.forget();
-    }
-    return false;
-  }
-  if (contacts.length !== m.count) {
-    pair.showPoints();
-  } else if (m.count === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
-    matchPoints(pair, id0, id1);
-  }
-  return m.overlaps();
-}
-
-/** Other edges than in the last step: points are recognised by the corner that limits them. */
-function matchPoints(pair: Arbiter, oldId0: number, oldId1: number): void {
-  const { id0, id1 } = pair.manifold;
-  if (id0 === oldId1) {
-    pair.takePoint(0);
-  } else if (id1 === oldId0) {
-    pair.takePoint(1);
-  } else {
-    if (id0 !== oldId0) {
-      pair.dropPoint(0);
-    }
-    if (id1 !== oldId1) {
-      pair.dropPoint(1);
-    }
-  }
-}
-
 function interact(world: World, pair: Arbiter): void {
   const stamp = world.timeStamp;
   const begins = pair.lastInteraction !== stamp - 1;
@@ -180,6 +130,7 @@ function interact(world: World, pair: Arbiter): void {
   if (b.asleep && b.kind === DYNAMIC) {
     world.hit.push(b);
   }
+  noteGround(world, pair);
   if (begins && isHitHeard(pair)) {
     noteApproach(pair);
     world.events.hit(pair, IN_STEP);
@@ -203,6 +154,7 @@ function approach(world: World, pair: Arbiter, dt: number): void {
     if (!pair.near) {
       world.closing.push(pair);
     }
+    noteGround(world, pair);
     if (isHitHeard(pair)) {
       noteApproach(pair);
     }
@@ -210,11 +162,14 @@ function approach(world: World, pair: Arbiter, dt: number): void {
 }
 
 /** Whether `foresee` looks where the bodies of a pair are going: it does for one dynamic body that goes far, but does not turn or bounce. */
-function isForeseen({ bodyA: a, bodyB: b, manifold }: Arbiter, dt: number): boolean {
+function isForeseen({ shapeA, shapeB, manifold }: Arbiter, dt: number): boolean {
+  const a = shapeA.owner!;
+  const b = shapeB.owner!;
+  const turn = (isTurnInvisible(shapeA) ? 0 : Math.abs(a.w)) + (isTurnInvisible(shapeB) ? 0 : Math.abs(b.w));
   return (
     (a.kind !== DYNAMIC || b.kind !== DYNAMIC) &&
     manifold.numbers[c.ELASTICITY]! <= 0 &&
-    (Math.abs(a.w) + Math.abs(b.w)) * dt <= SOLVED_TURN &&
+    turn * dt <= SOLVED_TURN &&
     (goesFar(a, a.vx * dt, a.vy * dt, a.w * dt) || goesFar(b, b.vx * dt, b.vy * dt, b.w * dt))
   );
 }

@@ -1,18 +1,20 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
+import { isTurnInvisible, roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import { touch, touchAtPoint } from '../contact/touch.js';
 import { isHitHeard } from '../events/events.js';
 import { asksFirst } from '../events/pre-solve.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { canGiveWay, noteApproach, touch } from './find-pairs.js';
-import { touchAtPoint } from './impact.js';
+import { canGiveWay, noteApproach } from './find-pairs.js';
 import { comesBefore, findMeetings, isSensed, type Meeting } from './meetings.js';
 import { goesFar, type Mover } from './movers.js';
+import { smoothMeeting } from './seams.js';
 
 /**
  * Before the step is solved: where a fast body would meet something first, if nothing else happened, is given to the solver as a contact that is
@@ -122,18 +124,18 @@ function open(world: World, { a, b, time }: Meeting): void {
   }
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
-  if (Math.abs(one.turn) + Math.abs(two.turn) > SOLVED_TURN) {
+  if ((isTurnInvisible(a) ? 0 : one.spin) + (isTurnInvisible(b) ? 0 : two.spin) > SOLVED_TURN) {
     return;
   }
-  openAt(pair, one, two, time);
+  openAt(world, pair, one, two, time);
 }
 
 /** What slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it. */
 function openAtEnd(world: World, pair: Arbiter): void {
-  openAt(pair, world.movers.of(pair.bodyA), world.movers.of(pair.bodyB), 1);
+  openAt(world, pair, world.movers.of(pair.bodyA), world.movers.of(pair.bodyB), 1);
 }
 
-function openAt(pair: Arbiter, one: Mover, two: Mover, time: number): void {
+function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: number): void {
   const { shapeA: a, shapeB: b } = pair;
   const movers = one.body.kind === STATIC ? [two] : two.body.kind === STATIC ? [one] : [one, two];
   for (const mover of movers) {
@@ -144,6 +146,7 @@ function openAt(pair: Arbiter, one: Mover, two: Mover, time: number): void {
   if (!touch(pair) && time < 1) {
     touchAtPoint(pair);
   }
+  smoothMeeting(world, pair);
   if (isHitHeard(pair)) {
     noteApproach(pair);
   }
@@ -158,7 +161,7 @@ function openAt(pair: Arbiter, one: Mover, two: Mover, time: number): void {
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
-function moveBack({ manifold: m }: Arbiter, a: Mover, b: Mover, time: number): void {
+function moveBack({ shapeA, shapeB, manifold: m }: Arbiter, a: Mover, b: Mover, time: number): void {
   const n = m.numbers;
   const nx = n[g.NX]!;
   const ny = n[g.NY]!;
@@ -168,17 +171,20 @@ function moveBack({ manifold: m }: Arbiter, a: Mover, b: Mover, time: number): v
   for (let i = 0; i < m.count; i += 1) {
     const ax = n[g.X0 + g.POINT * i]!;
     const ay = n[g.Y0 + g.POINT * i]!;
+    const separation = n[g.S0 + g.POINT * i]!;
     const bx = ax - n[g.DX]!;
     const by = ay - n[g.DY]!;
-    const swing = along(nx, ny, bx, by, turnB) - along(nx, ny, ax, ay, turnA);
+    const swingA = along(turnA, ax * nx + ay * ny - roundness(shapeA, separation), ax * ny - ay * nx);
+    const swingB = along(turnB, bx * nx + by * ny + roundness(shapeB, separation), bx * ny - by * nx);
+    const swing = swingB - swingA;
     n[c.FORESIGHT + i] = way + swing;
-    n[g.S0 + g.POINT * i] = n[g.S0 + g.POINT * i]! - way - swing;
+    n[g.S0 + g.POINT * i] = separation - way - swing;
   }
 }
 
-/** How far an arm moves along n by a turn. */
-function along(nx: number, ny: number, x: number, y: number, turn: number): number {
-  return (cos(turn) - 1) * (x * nx + y * ny) + sin(turn) * (x * ny - y * nx);
+/** How far an arm moves along a direction by a turn: the lengths of the arm along and across it. */
+function along(turn: number, length: number, across: number): number {
+  return (cos(turn) - 1) * length + sin(turn) * across;
 }
 
 /** The shapes have met: the separation is again that of the placement that the points were found for. */

@@ -1,14 +1,16 @@
-import { gapBetween } from '../collide/gap.js';
+import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import { touch, touchAtPoint } from '../contact/touch.js';
 import { FOUND_LATE } from '../events/events.js';
 import { preSolve } from '../events/pre-solve.js';
 import { BEGIN } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { noteApproach, touch } from './find-pairs.js';
+import { noteApproach } from './find-pairs.js';
+import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
 
 /** An interaction begins in the course of a step. */
@@ -41,6 +43,7 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
   if (!touch(pair)) {
     touchAtPoint(pair);
   }
+  smoothMeeting(world, pair);
   if (begins) {
     beginLate(world, pair);
     pair.dropPoints();
@@ -63,26 +66,14 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
   }
   noteApproach(pair);
   solveImpact(pair);
+  if (!begins && (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC)) {
+    stopComing(pair);
+  }
   if (begins) {
     pair.freshPoints = pair.usedPoints;
     world.events.hit(pair, FOUND_LATE);
   }
   return pair;
-}
-
-/** For corners that meet corners, where no edges face each other: the one point where they do. */
-export function touchAtPoint(pair: Arbiter): void {
-  const { manifold: m } = pair;
-  const n = m.numbers;
-  const distance = gapBetween(pair.shapeA, pair.shapeB);
-  m.count = 1;
-  m.face = -1;
-  n[g.NX] = distance.axisX;
-  n[g.NY] = distance.axisY;
-  n[g.X0] = 0.5 * (distance.ax + distance.bx);
-  n[g.Y0] = 0.5 * (distance.ay + distance.by);
-  n[g.S0] = distance.value;
-  pair.showPoints();
 }
 
 /** One point of an impact: arms, effective masses, what has to be reached, and what has been given. */
@@ -122,6 +113,32 @@ export function solveImpact(pair: Arbiter): void {
     n[c.STEP_NORMAL + at] = n[c.STEP_NORMAL + at]! + normal;
     n[c.STEP_TANGENT + at] = n[c.STEP_TANGENT + at]! + tangent;
     pair.usedPoints |= 1 << which;
+  }
+}
+
+/**
+ * A body that touched before may whirl so fast that what touches is leaving, and so gets no impulse, while the rest of it comes on. Many impacts in a
+ * step would stop that; here the velocity of its origin into the surface is taken from it.
+ */
+function stopComing(pair: Arbiter): void {
+  const n = pair.manifold.numbers;
+  const { bodyA: a, bodyB: b, before } = pair;
+  if (n[c.STEP_NORMAL]! + n[c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
+    return;
+  }
+  const ofA = a.kind === DYNAMIC ? 0 : 1;
+  measureRelative(pair, ofA * n[g.DX]!, ofA * n[g.DY]!, (ofA - 1) * n[g.DX]!, (ofA - 1) * n[g.DY]!);
+  const mass = a.inverseMass() + b.inverseMass();
+  const coming = -(n[g.NX]! * relative.x + n[g.NY]! * relative.y);
+  if (coming > 0 && mass > 0) {
+    const x = (n[g.NX]! * coming) / mass;
+    const y = (n[g.NY]! * coming) / mass;
+    a.vx -= x * a.inverseMass();
+    a.vy -= y * a.inverseMass();
+    b.vx += x * b.inverseMass();
+    b.vy += y * b.inverseMass();
+    before.x += x;
+    before.y += y;
   }
 }
 

@@ -1,13 +1,15 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
-import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { CLEARANCE, DEEPER_SHARE, IMPACT_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import { isTurnInvisible } from '../collide/along.js';
+import { impactDepth } from '../collide/gap.js';
+import { CLEARANCE, DEEPER_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import type { Mover, Movers } from './movers.js';
+import { shapesWithin } from './nearby.js';
 
 /** Two shapes that meet on their ways, and when: 0 where the step began, 1 where it ended. */
 export interface Meeting {
@@ -59,7 +61,7 @@ export function findMeetings(world: World, depth: number): Meeting[] {
     }
     for (const shape of mover.body.shapes) {
       setShapeBounds(mover, shape);
-      for (const other of shapesWithin(world, meetsMovers(mover) || shape.sensor)) {
+      for (const other of shapesWithin(world, bounds, meetsMovers(mover) || shape.sensor)) {
         if (other.owner!.mover < 0 || other.owner!.mover >= count) {
           note(world, shape, other, depth, found);
         }
@@ -82,34 +84,12 @@ function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
     bounds[1] = start[1]! - reach;
     bounds[2] = start[2]! + reach;
     bounds[3] = start[3]! + reach;
-    if (shape.sensor || shapesWithin(world, false).length > 0) {
+    if (shape.sensor || shapesWithin(world, bounds, false).length > 0) {
       return false;
     }
   }
   body.clearance = reach;
   return true;
-}
-
-let nearby: Shape[] = [];
-
-function gather(handle: BroadphaseHandle): void {
-  nearby.push(handle.data as Shape);
-}
-
-/** The shapes that have something to do with `bounds`: the static and sleeping ones at least. */
-function shapesWithin({ broadphase }: World, all: boolean): Shape[] {
-  nearby.length = 0;
-  if (all || broadphase.sampleStatic === undefined) {
-    broadphase.sample(bounds, gather);
-  } else {
-    broadphase.sampleStatic(bounds, gather);
-  }
-  if (nearby.length === 0) {
-    return nearby;
-  }
-  const found = nearby;
-  nearby = [];
-  return found;
 }
 
 /** Kinematic bodies and fast bullets with everything that sweeps, and what sweeps with every kinematic body. */
@@ -242,16 +222,17 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  return !pair.foreseen && (a.spin + b.spin) * way < leastDepth(pair.shapeA, pair.shapeB, depth);
+  const spin = (isTurnInvisible(pair.shapeA) ? 0 : a.spin) + (isTurnInvisible(pair.shapeB) ? 0 : b.spin);
+  return !pair.foreseen && spin * way < leastDepth(pair.shapeA, pair.shapeB, depth);
 }
 
 function isJointed(a: Shape, b: Shape): boolean {
   return a.owner!.constraints.length + b.owner!.constraints.length > 0;
 }
 
-/** How deep two shapes have to get for an impact: thin ones less; jointed bodies more, as stopping one of them alone opens its joints. */
+/** How deep two shapes have to get for an impact: jointed bodies more, as stopping one of them alone opens its joints. */
 function leastDepth(a: Shape, b: Shape, depth: number): number {
-  return (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+  return (isJointed(a, b) ? JOINT_PATIENCE : 1) * impactDepth(a, b, depth);
 }
 
 /** An impulse has an effect on the body. */

@@ -22,9 +22,9 @@ export function warmStartOne(data: SolverData, h: number, first: boolean): void 
       r[i + d.START1]! +
       nx * (q[b + d.DX]! - q[a + d.DX]!) +
       ny * (q[b + d.DY]! - q[a + d.DY]!) +
-      v[b + d.COS_LESS_ONE]! * rtB +
+      v[b + d.COS_LESS_ONE]! * r[i + d.PIVOT_B]! +
       v[b + d.SIN]! * rnB -
-      v[a + d.COS_LESS_ONE]! * rtA -
+      v[a + d.COS_LESS_ONE]! * r[i + d.PIVOT_A]! -
       v[a + d.SIN]! * rnA;
     const surface = r[i + d.SURFACE_N]!;
     r[i + d.SEPARATION1] = s;

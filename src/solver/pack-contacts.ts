@@ -1,3 +1,4 @@
+import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import {
   MAX_CONDITION,
@@ -174,6 +175,9 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.RN_B1] = rnB;
   r[at + d.RT_A1] = rtA;
   r[at + d.RT_B1] = rtB;
+  const separation = n[g.S0 + g.POINT * which]!;
+  r[at + d.PIVOT_A] = rtA - roundness(pair.shapeA, separation);
+  r[at + d.PIVOT_B] = rtB + roundness(pair.shapeB, separation);
 
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
@@ -185,7 +189,7 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
   r[at + d.ROLL_FRICTION] = rolls ? n[c.ROLLING_FRICTION]! : 0;
-  r[at + d.START1] = n[g.S0 + g.POINT * which]!;
+  r[at + d.START1] = separation;
 
   const slide =
     nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;

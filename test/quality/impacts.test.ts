@@ -77,8 +77,7 @@ describe('skimming', { timeout: 120_000 }, () => {
   for (const round of [false, true]) {
     for (const uneven of [0, 1e-4]) {
       const what = `${round ? 'discs' : 'boxes'} over ${uneven > 0 ? 'tiles that differ by 0.1 mm' : 'flush tiles'}`;
-      // Not yet: where a step begins with a body just over a joint, its contact with the next tile may take that one's side for its face.
-      it.fails(`${what} keep 99.9 % of speed and way, of any size and after any fall`, () => {
+      it(`${what} keep 99.9 % of speed and way, of any size and after any fall`, () => {
         let worst = 1;
         let how = '';
         let count = 0;
@@ -181,7 +180,9 @@ describe('falls', { timeout: 120_000 }, () => {
           stalled = `seed ${seed}`;
         }
         through += body.getPosition()[1] > 0 ? 1 : 0;
-        if (i === 60) {
+        // Not in an impact: one of a box that whirls on has it deeper for a step.
+        const isSlow = Math.abs(vx) + Math.abs(vy) + Math.abs(body.getAngularVelocity()) * (width + height) < 1;
+        if (i >= 60 && isSlow) {
           const depth = body.computeWorldBounds()[3]!;
           if (depth > deepest) {
             deepest = depth;
@@ -193,7 +194,7 @@ describe('falls', { timeout: 120_000 }, () => {
       fastest = Math.max(fastest, Math.sqrt(vx * vx + vy * vy));
     }
     console.log(
-      `200 boxes: ${(1000 * deepest).toFixed(2)} mm deep 60 steps after the impact (${worst}), ${fastest.toFixed(4)} m/s after 600; ` +
+      `200 boxes: ${(1000 * deepest).toFixed(2)} mm deep from 60 steps after the impact on (${worst}), ${fastest.toFixed(4)} m/s after 600; ` +
         `stuck in spite of their speed for ${longest} steps at most (${stalled})`,
     );
     expect(through).toBe(0);

@@ -54,7 +54,8 @@ describe('scenes with joints, step by step', () => {
     );
     expect(driven).toBeGreaterThan(40);
     expect(speed).toBeGreaterThan(0.9 * 12 * 0.4);
-    expect(speed).toBeLessThan(12 * 0.4);
+    // The wheels turn at the motor's rate against the chassis, which noses down while they grip, and back in the air.
+    expect(speed).toBeLessThan(1.05 * 12 * 0.4);
     expect(astray).toBeLessThan(0.001);
 
     const parked = phys2D.createWorld();

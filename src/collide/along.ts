@@ -1,0 +1,55 @@
+import { EDGE_STRIDE } from '../geometry/layout.js';
+import type { Circle } from '../shape/circle.js';
+import type { Polygon } from '../shape/polygon.js';
+import type { Shape } from '../shape/shape.js';
+import { setPoint } from './circles.js';
+import * as g from './layout.js';
+import type { Manifold } from './manifold.js';
+import { collidePolygonsAlong } from './polygons.js';
+import { POLYGON } from './table.js';
+
+/** How far a placed shape reaches along a unit vector, from the origin of its body. */
+export function reachAlong(shape: Shape, nx: number, ny: number): number {
+  if (shape.kind !== POLYGON) {
+    const { centreX, centreY, radius } = shape as Circle;
+    return nx * centreX + ny * centreY + radius;
+  }
+  const { edges } = shape as Polygon;
+  let most = -Infinity;
+  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+    most = Math.max(most, nx * edges[k]! + ny * edges[k + 1]!);
+  }
+  return most;
+}
+
+/**
+ * The part of a contact's arm that does not turn with the body: on a circle all from its centre to the contact point, half-way into the overlap;
+ * on a polygon nothing.
+ */
+export function roundness(shape: Shape, separation: number): number {
+  return shape.kind === POLYGON ? 0 : (shape as Circle).radius + 0.5 * separation;
+}
+
+/** Whether a shape stays the same when its body turns: a circle around the origin. */
+export function isTurnInvisible(shape: Shape): boolean {
+  return shape.kind !== POLYGON && (shape as Circle).originX === 0 && (shape as Circle).originY === 0;
+}
+
+/** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
+export function collideAlong(a: Shape, b: Shape, m: Manifold, nx: number, ny: number): void {
+  if (a.kind === POLYGON && b.kind === POLYGON) {
+    collidePolygonsAlong(a as Polygon, b as Polygon, m, nx, ny);
+    return;
+  }
+  const dx = m.numbers[g.DX]!;
+  const dy = m.numbers[g.DY]!;
+  const reachA = reachAlong(a, nx, ny);
+  const separation = nx * dx + ny * dy - reachAlong(b, -nx, -ny) - reachA;
+  const { centreX, centreY, radius } = (a.kind === POLYGON ? b : a) as Circle;
+  if (a.kind === POLYGON) {
+    const reach = radius + separation;
+    setPoint(m, nx, ny, centreX + dx - nx * reach, centreY + dy - ny * reach, separation);
+  } else {
+    setPoint(m, nx, ny, centreX + nx * radius, centreY + ny * radius, separation);
+  }
+}

@@ -1,0 +1,246 @@
+import { DYNAMIC, STATIC } from '../body-kind.js';
+import { reachAlong } from '../collide/along.js';
+import * as g from '../collide/layout.js';
+import { POLYGON } from '../collide/table.js';
+import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { touch, touchAlong } from '../contact/touch.js';
+import { EDGE_STRIDE } from '../geometry/layout.js';
+import type { Polygon } from '../shape/polygon.js';
+import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
+import { shapesWithin } from './nearby.js';
+
+// What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
+// may be the nearest way out of it, but it is no surface of the floor.
+
+/** Normals that differ by less than this cosine are different. */
+const SAME_DIRECTION = 1 - 1e-10;
+
+/** m. How far an edge is followed to see whether it comes into the open. */
+const OPEN_WAY = 4 * FLUSH_TOLERANCE;
+
+/** The direction that was found for a contact, from the ground to the body: scratch. */
+const up = { x: 0, y: 0 };
+const bounds = new Float64Array(4);
+
+/** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
+export function noteGround(world: World, pair: Arbiter): void {
+  if (pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC) {
+    return;
+  }
+  const shape = dynamicOf(pair);
+  if (shape.groundStamp !== world.timeStamp) {
+    shape.groundStamp = world.timeStamp;
+    shape.grounds = null;
+  } else if (shape.grounds!.nextGround === null) {
+    world.straddling.push(shape);
+  }
+  pair.nextGround = shape.grounds;
+  shape.grounds = pair;
+}
+
+/** Looks at all contacts of shapes that lie on or near more than one static shape. */
+export function smoothSeams(world: World): void {
+  const { straddling } = world;
+  for (let i = 0; i < straddling.length; i += 1) {
+    for (let pair = straddling[i]!.grounds; pair !== null; pair = pair.nextGround) {
+      if (smooth(pair)) {
+        pair.near &&= pair.manifold.count > 0;
+      }
+    }
+  }
+  straddling.length = 0;
+}
+
+/** Turns a contact to the direction in which the other grounds carry its shape, if they hide the face or corner that it is with. */
+function smooth(pair: Arbiter): boolean {
+  const shape = dynamicOf(pair);
+  const ground = groundOf(pair);
+  for (let other = shape.grounds; other !== null && pair.manifold.count > 0; other = other.nextGround) {
+    if (other === pair || other.manifold.count === 0) {
+      continue;
+    }
+    if (isBelow(pair, other) || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
+      turn(pair);
+      return true;
+    }
+  }
+  return false;
+}
+
+/** The same for a contact that was just found where a body is in the course of the step, with all static shapes that are there. */
+export function smoothMeeting(world: World, pair: Arbiter): void {
+  const ground = groundOf(pair);
+  if (ground.kind !== POLYGON || pair.bodyA.kind === pair.bodyB.kind || ground.owner!.kind !== STATIC) {
+    return;
+  }
+  const { numbers: n } = pair.manifold;
+  const x = n[g.X0]! + pair.bodyA.x;
+  const y = n[g.Y0]! + pair.bodyA.y;
+  bounds.set([x, y, x, y]);
+  for (const other of shapesWithin(world, bounds, false)) {
+    if (other !== ground && other.owner!.kind === STATIC && isHidden(pair, ground as Polygon, other as Polygon)) {
+      turn(pair);
+      if (pair.manifold.count === 0) {
+        touch(pair);
+      }
+      return;
+    }
+  }
+}
+
+function dynamicOf(pair: Arbiter): Shape {
+  return pair.bodyA.kind === DYNAMIC ? pair.shapeA : pair.shapeB;
+}
+
+function groundOf(pair: Arbiter): Shape {
+  return pair.bodyA.kind === DYNAMIC ? pair.shapeB : pair.shapeA;
+}
+
+/** 1 if the normal of a pair points from the ground to the body, else −1. */
+function signOf(pair: Arbiter): number {
+  return pair.bodyA.kind === DYNAMIC ? -1 : 1;
+}
+
+function turn(pair: Arbiter): void {
+  const sign = signOf(pair);
+  touchAlong(pair, sign * up.x, sign * up.y);
+}
+
+/**
+ * Whether a ground does not stand out of the face of another that the same shape lies on. Then it can only carry the shape in the same direction:
+ * all that the two overlap by lies beyond that face, and is no deeper.
+ */
+function isBelow(pair: Arbiter, other: Arbiter): boolean {
+  findFace(other);
+  return !carriesUp(pair) && step(groundOf(other), groundOf(pair)) <= FLUSH_TOLERANCE;
+}
+
+/** Whether a contact has the direction that was found. */
+function carriesUp(pair: Arbiter): boolean {
+  const { numbers: n } = pair.manifold;
+  return signOf(pair) * (up.x * n[g.NX]! + up.y * n[g.NY]!) >= SAME_DIRECTION;
+}
+
+/** The direction in which a ground carries a shape: that of the face that it lies on, even if not perfectly flat. */
+function findFace(pair: Arbiter): void {
+  const { numbers: n } = pair.manifold;
+  const sign = signOf(pair);
+  const ground = groundOf(pair);
+  up.x = sign * n[g.NX]!;
+  up.y = sign * n[g.NY]!;
+  if (ground.kind === POLYGON && dynamicOf(pair).kind === POLYGON) {
+    const { edges } = ground as Polygon;
+    for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+      if (edges[k + 2]! * up.x + edges[k + 3]! * up.y > FACE_ALIGNMENT) {
+        up.x = edges[k + 2]!;
+        up.y = edges[k + 3]!;
+        return;
+      }
+    }
+  }
+}
+
+/** By how much a static shape stands out of another, upwards. */
+function step(from: Shape, to: Shape): number {
+  const dx = to.owner!.x - from.owner!.x;
+  const dy = to.owner!.y - from.owner!.y;
+  return reachAlong(to, up.x, up.y) + up.x * dx + up.y * dy - reachAlong(from, up.x, up.y);
+}
+
+/**
+ * Whether a contact is with a side or corner of a polygon that lies within another one, and so is no surface. Then what carries the body is
+ * the face that goes on from there in the open. Where two such faces meet, all directions between theirs are right.
+ */
+function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
+  if (ground.kind !== POLYGON || other.kind !== POLYGON || !liesWithin(pair, ground, other)) {
+    return false;
+  }
+  const shape = dynamicOf(pair);
+  const { x, y } = point;
+  const { numbers: n } = pair.manifold;
+  const nx = signOf(pair) * n[g.NX]!;
+  const ny = signOf(pair) * n[g.NY]!;
+  let side = 0;
+  point.x += ground.owner!.x - other.owner!.x;
+  point.y += ground.owner!.y - other.owner!.y;
+  if (findOpenFace(shape, other, ground)) {
+    side = up.x * ny - up.y * nx;
+  }
+  point.x = x;
+  point.y = y;
+  return findOpenFace(shape, ground, other) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
+}
+
+/** Finds a face of a ground that has little of a shape below it, and near `point` is not within another ground. */
+function findOpenFace(shape: Shape, ground: Polygon, other: Polygon): boolean {
+  const depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
+  const { edges } = ground;
+  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+    up.x = edges[k + 2]!;
+    up.y = edges[k + 3]!;
+    const height = heightAbove(shape, ground);
+    if (height > -depth && height < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** How far the lowest point of a shape is above the highest of a ground. */
+function heightAbove(shape: Shape, ground: Shape): number {
+  const dx = shape.owner!.x - ground.owner!.x;
+  const dy = shape.owner!.y - ground.owner!.y;
+  return up.x * dx + up.y * dy - reachAlong(shape, -up.x, -up.y) - reachAlong(ground, up.x, up.y);
+}
+
+/** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */
+function liesWithin({ manifold: m, bodyA }: Arbiter, ground: Polygon, other: Polygon): boolean {
+  const { numbers: n } = m;
+  const isSecond = bodyA.kind === DYNAMIC;
+  const least = m.count === 2 ? Math.min(n[g.S0]!, n[g.S1]!) : n[g.S0]!;
+  for (let at = 0; at < m.count * g.POINT; at += g.POINT) {
+    const separation = n[g.S0 + at]!;
+    if (separation < 0 || separation === least) {
+      const half = (isSecond ? 0.5 : -0.5) * separation;
+      point.x = n[g.X0 + at]! + half * n[g.NX]! - (isSecond ? n[g.DX]! : 0);
+      point.y = n[g.Y0 + at]! + half * n[g.NY]! - (isSecond ? n[g.DY]! : 0);
+      if (!isWithin(other, ground, point.x, point.y)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** On the surface of the ground, relative to its body: scratch. */
+const point = { x: 0, y: 0 };
+
+/** Whether an edge of a ground, from its end near `point` on, is not within another polygon. */
+function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
+  const { edges } = ground;
+  const next = edge + EDGE_STRIDE === edges.length ? 0 : edge + EDGE_STRIDE;
+  const isNext = distanceSquared(edges, next) < distanceSquared(edges, edge);
+  const from = isNext ? next : edge;
+  const way = isNext ? -OPEN_WAY : OPEN_WAY;
+  return !isWithin(other, ground, edges[from]! - way * up.y, edges[from + 1]! + way * up.x);
+}
+
+function distanceSquared(edges: Float64Array, corner: number): number {
+  const x = edges[corner]! - point.x;
+  const y = edges[corner + 1]! - point.y;
+  return x * x + y * y;
+}
+
+/** Whether a polygon contains a point, given relative to the body of a ground, or nearly. */
+function isWithin({ edges, offsets, owner }: Polygon, ground: Shape, x: number, y: number): boolean {
+  const px = x + ground.owner!.x - owner!.x;
+  const py = y + ground.owner!.y - owner!.y;
+  for (let i = 0; i < offsets.length; i += 1) {
+    if (edges[EDGE_STRIDE * i + 2]! * px + edges[EDGE_STRIDE * i + 3]! * py - offsets[i]! > FLUSH_TOLERANCE) {
+      return false;
+    }
+  }
+  return true;
+}

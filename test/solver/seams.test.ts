@@ -1,0 +1,219 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type Shape, type Vec2, type World } from '../../src/index.js';
+
+// What slides over shapes that lie side by side does not catch on the joints ("ghost collisions"); what stands out of them stops it.
+
+const DT = 1 / 60;
+const FREE = { linearDrag: 0, angularDrag: 0 };
+const SMOOTH = { staticFriction: 0, dynamicFriction: 0, rollingFriction: 0 };
+
+function box(width: number, height: number, elasticity = 0): Shape {
+  const material = phys2D.createMaterial({ ...SMOOTH, elasticity });
+  return phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, height), material });
+}
+
+function disc(radius: number, elasticity = 0): Shape {
+  return phys2D.createCircleShape({ radius, material: phys2D.createMaterial({ ...SMOOTH, elasticity }) });
+}
+
+/** Tiles of 1 m with their tops along a line from `(x, y)`, turned by an angle. */
+function tiles(
+  world: World,
+  count: number,
+  x: number,
+  y: number,
+  rotation = 0,
+  type: 'static' | 'kinematic' = 'static',
+): RigidBody[] {
+  const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+  return Array.from({ length: count }, (_, i) => {
+    const along = i + 0.5;
+    const position: Vec2 = [x + c * along - s * 0.5, y + s * along + c * 0.5];
+    const tile = phys2D.createRigidBody({ type, position, rotation, shapes: [box(1, 1)] });
+    world.addRigidBody(tile);
+    return tile;
+  });
+}
+
+function slider(world: World, shape: Shape, position: Vec2, velocity: Vec2, rotation = 0): RigidBody {
+  const body = phys2D.createRigidBody({ position, velocity, rotation, shapes: [shape], ...FREE });
+  world.addRigidBody(body);
+  return body;
+}
+
+describe('joints of tiles', () => {
+  for (const [what, shape] of [
+    ['a box', () => box(0.4, 0.4)],
+    ['a disc', () => disc(0.2)],
+  ] as const) {
+    it(`${what} slides on at any speed`, () => {
+      for (const speed of [0.01, 0.05, 0.2, 0.5, 1, 2, 5, 10, 20]) {
+        for (const start of [1.3, 1.55, 1.79]) {
+          const world = phys2D.createWorld({ allowSleeping: false });
+          tiles(world, 10 + 5 * speed, 0, 0);
+          const body = slider(world, shape(), [start, -0.2], [speed, 0]);
+          const seconds = Math.min(5, Math.max(1, 2 / speed));
+          for (let i = 0; i < 60 * seconds; i += 1) {
+            world.step(DT);
+            expect(Math.abs(body.getVelocity()[1])).toBeLessThan(0.01);
+          }
+          // A weak damping helps bodies to rest: what creeps is slowed.
+          expect(body.getVelocity()[0]).toBeGreaterThan((speed < 0.1 ? 0.99 : 0.999) * speed);
+          expect(body.getVelocity()[0]).toBeLessThan(1.001 * speed);
+        }
+      }
+    });
+
+    it(`${what} slides down a slope of tiles as it would down a plane`, () => {
+      for (const angle of [0.1, 0.5, 1, 1.5]) {
+        const world = phys2D.createWorld();
+        tiles(world, 20, 0, 0, angle);
+        const [c, s] = [Math.cos(angle), Math.sin(angle)];
+        const body = slider(world, shape(), [c + s * 0.2, s - c * 0.2], [0, 0], angle);
+        for (let i = 0; i < 60; i += 1) {
+          world.step(DT);
+        }
+        const [vx, vy] = body.getVelocity();
+        expect(vx * c + vy * s).toBeCloseTo(10 * s, 2);
+        expect(vx * s - vy * c).toBeCloseTo(0, 2);
+      }
+    });
+
+    it(`${what} that falls along a wall of tiles is not held up`, () => {
+      const world = phys2D.createWorld();
+      tiles(world, 30, 0, 0, Math.PI / 2);
+      const body = slider(world, shape(), [0.2, 0.5], [0, 0]);
+      for (let i = 0; i < 60; i += 1) {
+        body.applyImpulse([-0.02 * body.getMass(), 0]);
+        world.step(DT);
+      }
+      expect(body.getVelocity()[1]).toBeCloseTo(10, 2);
+    });
+
+    it(`${what} is stopped by a wall at the end, also if that is of tiles`, () => {
+      for (const height of [1, 3]) {
+        for (const speed of [0.5, 2, 30]) {
+          const world = phys2D.createWorld();
+          tiles(world, 6, 0, 0);
+          for (let i = 0; i < height; i += 1) {
+            tiles(world, 1, 6, -1 - i);
+          }
+          const body = slider(world, shape(), [2, -0.2], [speed, 0]);
+          for (let i = 0; i < 60 + 240 / speed; i += 1) {
+            world.step(DT);
+          }
+          expect(body.getPosition()[0]).toBeCloseTo(5.8, 3);
+          expect(body.getPosition()[1]).toBeCloseTo(-0.2, 3);
+          expect(body.getVelocity()[0]).toBeCloseTo(0, 3);
+        }
+      }
+    });
+
+    it(`${what} that bounces on a joint goes straight up again`, () => {
+      for (const fall of [0.05, 0.3, 1, 5]) {
+        for (const [dx, dy] of [
+          [0, 0],
+          [1e-5, 0],
+          [-1e-3, 0],
+          // A box would be tilted by the higher tile.
+          [0.03, what === 'a box' ? 0 : 1e-4],
+        ] as const) {
+          const world = phys2D.createWorld();
+          tiles(world, 3, 0, 0);
+          tiles(world, 3, 3, dy);
+          const shape = what === 'a box' ? box(0.4, 0.4, 1) : disc(0.2, 1);
+          const body = slider(world, shape, [3 + dx, -0.2 - fall], [0, 0]);
+          for (let i = 0; i < 120; i += 1) {
+            world.step(DT);
+            const [vx, vy] = body.getVelocity();
+            expect(Math.abs(vx)).toBeLessThan(1e-3);
+            expect(Math.abs(vy)).toBeLessThan(Math.sqrt(20 * fall) + 10 * DT);
+          }
+        }
+      }
+    });
+
+    it(`${what} keeps its energy over hills and through hollows`, () => {
+      const world = phys2D.createWorld();
+      const heights = [0];
+      for (let i = 0; i < 80; i += 1) {
+        const y = heights[i]!;
+        const next = y + 0.05 * Math.sin(i / 10);
+        const vertices: Vec2[] = [
+          [i / 2, y],
+          [(i + 1) / 2, next],
+          [(i + 1) / 2, next + 1],
+          [i / 2, y + 1],
+        ];
+        const shapes = [phys2D.createPolygonShape({ vertices, material: phys2D.createMaterial(SMOOTH) })];
+        world.addRigidBody(phys2D.createRigidBody({ type: 'static', shapes }));
+        heights.push(next);
+      }
+      const body = slider(world, what === 'a box' ? box(0.2, 0.2) : disc(0.1), [1, heights[2]! - 0.1], [4, 0]);
+      const energy = (): number => {
+        const [vx, vy] = body.getVelocity();
+        const w = body.getAngularVelocity();
+        const spin = (w * w * body.getInertia()) / body.getMass();
+        return 0.5 * (vx * vx + vy * vy + spin) - 10 * body.getPosition()[1];
+      };
+      const given = energy();
+      for (let last = given, i = 0; i < 480; i += 1) {
+        world.step(DT);
+        expect(energy()).toBeLessThan(last + 0.001);
+        last = energy();
+      }
+      expect(body.getPosition()[0]).toBeGreaterThan(30);
+      expect(energy()).toBeGreaterThan(0.95 * given);
+    });
+
+    it(`${what} begins and ends with each tile once`, () => {
+      const world = phys2D.createWorld();
+      const ground = tiles(world, 12, 0, 0);
+      const events: string[] = [];
+      const piece = shape();
+      for (const type of ['begin', 'end'] as const) {
+        piece.addEventListener(type, (_, other) => {
+          events.push(`${type} ${ground.findIndex(({ shapes }) => shapes[0] === other)}`);
+        });
+      }
+      slider(world, piece, [2.5, -0.2], [3, 0]);
+      for (let i = 0; i < 120; i += 1) {
+        world.step(DT);
+      }
+      const order = (type: string) =>
+        events.filter((event) => event.startsWith(type)).map((event) => Number(event.split(' ')[1]));
+      expect(order('begin')).toEqual([2, 3, 4, 5, 6, 7, 8]);
+      expect(order('end')).toEqual([2, 3, 4, 5, 6, 7]);
+    });
+
+    it(`${what} rides on moving tiles`, () => {
+      const world = phys2D.createWorld();
+      const ground = tiles(world, 12, 0, 0, 0, 'kinematic');
+      for (const tile of ground) {
+        tile.setVelocity([0, -1]);
+      }
+      const body = slider(world, shape(), [2.5, -0.2], [3, -1]);
+      for (let i = 0; i < 120; i += 1) {
+        world.step(DT);
+        expect(body.getVelocity()[0]).toBeCloseTo(3, 3);
+        expect(body.getVelocity()[1]).toBeCloseTo(-1, 1);
+      }
+    });
+  }
+
+  it('a box is stopped by a curb of 5 mm', () => {
+    const world = phys2D.createWorld();
+    tiles(world, 6, 0, 0);
+    tiles(world, 1, 6, -0.005);
+    const body = slider(world, box(0.4, 0.4), [2, -0.2], [2, 0]);
+    let farthest = 0;
+    for (let i = 0; i < 180; i += 1) {
+      world.step(DT);
+      farthest = Math.max(farthest, body.getPosition()[0]);
+    }
+    // It tips forward about its lower corner, and falls back.
+    expect(farthest).toBeGreaterThan(5.79);
+    expect(farthest).toBeLessThan(5.95);
+    expect(body.getPosition()[0]).toBeLessThan(5.8);
+  });
+});
