@@ -1,6 +1,8 @@
 // One measurement in a process of its own: node child.mjs '{"task":"pyramid","engine":"phys2d"}' prints one line of JSON.
 import { buildChains, buildJointGrid, buildPyramid, stateHash, worstGap } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
+import { casters } from './casters.mjs';
+import { createField } from './casts-scene.mjs';
 
 const DT = 1 / 60;
 
@@ -10,7 +12,7 @@ const engines = {
   'planck, discrete': async () => (await import('./planck.mjs')).planckDiscrete,
 };
 
-const tasks = { pyramid, chains, grid, crowd, events, garbage, hash };
+const tasks = { pyramid, chains, grid, crowd, events, rays, casts, garbage, hash };
 const { task, ...params } = JSON.parse(process.argv[2]);
 console.log(JSON.stringify(await tasks[task](params)));
 
@@ -123,6 +125,38 @@ function events({ base, listening, warmUp, steps }) {
   heard.calls = 0;
   const times = time(steps, step);
   return { times, pairs: heard.pairs(), callsPerStep: heard.calls / steps };
+}
+
+/** Rays through a field of bodies: the time of all of them, how many hit, and the sum of their factors. */
+async function rays({ engine, warmUp, steps, ...counts }) {
+  const { bodies, rays } = createField(counts);
+  const caster = await casters[engine](bodies);
+  return castAll(rays.map(caster.ray), warmUp, steps);
+}
+
+/** The same for boxes. */
+async function casts({ engine, warmUp, steps, ...counts }) {
+  const { bodies, casts } = createField(counts);
+  const caster = await casters[engine](bodies);
+  return castAll(casts.map(caster.box), warmUp, steps);
+}
+
+function castAll(prepared, warmUp, steps) {
+  let hits = 0;
+  let factors = 0;
+  const step = () => {
+    hits = 0;
+    factors = 0;
+    for (const cast of prepared) {
+      const factor = cast();
+      if (factor >= 0) {
+        hits += 1;
+        factors += factor;
+      }
+    }
+  };
+  repeat(warmUp, step);
+  return { times: time(steps, step), hits, factors };
 }
 
 /**

@@ -1,4 +1,4 @@
-// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [events] [garbage] [hash]
+// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [events] [rays] [casts] [garbage] [hash]
 import { spawnSync } from 'node:child_process';
 import { cpus } from 'node:os';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const json = process.argv.includes('--json');
 const wanted = process.argv.slice(2).filter((argument) => argument !== '--json');
 const say = (line) => json || console.log(line);
 
-const parts = { pyramid, chains, grid, crowd, events, garbage, hash };
+const parts = { pyramid, chains, grid, crowd, events, rays, casts, garbage, hash };
 for (const name of wanted.filter((name) => !(name in parts))) {
   console.error(`bench: there is no part ${name}, only ${Object.keys(parts).join(', ')}`);
   process.exit(2);
@@ -21,7 +21,7 @@ for (const name of wanted.filter((name) => !(name in parts))) {
 
 await build({
   stdin: {
-    contents: "export * from './pyramid.js'; export * from './joint-grid.js'; export * from './hash.js';",
+    contents: ['pyramid', 'joint-grid', 'hash', 'mixed'].map((name) => `export * from './${name}.js';`).join(''),
     resolveDir: here('../test/scenes'),
   },
   outfile: here('../dist/bench/scenes.js'),
@@ -164,6 +164,46 @@ function events() {
   const [kB, heardkB] = [false, true].map((listening) => measure({ ...warm, listening }, GC_FLAGS).bytesPerStep / 1000);
   say(columns('garbage', `${kB.toFixed(2)} kB/step`, `${heardkB.toFixed(2)} kB/step`));
   return { silent, heard, pairs, callsPerStep, ratio, target: 1.15, kB: { silent: kB, heard: heardkB } };
+}
+
+function rays() {
+  const job = { task: 'rays', bodies: 2000, rays: 10_000, casts: 0, warmUp: 10, steps: 40 };
+  const { engines } = cast(`${job.rays} rays, the nearest hit among ${job.bodies} bodies`, job);
+  for (const [name, { hits, factors }] of Object.entries(engines)) {
+    if (!near(hits, engines.phys2d.hits) || !near(factors, engines.phys2d.factors)) {
+      throw new Error(`bench: rays hit other things in ${name} than in phys2d`);
+    }
+  }
+  const { planck, Rapier } = engines;
+  say(target('phys2d / planck', planck.ratio.toFixed(3), 0.6));
+  say(target('phys2d / Rapier', Rapier.ratio.toFixed(3), 1.5));
+  return { engines, ratio: planck.ratio, target: 0.6, ratioToRapier: Rapier.ratio, targetToRapier: 1.5 };
+}
+
+function casts() {
+  const job = { task: 'casts', bodies: 2000, rays: 0, casts: 2000, warmUp: 20, steps: 80 };
+  return cast(`${job.casts} casts of a box, the nearest hit among ${job.bodies} bodies`, job);
+}
+
+function cast(title, job) {
+  say(`\n${title}: the quietest of ${ROUNDS} × ${job.steps} times all`);
+  say(columns('', 'median', 'p95', 'hits', 'factors', 'phys2d is'));
+  const names = ['phys2d', 'planck', 'Rapier'];
+  const runs = interleave(names.map((engine) => ({ ...job, engine })));
+  const engines = {};
+  for (const [i, name] of names.entries()) {
+    const times = summary(runs[i]);
+    const { hits, factors } = runs[i][0];
+    const ratio = (i === 0 ? times : engines.phys2d).median / times.median;
+    engines[name] = { ...times, hits, factors, ratio };
+    const share = i === 0 ? '' : `× ${ratio.toFixed(3)}`;
+    say(columns(name, ms(times.median), ms(times.p95), `${hits}`, factors.toFixed(3), share));
+  }
+  return { engines };
+}
+
+function near(a, b) {
+  return Math.abs(a - b) <= 0.001 * b;
 }
 
 function garbage() {
