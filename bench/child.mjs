@@ -1,4 +1,5 @@
 // One measurement in a process of its own: node child.mjs '{"task":"pyramid","engine":"phys2d"}' prints one line of JSON.
+import { Session } from 'node:inspector/promises';
 import { buildChains, buildJointGrid, buildPyramid, stateHash, worstGap } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
 import { casters } from './casters.mjs';
@@ -12,7 +13,7 @@ const engines = {
   'planck, discrete': async () => (await import('./planck.mjs')).planckDiscrete,
 };
 
-const tasks = { pyramid, chains, grid, crowd, events, rays, casts, garbage, hash };
+const tasks = { pyramid, chains, grid, crowd, events, continuous, rays, casts, garbage, hash };
 const { task, ...params } = JSON.parse(process.argv[2]);
 console.log(JSON.stringify(await tasks[task](params)));
 
@@ -125,6 +126,30 @@ function events({ base, listening, warmUp, steps }) {
   heard.calls = 0;
   const times = time(steps, step);
   return { times, pairs: heard.pairs(), callsPerStep: heard.calls / steps };
+}
+
+/** The share of a step that continuous collision takes where nothing is fast, by the sampling profiler. */
+async function continuous({ base, warmUp, steps }) {
+  const world = phys2D.createWorld({ allowSleeping: false });
+  buildPyramid(phys2D, world, base);
+  const step = () => world.step(DT);
+  repeat(warmUp, step);
+  const session = new Session();
+  session.connect();
+  await session.post('Profiler.enable');
+  await session.post('Profiler.setSamplingInterval', { interval: 100 });
+  await session.post('Profiler.start');
+  repeat(steps, step);
+  const { profile } = await session.post('Profiler.stop');
+  const nodes = new Map(profile.nodes.map((node) => [node.id, node]));
+  const sum = (ids = [], count) => ids.reduce((total, id) => total + count(nodes.get(id)), 0);
+  const samples = (node) => node.hitCount + sum(node.children, samples);
+  const within = (names) => (node) =>
+    node.callFrame.url.endsWith('phys2d.js') && names.includes(node.callFrame.functionName)
+      ? samples(node)
+      : sum(node.children, within(names));
+  const [root] = profile.nodes;
+  return { share: within(['foresee', 'continuous'])(root) / within(['step'])(root) };
 }
 
 /** Rays through a field of bodies: the time of all of them, how many hit, and the sum of their factors. */

@@ -1,4 +1,4 @@
-// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [events] [rays] [casts] [garbage] [hash]
+// Measures phys2d beside other engines: npm run bench, or node bench/run.mjs [--json] [pyramid] [chains] [grid] [crowd] [events] [continuous] [rays] [casts] [garbage] [hash]
 import { spawnSync } from 'node:child_process';
 import { cpus } from 'node:os';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const json = process.argv.includes('--json');
 const wanted = process.argv.slice(2).filter((argument) => argument !== '--json');
 const say = (line) => json || console.log(line);
 
-const parts = { pyramid, chains, grid, crowd, events, rays, casts, garbage, hash };
+const parts = { pyramid, chains, grid, crowd, events, continuous, rays, casts, garbage, hash };
 for (const name of wanted.filter((name) => !(name in parts))) {
   console.error(`bench: there is no part ${name}, only ${Object.keys(parts).join(', ')}`);
   process.exit(2);
@@ -164,6 +164,15 @@ function events() {
   const [kB, heardkB] = [false, true].map((listening) => measure({ ...warm, listening }, GC_FLAGS).bytesPerStep / 1000);
   say(columns('garbage', `${kB.toFixed(2)} kB/step`, `${heardkB.toFixed(2)} kB/step`));
   return { silent, heard, pairs, callsPerStep, ratio, target: 1.15, kB: { silent: kB, heard: heardkB } };
+}
+
+function continuous() {
+  const job = { task: 'continuous', base: 40, warmUp: 120, steps: 2000 };
+  say(`\nContinuous collision in the pyramid, where nothing is fast: ${job.steps} steps`);
+  const shares = interleave([job])[0].map(({ share }) => 100 * share);
+  const share = median(shares.sort((a, b) => a - b));
+  say(target('share of a step', `${share.toFixed(2)} %`, '3 %'));
+  return { share, target: 3 };
 }
 
 function rays() {
