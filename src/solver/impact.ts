@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
@@ -9,6 +10,8 @@ import { preSolve } from '../events/pre-solve.js';
 import { BEGIN } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import type { SolverData } from './data.js';
+import * as d from './data.js';
 import { noteApproach } from './find-pairs.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
@@ -65,7 +68,7 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
     }
   }
   noteApproach(pair);
-  solveImpact(pair);
+  solveImpact(world, pair);
   if (!begins && (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC)) {
     stopComing(pair);
   }
@@ -95,12 +98,12 @@ interface Point {
  * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, by sequential impulses (Catto, GDC 2006). They
  * are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
  */
-export function solveImpact(pair: Arbiter): void {
+export function solveImpact(world: World, pair: Arbiter): void {
   const points: Point[] = [];
   const { numbers: n, count } = pair.manifold;
   for (const which of [0, 1] as const) {
     if (which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP) {
-      points.push(makePoint(pair, which));
+      points.push(makePoint(world.solver, pair, which));
     }
   }
   for (let i = 0; i < IMPACT_ITERATIONS; i += 1) {
@@ -150,7 +153,7 @@ function measureRelative({ bodyA: a, bodyB: b }: Arbiter, ax: number, ay: number
   relative.y = b.vy + b.w * bx - a.vy - a.w * ax;
 }
 
-function makePoint(pair: Arbiter, which: 0 | 1): Point {
+function makePoint(data: SolverData, pair: Arbiter, which: 0 | 1): Point {
   const n = pair.manifold.numbers;
   const { bodyA: a, bodyB: b } = pair;
   const nx = n[g.NX]!;
@@ -167,7 +170,10 @@ function makePoint(pair: Arbiter, which: 0 | 1): Point {
   const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
   const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
   measureRelative(pair, ax, ay, bx, by);
-  const bounce = n[c.ELASTICITY]! * (nx * relative.x + ny * relative.y);
+  const comes = nx * relative.x + ny * relative.y;
+  const gain =
+    nx * (gainOf(data, b, d.GAIN_X) - gainOf(data, a, d.GAIN_X)) +
+    ny * (gainOf(data, b, d.GAIN_Y) - gainOf(data, a, d.GAIN_Y));
   const slide = nx * relative.y - ny * relative.x;
   return {
     which,
@@ -177,11 +183,24 @@ function makePoint(pair: Arbiter, which: 0 | 1): Point {
     by,
     normalMass: kn > 0 ? 1 / kn : 0,
     tangentMass: kt > 0 ? 1 / kt : 0,
-    leave: (bounce < -BOUNCE_THRESHOLD ? bounce : 0) - (a.surfaceY + b.surfaceY),
+    leave: bounceSpeed(n[c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY),
     friction: slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!,
     normal: 0,
     tangent: 0,
   };
+}
+
+/**
+ * The velocity that a bounce ends with, with the sign changed. A velocity that the next sub-step starts from is by half of what forces add in one
+ * behind the true one: so that is added for the bounce, which keeps the height of a bouncing ball.
+ */
+function bounceSpeed(elasticity: number, comes: number, gain: number): number {
+  return elasticity * comes < -BOUNCE_THRESHOLD ? elasticity * (comes + 0.5 * gain) + 0.5 * gain : 0;
+}
+
+/** What forces add to a velocity of a body in a sub-step. */
+function gainOf(data: SolverData, { slot }: RigidBody, which: number): number {
+  return slot === 0 ? 0 : data.drive[slot * d.BODY_STRIDE + which]!;
 }
 
 function solvePoint(pair: Arbiter, point: Point): void {

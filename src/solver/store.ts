@@ -127,7 +127,7 @@ function meet(world: World, pair: Arbiter): void {
   if (pair.foreseen) {
     endForesight(pair);
   }
-  solveImpact(pair);
+  solveImpact(world, pair);
   beginLate(world, pair);
   world.events.hit(pair, FOUND_LATE);
 }
