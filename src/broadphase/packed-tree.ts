@@ -1,12 +1,20 @@
-const NONE = -1;
+/** No node. */
+export const NONE = -1;
 
 /** Numbers per node in `boxes`. */
-const BOX = 4;
+export const BOX = 4;
+
+/** Levels by which two subtrees may differ in height: more allows better trees, less makes the worst ones less high. */
+const MAX_LEAN = 4;
+
+/** 1 − 2⁻⁵⁰. Where a ray enters a box is reckoned early by more than rounding can make it late, as it must not miss a corner that it touches. */
+const EARLY = 1 - 4 * Number.EPSILON;
 
 /**
- * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent; on the way
- * up every node whose subtrees differ by more than one in height is rotated, so that the height stays logarithmic (Catto, "Dynamic
- * Bounding Volume Hierarchies", GDC 2019; Adelson-Velsky & Landis 1962). Nodes are numbered; freed numbers are reused.
+ * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic
+ * Bounding Volume Hierarchies", GDC 2019). On the way up every node exchanges a child for a grandchild where that makes a box smaller
+ * (Kopta et al., "Fast, effective BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis
+ * 1962). Nodes are numbered; freed numbers are reused.
  */
 export class PackedTree<T> {
   /** minX, minY, maxX, maxY of each node. */
@@ -23,6 +31,8 @@ export class PackedTree<T> {
   private used = 0;
   private free = NONE;
   private stack = new Int32Array(64);
+  /** For the next cast; `null` during one. */
+  private castStack: Int32Array | null = null;
   /** The box that is being inserted. */
   private readonly box = new Float64Array(BOX);
 
@@ -64,7 +74,7 @@ export class PackedTree<T> {
   }
 
   /** Writes what the leaves hold whose boxes overlap `bounds` to `out` from `count` on. @returns the new count. */
-  query(bounds: ArrayLike<number>, out: T[], count: number): number {
+  query(bounds: ArrayLike<number>, out: (T | null)[], count: number): number {
     if (this.root === NONE) {
       return count;
     }
@@ -96,46 +106,83 @@ export class PackedTree<T> {
   }
 
   /**
-   * Visits what the leaves hold whose boxes the ray o + d · f, 0 ≤ f ≤ limit, meets; of two subtrees the one that lies nearer along the ray comes
-   * first. `visit` returns the new limit, which is returned in the end.
+   * Visits what the leaves hold whose boxes the ray o + d · f, 0 ≤ f ≤ limit, meets, and some that it just misses; of two subtrees the one that
+   * lies nearer along the ray comes first. `visit` returns the new limit, which is returned in the end.
+   *
+   * Along x the ray is between the sides of a box from f = (near − o) / d to (far − o) / d; it meets the box where it is so along both axes
+   * at once (slabs; Kay & Kajiya 1986). With d = 0 that is from −∞ to ∞, or to −∞ or from ∞ if it passes by; and NaN for a side that it
+   * lies in, for which no comparison holds: so what is asked is whether the ray misses. The answers are combined as numbers, as branches that
+   * go either way half of the time would cost more than all the rest; it is the children that are asked, before they are pushed, to have fewer still.
    */
   cast(origin: ArrayLike<number>, direction: ArrayLike<number>, limit: number, visit: (item: T) => number): number {
+    if (this.root === NONE) {
+      return limit;
+    }
     const ox = origin[0]!;
     const oy = origin[1]!;
     const dx = direction[0]!;
     const dy = direction[1]!;
-    const ix = inverse(dx);
-    const iy = inverse(dy);
+    const outX = 1 / dx;
+    const outY = 1 / dy;
+    const inX = outX * EARLY;
+    const inY = outY * EARLY;
+    // Where in a box the sides are that the ray comes to first, and the opposite ones.
+    const nearX = outX < 0 ? 2 : 0;
+    const nearY = outY < 0 ? 3 : 1;
+    const farX = 2 - nearX;
+    const farY = 4 - nearY;
     const { boxes, left, right } = this;
-    const stack = this.root === NONE ? [] : [this.root];
+    const stack = this.takeStack();
     let end = limit;
-    for (let node = stack.pop(); node !== undefined; node = stack.pop()) {
+    let top = 1;
+    stack[0] = this.root;
+    while (top > 0) {
+      top -= 1;
+      const node = stack[top]!;
       const at = BOX * node;
-      const x1 = (boxes[at]! - ox) * ix;
-      const x2 = (boxes[at + 2]! - ox) * ix;
-      const y1 = (boxes[at + 1]! - oy) * iy;
-      const y2 = (boxes[at + 3]! - oy) * iy;
-      const enter = Math.max(0, Math.min(x1, x2), Math.min(y1, y2));
-      if (enter > Math.min(end, Math.max(x1, x2), Math.max(y1, y2))) {
-        continue;
-      }
-      if (left[node] === NONE) {
-        end = visit(this.items[node]!);
+      // The limit may have come nearer since the node was found.
+      if ((boxes[at + nearX]! - ox) * inX > end || (boxes[at + nearY]! - oy) * inY > end) {
         continue;
       }
       const a = left[node]!;
+      if (a === NONE) {
+        end = visit(this.items[node]!);
+        continue;
+      }
       const b = right[node]!;
       const i = BOX * a;
       const j = BOX * b;
+      const inAX = (boxes[i + nearX]! - ox) * inX;
+      const inAY = (boxes[i + nearY]! - oy) * inY;
+      const outAX = (boxes[i + farX]! - ox) * outX;
+      const outAY = (boxes[i + farY]! - oy) * outY;
+      const missesA = +(inAX > outAY) | +(inAY > outAX) | +(inAX > end) | +(inAY > end) | +(outAX < 0) | +(outAY < 0);
+      const inBX = (boxes[j + nearX]! - ox) * inX;
+      const inBY = (boxes[j + nearY]! - oy) * inY;
+      const outBX = (boxes[j + farX]! - ox) * outX;
+      const outBY = (boxes[j + farY]! - oy) * outY;
+      const missesB = +(inBX > outBY) | +(inBY > outBX) | +(inBX > end) | +(inBY > end) | +(outBX < 0) | +(outBY < 0);
       const x = boxes[i]! + boxes[i + 2]! - boxes[j]! - boxes[j + 2]!;
       const y = boxes[i + 1]! + boxes[i + 3]! - boxes[j + 1]! - boxes[j + 3]!;
-      if (x * dx + y * dy > 0) {
-        stack.push(a, b);
-      } else {
-        stack.push(b, a);
-      }
+      // All bits if B is the nearer one, else none.
+      const swap = -(x * dx + y * dy > 0);
+      const swapped = (a ^ b) & swap;
+      const swappedMisses = (missesA ^ missesB) & swap;
+      stack[top] = b ^ swapped;
+      top += 1 ^ missesB ^ swappedMisses;
+      stack[top] = a ^ swapped;
+      top += 1 ^ missesA ^ swappedMisses;
     }
+    this.castStack = stack;
     return end;
+  }
+
+  /** A stack for a cast; one that is made within the `visit` of another takes a new one. */
+  private takeStack(): Int32Array {
+    const { castStack } = this;
+    this.castStack = null;
+    const needed = this.height + 3;
+    return castStack !== null && castStack.length >= needed ? castStack : new Int32Array(2 * needed);
   }
 
   /** Copies the box of a node to `box`, and returns that. */
@@ -271,8 +318,7 @@ export class PackedTree<T> {
 
   /** Walks down to where pairing with the leaf costs the least perimeter, as long as going down can be cheaper than stopping. */
   private bestSibling(leaf: number): number {
-    const { boxes, box } = this;
-    box.set(boxes.subarray(BOX * leaf, BOX * leaf + BOX));
+    this.boxOf(leaf, this.box);
     let node = this.root;
     while (this.left[node] !== NONE) {
       const joined = this.joinedPerimeter(node);
@@ -308,55 +354,127 @@ export class PackedTree<T> {
     return x + y;
   }
 
-  /** Restores heights, balance and boxes from a node up to the root. */
+  /** Restores boxes, heights and balance from a node up to where nothing changes any more. */
   private refit(from: number): void {
     for (let node = from; node !== NONE; node = this.parent[node]!) {
-      const lean = this.level[this.left[node]!]! - this.level[this.right[node]!]!;
-      if (lean > 1) {
-        this.rotate(node, this.left[node]!);
-      } else if (lean < -1) {
-        this.rotate(node, this.right[node]!);
+      if (!this.balance(node)) {
+        this.tighten(node);
       }
-      this.join(node);
+      if (!this.join(node)) {
+        break;
+      }
     }
   }
 
-  /** Lifts the lower of the grandchildren's levels: `high`, the taller child, hands its shorter child to `node` and takes its place there. */
-  private rotate(node: number, high: number): void {
-    const { left, right, level, parent } = this;
-    const low = left[node] === high ? right[node]! : left[node]!;
+  /**
+   * If one child of a node is too much taller than the other, exchanges its taller child for the other. What remains of it may still
+   * be too tall for that, but by less than before. @returns whether it did so.
+   */
+  private balance(node: number): boolean {
+    const { left, right, level } = this;
+    const a = left[node]!;
+    const b = right[node]!;
+    if (Math.abs(level[a]! - level[b]!) <= MAX_LEAN) {
+      return false;
+    }
+    const high = level[a]! > level[b]! ? a : b;
     const first = left[high]!;
     const second = right[high]!;
-    const keep = level[first]! > level[second]! ? first : second;
-    const give = keep === first ? second : first;
-    // node: (high: (keep, give), low)  →  node: (keep, high: (give, low))
-    left[high] = give;
+    this.exchange(node, high, level[first]! > level[second]! ? second : first);
+    if (this.balance(high)) {
+      this.join(high);
+    }
+    return true;
+  }
+
+  /** Of the exchanges of a child for a grandchild below the other one, does that which saves most perimeter, if any does. */
+  private tighten(node: number): void {
+    const { left, right } = this;
+    let saved = 0;
+    let high = NONE;
+    let keep = NONE;
+    for (let side = 0; side < 2; side += 1) {
+      const child = side === 0 ? left[node]! : right[node]!;
+      const low = side === 0 ? right[node]! : left[node]!;
+      const first = left[child]!;
+      if (first === NONE) {
+        continue;
+      }
+      const second = right[child]!;
+      const withFirst = this.saving(child, first, second, low);
+      if (withFirst > saved) {
+        saved = withFirst;
+        high = child;
+        keep = first;
+      }
+      const withSecond = this.saving(child, second, first, low);
+      if (withSecond > saved) {
+        saved = withSecond;
+        high = child;
+        keep = second;
+      }
+    }
+    if (high !== NONE) {
+      this.exchange(node, high, keep);
+    }
+  }
+
+  /** What the box of `high` loses in perimeter if its child `keep` stays and `give` is exchanged for `low`; 0 if the tree would lean too much. */
+  private saving(high: number, keep: number, give: number, low: number): number {
+    const { boxes, level } = this;
+    const a = level[keep]!;
+    const b = level[low]!;
+    if (Math.abs(a - b) > MAX_LEAN || Math.abs(1 + Math.max(a, b) - level[give]!) > MAX_LEAN) {
+      return 0;
+    }
+    const i = BOX * keep;
+    const j = BOX * low;
+    const x = Math.max(boxes[i + 2]!, boxes[j + 2]!) - Math.min(boxes[i]!, boxes[j]!);
+    const y = Math.max(boxes[i + 3]!, boxes[j + 3]!) - Math.min(boxes[i + 1]!, boxes[j + 1]!);
+    return this.perimeter(high) - (x + y);
+  }
+
+  /** node: (high: (keep, give), low)  →  node: (give, high: (keep, low)) */
+  private exchange(node: number, high: number, keep: number): void {
+    const { left, right, parent } = this;
+    const give = left[high] === keep ? right[high]! : left[high]!;
+    const low = left[node] === high ? right[node]! : left[node]!;
+    left[high] = keep;
     right[high] = low;
     parent[low] = high;
-    left[node] = keep;
+    left[node] = give;
     right[node] = high;
-    parent[keep] = node;
+    parent[give] = node;
     this.join(high);
   }
 
-  /** Box and height of an inner node from its children. */
-  private join(node: number): void {
+  /** Box and height of an inner node from its children. @returns whether they changed. */
+  private join(node: number): boolean {
     const { boxes, level } = this;
     const a = this.left[node]!;
     const b = this.right[node]!;
     const at = BOX * node;
     const i = BOX * a;
     const j = BOX * b;
-    boxes[at] = Math.min(boxes[i]!, boxes[j]!);
-    boxes[at + 1] = Math.min(boxes[i + 1]!, boxes[j + 1]!);
-    boxes[at + 2] = Math.max(boxes[i + 2]!, boxes[j + 2]!);
-    boxes[at + 3] = Math.max(boxes[i + 3]!, boxes[j + 3]!);
-    level[node] = 1 + Math.max(level[a]!, level[b]!);
+    const minX = Math.min(boxes[i]!, boxes[j]!);
+    const minY = Math.min(boxes[i + 1]!, boxes[j + 1]!);
+    const maxX = Math.max(boxes[i + 2]!, boxes[j + 2]!);
+    const maxY = Math.max(boxes[i + 3]!, boxes[j + 3]!);
+    const height = 1 + Math.max(level[a]!, level[b]!);
+    if (
+      height === level[node] &&
+      minX === boxes[at] &&
+      minY === boxes[at + 1] &&
+      maxX === boxes[at + 2] &&
+      maxY === boxes[at + 3]
+    ) {
+      return false;
+    }
+    boxes[at] = minX;
+    boxes[at + 1] = minY;
+    boxes[at + 2] = maxX;
+    boxes[at + 3] = maxY;
+    level[node] = height;
+    return true;
   }
-}
-
-/** 1 / d, but never infinite: a box side that a parallel ray starts on is then reached at 0, not at NaN. */
-function inverse(d: number): number {
-  const most = 1e300;
-  return d === 0 ? most : Math.max(-most, Math.min(most, 1 / d));
 }

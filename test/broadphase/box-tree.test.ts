@@ -121,6 +121,21 @@ describe('box tree', () => {
   });
 });
 
+/** Checks the nodes below one: its box is as large as theirs together, their heights differ little. @returns height, and perimeters of the inner nodes. */
+function checkBelow(tree: PackedTree<number>, node: number): { height: number; perimeter: number } {
+  if (tree.isLeaf(node)) {
+    return { height: 0, perimeter: 0 };
+  }
+  const below = [tree.left[node]!, tree.right[node]!];
+  const [a, b] = below.map((child) => checkBelow(tree, child));
+  const [boxA, boxB] = below.map((child) => tree.boxOf(child));
+  const box = [...tree.boxOf(node)];
+  expect(box).toEqual([0, 1, 2, 3].map((k) => (k < 2 ? Math.min : Math.max)(boxA![k]!, boxB![k]!)));
+  expect(Math.abs(a!.height - b!.height)).toBeLessThanOrEqual(4);
+  const perimeter = 2 * (box[2]! - box[0]! + box[3]! - box[1]!);
+  return { height: 1 + Math.max(a!.height, b!.height), perimeter: perimeter + a!.perimeter + b!.perimeter };
+}
+
 describe('packed tree', () => {
   const inOrder: [string, (i: number) => Rect][] = [
     ['a row', (i) => [i, 0, i + 1, 1]],
@@ -145,6 +160,110 @@ describe('packed tree', () => {
     expect(tree.height).toBeLessThanOrEqual(2 * Math.log2(96));
     const out: number[] = [];
     expect(tree.query([-1e9, -1e9, 1e9, 1e9], out, 0)).toBe(96);
+  });
+});
+
+describe('packed tree, used for long', () => {
+  const COUNT = 500;
+
+  /** Boxes of 0.5 m or, some of them, 8 m, anywhere in 40 m; never empty. */
+  const boxes = (seed: number): (() => Rect) => {
+    const random = generator(seed);
+    return () => {
+      const [x, y, size] = [40 * random(), 40 * random(), random() < 0.05 ? 8 : 0.5];
+      return [x, y, x + size * (0.1 + random()), y + size * (0.1 + random())];
+    };
+  };
+
+  it('keeps its boxes tight and its heights alike', () => {
+    for (let seed = 1; seed <= 4; seed += 1) {
+      const random = generator(seed);
+      const box = boxes(seed);
+      const tree = new PackedTree<number>();
+      const leaves: number[] = [];
+      for (let i = 0; i < 10 * COUNT; i += 1) {
+        const k = Math.floor(random() * leaves.length);
+        const choice = random();
+        // A row now and then: the worst there is for a tree that only looks at perimeters.
+        const next: Rect = i % COUNT < 100 ? [i, 0, i + 1, 1] : box();
+        if (leaves.length < 10 || choice < 0.4) {
+          leaves.push(tree.insert(i, next, 0));
+        } else if (choice < 0.7) {
+          tree.move(leaves[k]!, next, 0.1);
+        } else {
+          tree.remove(leaves[k]!);
+          leaves[k] = leaves.at(-1)!;
+          leaves.pop();
+        }
+        if (i % 50 === 0) {
+          const { height } = checkBelow(tree, tree.root);
+          expect(tree.height).toBe(height);
+          expect(height).toBeLessThanOrEqual(2.47 * Math.log2(leaves.length) + 1);
+        }
+      }
+    }
+  });
+
+  it('is as good after many moves as a new one', () => {
+    const box = boxes(9);
+    const [worn, fresh] = [new PackedTree<number>(), new PackedTree<number>()];
+    const leaves = Array.from({ length: COUNT }, (_, i) => worn.insert(i, box(), 0));
+    for (let i = 0; i < 100 * COUNT; i += 1) {
+      worn.move(leaves[i % COUNT]!, box(), 0);
+    }
+    for (const leaf of leaves) {
+      fresh.insert(0, worn.boxOf(leaf), 0);
+    }
+    const ratio = checkBelow(worn, worn.root).perimeter / checkBelow(fresh, fresh.root).perimeter;
+    console.log(`perimeters of a tree after ${100 * COUNT} moves, beside a new one: × ${ratio.toFixed(3)}`);
+    expect(ratio).toBeLessThan(1.1);
+  });
+});
+
+describe('packed tree, asked by rays', () => {
+  it('misses no corner that they touch', () => {
+    const random = generator(3);
+    const integer = (most: number): number => Math.ceil(most * random());
+    let met = 0;
+    for (let i = 0; i < 20_000; i += 1) {
+      const [dx, dy, factor] = [integer(999), integer(999), integer(99_999)];
+      const [ox, oy] = [integer(1e6), integer(1e6)];
+      // Integers, so exactly on the ray: it comes to the box where it goes by.
+      const [x, y] = [ox + dx * factor, oy + dy * factor];
+      const box: Rect = i % 2 === 0 ? [x, y - 9, x + 9, y] : [x - 9, y, x, y + 9];
+      const tree = new PackedTree<number>();
+      tree.insert(0, box, 0);
+      tree.insert(1, [-9, -9, -8, -8], 0);
+      tree.cast([ox, oy], [dx, dy], factor, (item) => {
+        met += item === 0 ? 1 : 0;
+        return factor;
+      });
+    }
+    expect(met).toBe(20_000);
+  });
+
+  it('begin where boxes end, along an axis and without end', () => {
+    const box: Rect = [0, 0, 1, 1];
+    for (const x of [-0.5, -5e-324, -0, 0, 0.5, 1, 1 + Number.EPSILON, 1.5]) {
+      for (const zero of [0, -0]) {
+        for (const way of [1, -1]) {
+          const tree = new PackedTree<number>();
+          tree.insert(0, box, 0);
+          tree.insert(1, [50, 50, 51, 51], 0);
+          const met = { x: 0, y: 0 };
+          tree.cast([x, -7 * way], [zero, way], Infinity, () => {
+            met.x += 1;
+            return Infinity;
+          });
+          tree.cast([-7 * way, x], [way, zero], Infinity, () => {
+            met.y += 1;
+            return Infinity;
+          });
+          const meets = x >= 0 && x <= 1 ? 1 : 0;
+          expect(met).toEqual({ x: meets, y: meets });
+        }
+      }
+    }
   });
 });
 

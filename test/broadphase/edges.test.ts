@@ -194,9 +194,9 @@ describe.each(BROADPHASES)('edges: %s', (name, create) => {
 });
 
 describe('edges: rays through a box tree broadphase', () => {
-  // A ray in the side maxX or maxY leaves the box at 0 · 1e300 = 0, so that it is left before it is entered along the ray.
+  // Of a ray in a side of the box, 0 / 0 or 0 · ∞ tells when it enters or leaves.
   for (const x of [0, 1]) {
-    (x === 1 ? it.fails : it)(`meet a box along its side x = ${x}`, () => {
+    it(`meet a box along its side x = ${x}`, () => {
       const broadphase = phys2D.createBoxTreeBroadphase();
       broadphase.insert(0, [0, 0, 1, 1], true);
       const met: unknown[] = [];
