@@ -1,6 +1,7 @@
 import type { RectLike, Vec2Like } from '../math/vectors.js';
+import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
-import { PackedTree } from './packed-tree.js';
+import { NONE, PackedTree } from './packed-tree.js';
 
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
 const MARGIN = 0.1;
@@ -16,9 +17,9 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
   maxX = 0;
   maxY = 0;
   /** Leaf in the tree of its kind; −1 once removed. */
-  leaf = -1;
-  /** Its pairs may have changed: it is in the list of `perform`. */
-  moved = false;
+  leaf = NONE;
+  /** If its pairs may have changed, its place in the list of `perform`, else −1. */
+  movedSlot = NONE;
   /** The last search in which it was met. */
   mark = 0;
   readonly pairs: TreePair<T>[] = [];
@@ -41,15 +42,15 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
   }
 }
 
-/** Two handles, not both static, whose leaves overlap. Knows its place in three lists, so that it is taken out at once. */
+/** Two handles, not both static, whose leaves overlap; none while it waits for its next use. Knows its place in three lists, so that it is taken out at once. */
 class TreePair<T> {
   slot = 0;
   slotA = 0;
   slotB = 0;
 
   constructor(
-    public a: TreeHandle<T>,
-    public b: TreeHandle<T>,
+    public a: TreeHandle<T> | null,
+    public b: TreeHandle<T> | null,
   ) {}
 }
 
@@ -63,20 +64,23 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private readonly moving = new PackedTree<TreeHandle<T>>();
   private readonly still = new PackedTree<TreeHandle<T>>();
-  private readonly movedHandles: TreeHandle<T>[] = [];
+  /** The first `movedCount` are handles. As `met` and `samples` not shortened, which would cost the storage, but filled up with `null`. */
+  private readonly movedHandles: (TreeHandle<T> | null)[] = [];
+  private movedCount = 0;
   private readonly pairs: TreePair<T>[] = [];
   private readonly freePairs: TreePair<T>[] = [];
   private search = 0;
-  private readonly met: TreeHandle<T>[] = [];
+  private readonly met: (TreeHandle<T> | null)[] = [];
   private readonly box = new Float64Array(4);
   /** Results of `sample`, one list for each call that is inside another. */
-  private readonly samples: TreeHandle<T>[][] = [];
+  private readonly samples: (TreeHandle<T> | null)[][] = [];
   private depth = 0;
 
   insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
       throw badBounds('BoxTreeBroadphase.insert', bounds);
     }
+    boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
     const handle = new TreeHandle<T>(data, isStatic, this);
     handle.set(bounds);
     handle.leaf = this.treeOf(handle).insert(handle, bounds, isStatic ? 0 : MARGIN);
@@ -84,21 +88,23 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     return handle;
   }
 
-  update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic: boolean = handle.isStatic): void {
+  update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
     if (!isRect(bounds)) {
       throw badBounds('BoxTreeBroadphase.update', bounds);
     }
     const own = this.owned('BoxTreeBroadphase.update', handle);
+    const becomesStatic =
+      isStatic === undefined ? own.isStatic : boolean('BoxTreeBroadphase.update', 'isStatic', isStatic);
     const dx = (bounds[0]! - own.minX + bounds[2]! - own.maxX) / 2;
     const dy = (bounds[1]! - own.minY + bounds[3]! - own.maxY) / 2;
     own.set(bounds);
-    if (isStatic !== own.isStatic) {
+    if (becomesStatic !== own.isStatic) {
       this.treeOf(own).remove(own.leaf);
-      own.isStatic = isStatic;
-      own.leaf = this.treeOf(own).insert(own, bounds, isStatic ? 0 : MARGIN);
+      own.isStatic = becomesStatic;
+      own.leaf = this.treeOf(own).insert(own, bounds, becomesStatic ? 0 : MARGIN);
       this.noteMoved(own);
     } else if (!this.treeOf(own).contains(own.leaf, bounds)) {
-      this.treeOf(own).move(own.leaf, isStatic ? bounds : ahead(bounds, dx, dy), isStatic ? 0 : MARGIN);
+      this.treeOf(own).move(own.leaf, becomesStatic ? bounds : ahead(bounds, dx, dy), becomesStatic ? 0 : MARGIN);
       this.noteMoved(own);
     }
   }
@@ -109,35 +115,40 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       this.dropPair(own.pairs[own.pairs.length - 1]!);
     }
     this.treeOf(own).remove(own.leaf);
-    own.leaf = -1;
+    own.leaf = NONE;
+    this.forgetMoved(own);
   }
 
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
-    const handles = [...this.moving.items, ...this.still.items].filter((handle) => handle !== null);
-    this.moving.clear();
-    this.still.clear();
-    this.movedHandles.length = 0;
-    this.pairs.length = 0;
-    for (const handle of handles) {
-      handle.leaf = -1;
-      handle.pairs.length = 0;
-      callback?.call(thisObject, handle);
+    if (callback !== undefined) {
+      callable('BoxTreeBroadphase.clear', 'callback', callback);
+    }
+    try {
+      if (callback !== undefined) {
+        for (const handle of this.handles()) {
+          callback.call(thisObject, handle);
+        }
+      }
+    } finally {
+      this.empty();
     }
   }
 
   perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
+    callable('BoxTreeBroadphase.perform', 'callback', callback);
     const moved = this.movedHandles;
-    for (let i = 0; i < moved.length; i += 1) {
+    for (let i = 0; i < this.movedCount; i += 1) {
       const handle = moved[i]!;
-      handle.moved = false;
-      if (handle.leaf >= 0) {
-        this.renewPairs(handle);
-      }
+      moved[i] = null;
+      handle.movedSlot = NONE;
+      this.renewPairs(handle);
     }
-    moved.length = 0;
+    this.movedCount = 0;
     const pairs = this.pairs;
     for (let i = 0; i < pairs.length; i += 1) {
-      const { a, b } = pairs[i]!;
+      const pair = pairs[i]!;
+      const a = pair.a!;
+      const b = pair.b!;
       if (a.overlaps(b)) {
         callback.call(thisObject, a, b);
       }
@@ -152,6 +163,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     if (!isRect(bounds)) {
       throw badBounds('BoxTreeBroadphase.sample', bounds);
     }
+    callable('BoxTreeBroadphase.sample', 'callback', callback);
     this.report(bounds, true, callback, thisObject);
   }
 
@@ -165,24 +177,51 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject: unknown,
   ): void {
+    // Read before any callback, which may write to it.
+    const minX = bounds[0]!;
+    const minY = bounds[1]!;
+    const maxX = bounds[2]!;
+    const maxY = bounds[3]!;
     this.samples[this.depth] ??= [];
     const found = this.samples[this.depth]!;
+    const count = this.still.query(bounds, found, alsoMoving ? this.moving.query(bounds, found, 0) : 0);
     this.depth += 1;
     try {
-      const count = this.still.query(bounds, found, alsoMoving ? this.moving.query(bounds, found, 0) : 0);
       for (let i = 0; i < count; i += 1) {
         const h = found[i]!;
-        if (h.minX <= bounds[2]! && h.maxX >= bounds[0]! && h.minY <= bounds[3]! && h.maxY >= bounds[1]!) {
+        if (h.minX <= maxX && h.maxX >= minX && h.minY <= maxY && h.maxY >= minY) {
           callback.call(thisObject, h, bounds);
         }
       }
     } finally {
       this.depth -= 1;
+      for (let i = 0; i < count; i += 1) {
+        found[i] = null;
+      }
     }
   }
 
   castRay(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void {
-    this.still.cast(origin, direction, this.moving.cast(origin, direction, limit, visit), visit);
+    // Read before any visit, which may write to them.
+    const from = [origin[0]!, origin[1]!];
+    const along = [direction[0]!, direction[1]!];
+    this.still.cast(from, along, this.moving.cast(from, along, limit, visit), visit);
+  }
+
+  private handles(): TreeHandle<T>[] {
+    return [...this.moving.items, ...this.still.items].filter((handle) => handle !== null);
+  }
+
+  private empty(): void {
+    for (const handle of this.handles()) {
+      handle.leaf = NONE;
+      handle.pairs.length = 0;
+    }
+    this.moving.clear();
+    this.still.clear();
+    this.movedHandles.length = 0;
+    this.movedCount = 0;
+    this.pairs.length = 0;
   }
 
   /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */
@@ -192,7 +231,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const own = handle.pairs;
     for (let i = own.length - 1; i >= 0; i -= 1) {
       const pair = own[i]!;
-      const other = pair.a === handle ? pair.b : pair.a;
+      const other = pair.a === handle ? pair.b! : pair.a!;
       if ((handle.isStatic && other.isStatic) || !tree.overlaps(handle.leaf, this.treeOf(other), other.leaf)) {
         this.dropPair(pair);
       } else {
@@ -207,6 +246,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     for (let i = 0; i < count; i += 1) {
       const other = this.met[i]!;
+      this.met[i] = null;
       if (other.mark !== this.search) {
         this.addPair(handle, other);
       }
@@ -228,16 +268,32 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       this.pairs[pair.slot] = last;
       last.slot = pair.slot;
     }
-    dropFrom(pair.a, pair.slotA);
-    dropFrom(pair.b, pair.slotB);
+    dropFrom(pair.a!, pair.slotA);
+    dropFrom(pair.b!, pair.slotB);
+    pair.a = null;
+    pair.b = null;
     this.freePairs.push(pair);
   }
 
   private noteMoved(handle: TreeHandle<T>): void {
-    if (!handle.moved) {
-      handle.moved = true;
-      this.movedHandles.push(handle);
+    if (handle.movedSlot === NONE) {
+      handle.movedSlot = this.movedCount;
+      this.movedHandles[this.movedCount] = handle;
+      this.movedCount += 1;
     }
+  }
+
+  /** Takes a handle out of the list of `perform`; the last one takes its place. */
+  private forgetMoved(handle: TreeHandle<T>): void {
+    if (handle.movedSlot === NONE) {
+      return;
+    }
+    this.movedCount -= 1;
+    const last = this.movedHandles[this.movedCount]!;
+    this.movedHandles[handle.movedSlot] = last;
+    last.movedSlot = handle.movedSlot;
+    this.movedHandles[this.movedCount] = null;
+    handle.movedSlot = NONE;
   }
 
   private treeOf(handle: TreeHandle<T>): PackedTree<TreeHandle<T>> {

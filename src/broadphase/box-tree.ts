@@ -1,7 +1,18 @@
 import type { Ray, RectLike, Vec2Like, Vec3Like } from '../math/vectors.js';
-import { boolean, nonNegative, typeError, vector } from '../validate.js';
+import {
+  boolean,
+  callable,
+  checkedRay,
+  instance,
+  integer,
+  nonNegative,
+  optional,
+  sink,
+  typeError,
+  vector,
+} from '../validate.js';
 import { badBounds, isRect } from './broadphase.js';
-import { PackedTree } from './packed-tree.js';
+import { BOX, NONE, PackedTree } from './packed-tree.js';
 
 /** Anything that can be put into a {@link BoxTree}; the tree writes its index. */
 export interface BoxTreeExternalNode {
@@ -58,6 +69,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     if (externalNode.boxTreeIndex !== undefined) {
       throw typeError('BoxTree.add', 'externalNode', 'an object that is in no tree', externalNode);
     }
+    writeIndex('BoxTree.add', externalNode, NONE);
     externalNode.boxTreeIndex = this.tree.insert(externalNode, extents, 0);
     this.changed();
   }
@@ -82,8 +94,9 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
       return;
     }
     this.checkMember('BoxTree.remove', externalNode);
-    this.tree.remove(externalNode.boxTreeIndex);
-    externalNode.boxTreeIndex = undefined;
+    const leaf = externalNode.boxTreeIndex;
+    writeIndex('BoxTree.remove', externalNode, undefined);
+    this.tree.remove(leaf);
     this.changed();
   }
 
@@ -101,7 +114,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   clear(): void {
     for (const item of this.tree.items) {
       if (item !== null) {
-        item.boxTreeIndex = undefined;
+        Reflect.set(item, 'boxTreeIndex', undefined);
       }
     }
     this.tree.clear();
@@ -110,32 +123,35 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   }
 
   /** Writes what overlaps `queryExtents` from `startIndex` (default: the array's length) on. @returns how many. */
-  getOverlappingNodes(queryExtents: RectLike, overlappingNodes: T[], startIndex = overlappingNodes.length): number {
+  getOverlappingNodes(queryExtents: RectLike, overlappingNodes: T[], startIndex?: number): number {
     checkExtents('BoxTree.getOverlappingNodes', queryExtents);
-    return this.tree.query(queryExtents, overlappingNodes, startIndex) - startIndex;
+    const start = checkedStart('BoxTree.getOverlappingNodes', 'overlappingNodes', overlappingNodes, startIndex);
+    return this.tree.query(queryExtents, overlappingNodes, start) - start;
   }
 
   /** Appends what lies within `radius` of `center`: boxes whose squared distance to it is at most radius². */
   getCircleOverlappingNodes(center: Vec2Like, radius: number, overlappingNodes: T[]): void {
     vector('BoxTree.getCircleOverlappingNodes', 'center', center, 2);
     nonNegative('BoxTree.getCircleOverlappingNodes', 'radius', radius);
+    const start = checkedStart('BoxTree.getCircleOverlappingNodes', 'overlappingNodes', overlappingNodes, undefined);
     const x = center[0]!;
     const y = center[1]!;
-    this.select(
-      (boxes, at) => {
-        const dx = Math.max(boxes[at]! - x, 0, x - boxes[at + 2]!);
-        const dy = Math.max(boxes[at + 1]! - y, 0, y - boxes[at + 3]!);
-        return dx * dx + dy * dy <= radius * radius;
-      },
-      overlappingNodes,
-      overlappingNodes.length,
-    );
+    // The square of the radius shall be neither infinite nor 0.
+    const scale = radius > 1e150 ? 1e-200 : radius < 1e-150 ? 1e200 : 1;
+    const reach = radius * scale;
+    const isNear = (boxes: Float64Array, at: number): boolean => {
+      const dx = scale * Math.max(boxes[at]! - x, 0, x - boxes[at + 2]!);
+      const dy = scale * Math.max(boxes[at + 1]! - y, 0, y - boxes[at + 3]!);
+      return dx * dx + dy * dy <= reach * reach;
+    };
+    this.select(isNear, overlappingNodes, start);
   }
 
   /** Writes each overlapping pair once, as two consecutive entries, from `startIndex` on. @returns the number of entries. */
-  getOverlappingPairs(overlappingPairs: T[], startIndex = overlappingPairs.length): number {
+  getOverlappingPairs(overlappingPairs: T[], startIndex?: number): number {
+    const start = checkedStart('BoxTree.getOverlappingPairs', 'overlappingPairs', overlappingPairs, startIndex);
     const found: T[] = [];
-    let end = startIndex;
+    let end = start;
     for (const item of this.tree.items) {
       if (item === null || item === undefined) {
         continue;
@@ -150,14 +166,18 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
         }
       }
     }
-    return end - startIndex;
+    return end - start;
   }
 
   /**
    * Writes what lies inside all planes `[nx, ny, d]` from `startIndex` on: boxes whose farthest corner along (nx, ny) has
    * n · p ≥ d. @returns how many.
    */
-  getVisibleNodes(planes: ArrayLike<Vec3Like>, visibleNodes: T[], startIndex = visibleNodes.length): number {
+  getVisibleNodes(planes: ArrayLike<Vec3Like>, visibleNodes: T[], startIndex?: number): number {
+    if (typeof planes !== 'object' || planes === null || !(planes.length >= 0)) {
+      throw typeError('BoxTree.getVisibleNodes', 'planes', 'an array of planes [nx, ny, d]', planes);
+    }
+    const start = checkedStart('BoxTree.getVisibleNodes', 'visibleNodes', visibleNodes, startIndex);
     for (let i = 0; i < planes.length; i += 1) {
       vector('BoxTree.getVisibleNodes', `planes[${i}]`, planes[i], 3);
     }
@@ -172,7 +192,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
       }
       return true;
     };
-    return this.select(inside, visibleNodes, startIndex) - startIndex;
+    return this.select(inside, visibleNodes, start) - start;
   }
 
   /** The top node, or `undefined` for an empty tree. */
@@ -211,23 +231,28 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
       upperBound: number,
     ) => R | null | undefined,
   ): R | null {
-    vector('BoxTree.rayTest', 'ray.origin', ray.origin, 2);
-    vector('BoxTree.rayTest', 'ray.direction', ray.direction, 2);
+    checkTrees('BoxTree.rayTest', trees);
+    checkedRay('BoxTree.rayTest', ray);
+    callable('BoxTree.rayTest', 'callback', callback);
+    // Read before any callback, which may write to it.
+    const origin = [ray.origin[0]!, ray.origin[1]!];
+    const direction = [ray.direction[0]!, ray.direction[1]!];
     let upperBound = ray.maxFactor;
     let best: R | null = null;
     for (const owner of trees) {
       const { tree } = owner;
+      const { boxes } = tree;
       const stack = tree.root < 0 ? [] : [tree.root];
       while (stack.length > 0) {
         const node = stack.pop()!;
-        const distance = entry(tree.boxOf(node), ray);
+        const distance = entry(boxes, BOX * node, origin, direction);
         if (!(distance < upperBound)) {
           continue;
         }
         if (!tree.isLeaf(node)) {
           const a = tree.left[node]!;
           const b = tree.right[node]!;
-          const aFirst = entry(tree.boxOf(a), ray) <= entry(tree.boxOf(b), ray);
+          const aFirst = entry(boxes, BOX * a, origin, direction) <= entry(boxes, BOX * b, origin, direction);
           stack.push(aFirst ? b : a, aFirst ? a : b);
           continue;
         }
@@ -248,7 +273,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     let end = start;
     while (stack.length > 0) {
       const node = stack.pop()!;
-      if (!test(tree.boxes, 4 * node)) {
+      if (!test(tree.boxes, BOX * node)) {
         continue;
       }
       if (tree.isLeaf(node)) {
@@ -307,20 +332,42 @@ function checkNode(where: string, externalNode: unknown): void {
 }
 
 function checkExtents(where: string, extents: RectLike): void {
-  if (typeof extents !== 'object' || extents === null || !isRect(extents)) {
+  if (!isRect(extents)) {
     throw badBounds(where, extents);
   }
 }
 
-/** The factor at which a ray enters a box: 0 from inside, `Infinity` if it never does (slabs; Kay & Kajiya 1986). */
-function entry(box: ArrayLike<number>, ray: Ray): number {
+/** Writes the index of an object before anything else is changed: a frozen one is refused. */
+function writeIndex(where: string, externalNode: BoxTreeExternalNode, index: number | undefined): void {
+  if (!Reflect.set(externalNode, 'boxTreeIndex', index)) {
+    throw typeError(where, 'externalNode', 'an object with a boxTreeIndex that can be written', externalNode);
+  }
+}
+
+/** Where to begin to write to an array: where told, or at its end. */
+function checkedStart(where: string, name: string, out: ArrayLike<unknown>, startIndex: number | undefined): number {
+  sink(where, name, out);
+  return integer(where, 'startIndex', optional(startIndex, out.length), 0);
+}
+
+function checkTrees(where: string, trees: unknown): void {
+  if (!Array.isArray(trees)) {
+    throw typeError(where, 'trees', 'an array of trees', trees);
+  }
+  trees.forEach((tree: unknown, i) => {
+    instance(where, `trees[${i}]`, tree, BoxTree, 'a BoxTree');
+  });
+}
+
+/** The factor at which a ray enters the box at an index: 0 from inside, `Infinity` if it never does (slabs; Kay & Kajiya 1986). */
+function entry(boxes: Float64Array, at: number, origin: number[], direction: number[]): number {
   let near = 0;
   let far = Infinity;
   for (let axis = 0; axis < 2; axis += 1) {
-    const from = ray.origin[axis]!;
-    const step = ray.direction[axis]!;
-    const low = box[axis]!;
-    const high = box[axis + 2]!;
+    const from = origin[axis]!;
+    const step = direction[axis]!;
+    const low = boxes[at + axis]!;
+    const high = boxes[at + axis + 2]!;
     if (step === 0) {
       if (from < low || from > high) {
         return Infinity;

@@ -26,7 +26,7 @@ export interface Broadphase<T = unknown> {
   /** Removes a handle; it may be reused by a later `insert`. */
   remove(handle: BroadphaseHandle<T>): void;
 
-  /** Removes everything, after calling back once per handle. */
+  /** Removes everything, after calling back once per handle; also if a callback throws. */
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
 
   /** Reports each pair of overlapping handles once, in any order, except pairs of static ones. */
@@ -39,19 +39,28 @@ export interface Broadphase<T = unknown> {
     thisObject?: unknown,
   ): void;
 
-  /** Not needed, but makes continuous collision fast: as `sample`, static handles only. */
+  /** Not needed, but makes continuous collision fast: as `sample`, static handles only. Called by the engine; checks nothing. */
   sampleStatic?(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void;
 
   /**
    * Not needed, but makes ray casts fast: visits each handle whose bounds the ray origin + direction · f, 0 ≤ f ≤ `limit`, may meet, nearer ones
-   * as early as is cheap. `visit` returns up to where the ray matters from then on.
+   * as early as is cheap. `visit` returns up to where the ray matters from then on. Called by the engine; checks nothing.
    */
   castRay?(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
 }
 
-/** Whether four numbers are a rectangle; false for NaN. */
+/** Whether something is four numbers that are a rectangle; false for NaN. */
 export function isRect(bounds: RectLike): boolean {
-  return bounds[0]! <= bounds[2]! && bounds[1]! <= bounds[3]!;
+  return (
+    typeof bounds === 'object' &&
+    bounds !== null &&
+    typeof bounds[0] === 'number' &&
+    typeof bounds[1] === 'number' &&
+    typeof bounds[2] === 'number' &&
+    typeof bounds[3] === 'number' &&
+    bounds[0] <= bounds[2] &&
+    bounds[1] <= bounds[3]
+  );
 }
 
 /** The error for bounds that `isRect` refuses. */

@@ -1,4 +1,5 @@
 import type { RectLike } from '../math/vectors.js';
+import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
 
 /** A handle of {@link SweepAndPrune}. */
@@ -26,13 +27,13 @@ class SweepHandle<T> implements BroadphaseHandle<T> {
 /** Handles sorted by `minX` when asked for. */
 class SweepList<T> {
   readonly handles: SweepHandle<T>[] = [];
-  /** The longest extent along x, which bounds how far back a search has to begin. */
-  width = 0;
+  /** Of the sorted list: how far each handle or any before it reaches, the largest `maxX`. */
+  private readonly reach: number[] = [];
   private sorted = true;
 
   add(handle: SweepHandle<T>): void {
     handle.index = this.handles.push(handle) - 1;
-    this.changed(handle);
+    this.sorted = false;
   }
 
   remove(handle: SweepHandle<T>): void {
@@ -44,14 +45,15 @@ class SweepList<T> {
     }
   }
 
-  changed(handle: SweepHandle<T>): void {
-    this.width = Math.max(this.width, handle.maxX - handle.minX);
+  changed(): void {
     this.sorted = false;
   }
 
   clear(): void {
+    for (const handle of this.handles) {
+      handle.index = -1;
+    }
     this.handles.length = 0;
-    this.width = 0;
     this.sorted = true;
   }
 
@@ -62,10 +64,8 @@ class SweepList<T> {
     }
     const list = this.handles;
     let budget = 8 * list.length + 64;
-    let width = 0;
     for (let i = 0; i < list.length; i += 1) {
       const handle = list[i]!;
-      width = Math.max(width, handle.maxX - handle.minX);
       let j = i - 1;
       while (j >= 0 && list[j]!.minX > handle.minX && budget > 0) {
         list[j + 1] = list[j]!;
@@ -77,21 +77,22 @@ class SweepList<T> {
     if (budget === 0) {
       list.sort((a, b) => (a.minX < b.minX ? -1 : a.minX > b.minX ? 1 : 0));
     }
+    let reach = -Infinity;
     for (let i = 0; i < list.length; i += 1) {
       list[i]!.index = i;
-      width = Math.max(width, list[i]!.maxX - list[i]!.minX);
+      reach = Math.max(reach, list[i]!.maxX);
+      this.reach[i] = reach;
     }
-    this.width = width;
     this.sorted = true;
   }
 
-  /** Index of the first handle with `minX` >= x, in a sorted list. */
-  firstFrom(x: number): number {
+  /** Index of the first handle that reaches x, in a sorted list: none before it can overlap what begins there. */
+  firstThatReaches(x: number): number {
     let low = 0;
     let high = this.handles.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.handles[middle]!.minX >= x) {
+      if (this.reach[middle]! >= x) {
         high = middle;
       } else {
         low = middle + 1;
@@ -103,7 +104,7 @@ class SweepList<T> {
 
 /**
  * Sweep and prune along x (Baraff 1992): moving and static handles in a list each, sorted by `minX`. At its best where things
- * are spread out along x and of similar width; one very wide static handle makes all static ones be looked at.
+ * are spread out along x and of similar width; one very wide static handle makes all static ones behind its start be looked at.
  */
 export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   static readonly version = 1;
@@ -115,24 +116,26 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     if (!isRect(bounds)) {
       throw badBounds('SweepAndPrune.insert', bounds);
     }
+    boolean('SweepAndPrune.insert', 'isStatic', isStatic);
     const handle = new SweepHandle(data, isStatic);
     handle.set(bounds);
     this.listOf(handle).add(handle);
     return handle;
   }
 
-  update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic: boolean = handle.isStatic): void {
+  update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
     if (!isRect(bounds)) {
       throw badBounds('SweepAndPrune.update', bounds);
     }
     const own = this.owned('SweepAndPrune.update', handle);
+    const becomesStatic = isStatic === undefined ? own.isStatic : boolean('SweepAndPrune.update', 'isStatic', isStatic);
     own.set(bounds);
-    if (isStatic === own.isStatic) {
-      this.listOf(own).changed(own);
+    if (becomesStatic === own.isStatic) {
+      this.listOf(own).changed();
       return;
     }
     this.listOf(own).remove(own);
-    own.isStatic = isStatic;
+    own.isStatic = becomesStatic;
     this.listOf(own).add(own);
   }
 
@@ -143,16 +146,23 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   }
 
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
-    for (const list of [this.moving, this.still]) {
-      for (const handle of list.handles) {
-        handle.index = -1;
-        callback?.call(thisObject, handle);
+    if (callback !== undefined) {
+      callable('SweepAndPrune.clear', 'callback', callback);
+    }
+    try {
+      if (callback !== undefined) {
+        for (const handle of [...this.moving.handles, ...this.still.handles]) {
+          callback.call(thisObject, handle);
+        }
       }
-      list.clear();
+    } finally {
+      this.moving.clear();
+      this.still.clear();
     }
   }
 
   perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
+    callable('SweepAndPrune.perform', 'callback', callback);
     this.moving.sort();
     this.still.sort();
     const list = this.moving.handles;
@@ -177,12 +187,19 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     if (!isRect(bounds)) {
       throw badBounds('SweepAndPrune.sample', bounds);
     }
-    for (const list of [this.moving, this.still]) {
+    callable('SweepAndPrune.sample', 'callback', callback);
+    // Read before any callback, which may write to it.
+    const minX = bounds[0]!;
+    const minY = bounds[1]!;
+    const maxX = bounds[2]!;
+    const maxY = bounds[3]!;
+    for (let kind = 0; kind < 2; kind += 1) {
+      const list = kind === 0 ? this.moving : this.still;
       list.sort();
-      for (let i = list.firstFrom(bounds[0]! - list.width); i < list.handles.length; i += 1) {
+      for (let i = list.firstThatReaches(minX); i < list.handles.length; i += 1) {
         const b = list.handles[i]!;
-        if (b.minX > bounds[2]!) break;
-        if (b.maxX >= bounds[0]! && b.minY <= bounds[3]! && b.maxY >= bounds[1]!) {
+        if (b.minX > maxX) break;
+        if (b.maxX >= minX && b.minY <= maxY && b.maxY >= minY) {
           callback.call(thisObject, b, bounds);
         }
       }
@@ -195,7 +212,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     thisObject: unknown,
   ): void {
     const list = this.still.handles;
-    for (let i = this.still.firstFrom(a.minX - this.still.width); i < list.length; i += 1) {
+    for (let i = this.still.firstThatReaches(a.minX); i < list.length; i += 1) {
       const b = list[i]!;
       if (b.minX > a.maxX) break;
       if (b.maxX >= a.minX && b.minY <= a.maxY && b.maxY >= a.minY) {

@@ -69,7 +69,7 @@ function checkCast(model: Model, ray: Ray, ends: boolean): void {
 }
 
 /** Asks everything, then all of it from inside callbacks. */
-function checkBroadphase(model: Model, random: RandomBoxes, ray: Ray | null): void {
+function checkBroadphase(model: Model, random: RandomBoxes, ray: Ray): void {
   const { broadphase } = model;
   const [probe, other] = [random.box(), random.box()];
   const [pairs, found, still] = [model.expectedPairs(), model.expectedSample(probe), expectedStatic(model, probe)];
@@ -81,7 +81,7 @@ function checkBroadphase(model: Model, random: RandomBoxes, ray: Ray | null): vo
     if (broadphase.sampleStatic !== undefined) {
       expect(staticOf(broadphase, probe)).toEqual(still);
     }
-    if (ray !== null && broadphase.castRay !== undefined) {
+    if (broadphase.castRay !== undefined) {
       checkCast(model, ray, true);
       checkCast(model, ray, false);
     }
@@ -130,8 +130,7 @@ function playBroadphase(create: () => Broadphase, extreme: boolean): void {
         expect(handle.isStatic).toBe(isStatic);
       }
       if (i % 40 === 0) {
-        const ray = random.ray();
-        checkBroadphase(model, random, extreme || ray.direction[0] === 0 || ray.direction[1] === 0 ? null : ray);
+        checkBroadphase(model, random, random.ray());
       }
     });
   }
@@ -261,13 +260,12 @@ function playTrees(extreme: boolean): void {
   }
 }
 
-describe.each(BROADPHASES)('random programs: %s', (name, create) => {
+describe.each(BROADPHASES)('random programs: %s', (_, create) => {
   it('agrees with a list', () => {
     playBroadphase(create, false);
   });
 
-  // Sweep and prune looks for the first handle with minX ≥ x − width: rounded, or NaN for Infinity − Infinity.
-  (name === 'sweep and prune' ? it.fails : it)('agrees with a list for infinite and tiny numbers', () => {
+  it('agrees with a list for infinite and tiny numbers', () => {
     playBroadphase(create, true);
   });
 });
