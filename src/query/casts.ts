@@ -1,10 +1,10 @@
 import type { RigidBody } from '../body.js';
-import type { Broadphase, BroadphaseHandle } from '../broadphase/broadphase.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { RayTest, rayShape } from '../collide/rays.js';
-import { CAST_TOLERANCE } from '../config.js';
+import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
 import type { Distance } from '../geometry/distance.js';
-import { Sweep, timeOfImpact } from '../geometry/sweep.js';
-import type { Ray, Vec2 } from '../math/vectors.js';
+import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
+import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
@@ -28,44 +28,50 @@ function emptyResult(shape: Shape): CastResult {
   return { shape, hitPoint: [0, 0], hitNormal: [0, 0], factor: 0 };
 }
 
-/** A ray whose larger component is 1, so that directions of any length are as good, with what it hits on its way. */
+/** A ray whose larger component is 1, so that directions of any length are as good, with what it hits on its way. A copy: callbacks may change theirs. */
 class RayWalk {
   private readonly test = new RayTest();
-  readonly scale: number;
-  readonly ux: number;
-  readonly uy: number;
+  private readonly x: number;
+  private readonly y: number;
+  private readonly ux: number;
+  private readonly uy: number;
+  private readonly scale: number;
+  private readonly maxFactor: number;
+  /** How far it goes, in units of the scaled direction. */
+  readonly most: number;
 
-  constructor(
-    readonly ray: Ray,
-    outerOnly: boolean,
-  ) {
-    const dx = ray.direction[0]!;
-    const dy = ray.direction[1]!;
+  constructor({ origin, direction, maxFactor }: Ray, outerOnly: boolean) {
+    const dx = direction[0]!;
+    const dy = direction[1]!;
+    this.x = origin[0]!;
+    this.y = origin[1]!;
     this.scale = Math.max(Math.abs(dx), Math.abs(dy));
     this.ux = dx / this.scale;
     this.uy = dy / this.scale;
+    this.maxFactor = maxFactor;
+    this.most = maxFactor * this.scale;
     this.test.dx = this.ux;
     this.test.dy = this.uy;
     this.test.outerOnly = outerOnly;
-    this.test.most = ray.maxFactor * this.scale;
+    this.test.most = this.most;
   }
 
   /** Where the ray meets a shape, in units of the scaled direction; −1 if it does not. */
   meet(shape: Shape): number {
-    const { test, ray } = this;
+    const { test } = this;
     const body = shape.owner!;
-    test.ox = ray.origin[0]! - body.x;
-    test.oy = ray.origin[1]! - body.y;
-    return rayShape(shape, test) && test.factor / this.scale < ray.maxFactor ? test.factor : -1;
+    test.ox = this.x - body.x;
+    test.oy = this.y - body.y;
+    return rayShape(shape, test) && test.factor / this.scale < this.maxFactor ? test.factor : -1;
   }
 
   /** Fills in the hit that `meet` just found. */
   write(shape: Shape, result: CastResult): void {
-    const { test, ray, scale } = this;
+    const { test } = this;
     result.shape = shape;
-    result.factor = test.factor / scale + 0;
-    result.hitPoint[0] = ray.origin[0]! + this.ux * test.factor;
-    result.hitPoint[1] = ray.origin[1]! + this.uy * test.factor;
+    result.factor = test.factor / this.scale + 0;
+    result.hitPoint[0] = this.x + this.ux * test.factor;
+    result.hitPoint[1] = this.y + this.uy * test.factor;
     result.hitNormal[0] = test.nx + 0;
     result.hitNormal[1] = test.ny + 0;
   }
@@ -73,35 +79,21 @@ class RayWalk {
   /** Visits the shapes whose bounds the ray meets; `visit` returns up to where it still matters. */
   walk(world: World, visit: (shape: Shape) => number): void {
     refreshPlaces(world);
-    const { ray, ux, uy } = this;
+    const { x, y, ux, uy, most } = this;
     const { broadphase } = world;
-    const most = ray.maxFactor * this.scale;
     const meet = (handle: BroadphaseHandle) => visit(handle.data as Shape);
     if (broadphase.castRay !== undefined) {
-      broadphase.castRay(ray.origin, [ux, uy], most, meet);
-    } else {
-      sampleAlong(broadphase, ray, ux, uy, most, meet);
+      broadphase.castRay([x, y], [ux, uy], most, meet);
+      return;
     }
+    // A broadphase that knows no rays is asked for everything within the bounds of the ray.
+    const endX = ux === 0 ? x : x + ux * most;
+    const endY = uy === 0 ? y : y + uy * most;
+    const found: BroadphaseHandle[] = [];
+    const bounds = [Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY)];
+    broadphase.sample(bounds, (handle) => found.push(handle));
+    found.forEach(meet);
   }
-}
-
-/** For a broadphase that knows no rays: everything within the bounds of the ray. */
-function sampleAlong(
-  broadphase: Broadphase,
-  { origin }: Ray,
-  ux: number,
-  uy: number,
-  most: number,
-  meet: (handle: BroadphaseHandle) => number,
-): void {
-  const x = origin[0]!;
-  const y = origin[1]!;
-  const endX = ux === 0 ? x : x + ux * most;
-  const endY = uy === 0 ? y : y + uy * most;
-  const found: BroadphaseHandle[] = [];
-  const bounds = [Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY)];
-  broadphase.sample(bounds, (handle) => found.push(handle));
-  found.forEach(meet);
 }
 
 /** The nearest hit that is accepted; of equal ones that of the older shape, whatever the order in which they are found. */
@@ -109,7 +101,7 @@ export function castRay(world: World, ray: Ray, outerOnly: boolean, accept: Acce
   const walk = new RayWalk(ray, outerOnly);
   let best: CastResult | null = null;
   let temporary: CastResult | null = null;
-  let limit = ray.maxFactor * walk.scale;
+  let limit = walk.most;
   walk.walk(world, (shape) => {
     const factor = walk.meet(shape);
     if (factor >= 0 && (factor < limit || (factor === limit && best !== null && shape.id < best.shape.id))) {
@@ -131,7 +123,6 @@ export function castRay(world: World, ray: Ray, outerOnly: boolean, accept: Acce
 /** All hits, one for each shape, nearest first. */
 export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): CastResult[] {
   const walk = new RayWalk(ray, outerOnly);
-  const most = ray.maxFactor * walk.scale;
   const found: CastResult[] = [];
   walk.walk(world, (shape) => {
     if (walk.meet(shape) >= 0) {
@@ -139,7 +130,7 @@ export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): Cast
       walk.write(shape, result);
       found.push(result);
     }
-    return most;
+    return walk.most;
   });
   return found.sort((a, b) => a.factor - b.factor || a.shape.id - b.shape.id);
 }
@@ -150,13 +141,15 @@ export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): Cast
  */
 export function castShape(world: World, shape: Shape, deltaTime: number, accept: Accept | null): CastResult | null {
   const body = shape.owner!;
-  const sweep = new Sweep();
+  const sweep = spareSweep ?? new Sweep();
+  spareSweep = null;
   sweep.a.start(shape, body, body);
+  const start = startBounds(shape);
   let best: CastResult | null = null;
   let limit = deltaTime;
-  for (const other of near(world, sweptBounds(shape, deltaTime)).sort((a, b) => a.id - b.id)) {
+  for (const other of near(world, sweptBounds(start, sweep.a, deltaTime)).sort((a, b) => a.id - b.id)) {
     const { owner } = other;
-    if (owner === body) {
+    if (owner === body || !mayMeet(start, sweep.a, other.bounds, limit)) {
       continue;
     }
     sweep.b.stand(other, owner!, body);
@@ -166,7 +159,33 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
       limit = time;
     }
   }
+  sweep.a.shape = null;
+  sweep.b.shape = null;
+  spareSweep = sweep;
   return best;
+}
+
+/** For the next cast; one that is made within the callback of another takes a new one. */
+let spareSweep: Sweep | null = null;
+
+/**
+ * Whether bounds that move as a body does may meet others within a time. Seen from the others, a point starts at 0 and goes along v; it
+ * has to reach the rectangle of the differences of both. The axes that can separate them are x, y and across v.
+ */
+function mayMeet(start: RectLike, { vx, vy }: Travel, bounds: RectLike, limit: number): boolean {
+  // As for the bounds in the broadphase: more than shapes may be apart when a cast ends, and than rounding can make of it.
+  const slack = SPECULATIVE_MARGIN / 2;
+  const minX = bounds[0]! - start[2]! - slack;
+  const minY = bounds[1]! - start[3]! - slack;
+  const maxX = bounds[2]! - start[0]! + slack;
+  const maxY = bounds[3]! - start[1]! + slack;
+  const x = vx * limit;
+  const y = vy * limit;
+  if (Math.min(x, 0) > maxX || Math.max(x, 0) < minX || Math.min(y, 0) > maxY || Math.max(y, 0) < minY) {
+    return false;
+  }
+  const across = (minX + maxX) * vy - (minY + maxY) * vx;
+  return !(Math.abs(across) > (maxX - minX) * Math.abs(vy) + (maxY - minY) * Math.abs(vx));
 }
 
 function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor: number): CastResult {
@@ -178,17 +197,26 @@ function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor:
   };
 }
 
-/** Bounds of a shape on its way: those of its start and end, or of all its turns about the body origin. */
-function sweptBounds(shape: Shape, deltaTime: number): number[] {
+/** Bounds of a shape where its body is; of all its turns about the body origin if it turns. */
+function startBounds(shape: Shape): number[] {
   const body = shape.owner!;
   body.place();
   const { bounds } = shape;
-  const x = body.vx * deltaTime;
-  const y = body.vy * deltaTime;
+  if (body.w === 0) {
+    return [bounds[0]!, bounds[1]!, bounds[2]!, bounds[3]!];
+  }
   const reach = shape.reach();
-  const [minX, minY, maxX, maxY] =
-    body.w === 0
-      ? [bounds[0]!, bounds[1]!, bounds[2]!, bounds[3]!]
-      : [body.x - reach, body.y - reach, body.x + reach, body.y + reach];
-  return [minX! + Math.min(x, 0), minY! + Math.min(y, 0), maxX! + Math.max(x, 0), maxY! + Math.max(y, 0)];
+  return [body.x - reach, body.y - reach, body.x + reach, body.y + reach];
+}
+
+/** Bounds of the way of such bounds. */
+function sweptBounds(start: RectLike, { vx, vy }: Travel, deltaTime: number): number[] {
+  const x = vx * deltaTime;
+  const y = vy * deltaTime;
+  return [
+    start[0]! + Math.min(x, 0),
+    start[1]! + Math.min(y, 0),
+    start[2]! + Math.max(x, 0),
+    start[3]! + Math.max(y, 0),
+  ];
 }

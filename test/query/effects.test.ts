@@ -175,6 +175,24 @@ describe('callbacks and stores', () => {
     steps(world, 1);
   });
 
+  it('a callback may change the ray that it was called for', () => {
+    for (const [, create] of BROADPHASES) {
+      const world = phys2D.createWorld({ broadphase: create() });
+      add(world, ...[3, 5, 7, 9].map((x) => plainBody({ position: [x, 0] })));
+      const ray = { origin: [0, 0], direction: [1, 0], maxFactor: 20 };
+      const factors: number[] = [];
+      const found = world.rayCast(ray, false, (_, { factor }) => {
+        factors.push(factor);
+        ray.origin.fill(50);
+        ray.direction.fill(-1);
+        ray.maxFactor = 1;
+        return factor > 6;
+      });
+      expect(factors).toContain(2.5);
+      expect(found?.factor).toBeCloseTo(6.5, 12);
+    }
+  });
+
   it('results of rayCastAll are the caller’s: the next call does not write into them', () => {
     const world = weightless();
     add(world, plainBody({ position: [3, 0] }), plainBody({ position: [0, 4] }));
