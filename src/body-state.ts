@@ -89,6 +89,8 @@ export abstract class BodyState {
   liveIndex = -1;
   /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
   slot = 0;
+  /** @internal the step that comes after something that touched it was taken away */
+  unloaded = -1;
   /** @internal m. How far it may go in this step, in any direction, without coming near anything that it would be swept against */
   clearance = 0;
   /** @internal index among the movers of a step, −1 if it is none */

@@ -40,6 +40,10 @@ export class Arbiter {
   readonly manifold = new Manifold();
   /** @internal the objects `contacts` is filled with; B's end of two comes second */
   readonly points: readonly [Contact, Contact] = [new Contact(this, 0), new Contact(this, 1)];
+  /** @internal the step in which the present interaction began, or the last one */
+  began = -1;
+  /** @internal the last step in which it bore far more than the bodies weigh */
+  strained = -Infinity;
   /** @internal the last step in which the shapes interacted */
   lastInteraction = -1;
   /** @internal the last step in which the broadphase reported the pair */
@@ -254,6 +258,7 @@ export class Arbiter {
     this.active = false;
     this.sleeping = false;
     this.manifold.reset();
+    this.strained = -Infinity;
     this.lastInteraction = -1;
     this.seen = -1;
     this.listed = false;

@@ -38,23 +38,47 @@ function separation(data: SolverData, batch: ContactBatch, record: number, shift
   );
 }
 
+/** What forces add to the normal velocity of a contact in a sub-step. */
+function normalGain(data: SolverData, batch: ContactBatch, record: number): number {
+  const { drive: f } = data;
+  const k = record / batch.stride;
+  const a = batch.bodies[2 * k]!;
+  const b = batch.bodies[2 * k + 1]!;
+  return (
+    batch.records[record + d.NX]! * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) +
+    batch.records[record + d.NY]! * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!)
+  );
+}
+
+/**
+ * The normal velocity that a bounce ends with, with the sign changed, for one that comes with `comes` and is found at a separation `s` ≤ 0: what fell on
+ * below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
+ * ahead of the true one by half of `gain`, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
+ */
+function leaveSpeed(elasticity: number, comes: number, gain: number, s: number, h: number): number {
+  const lift = gain < 0 ? (2 * gain * s) / h : 0;
+  const speed = comes + 0.5 * gain;
+  const onSurface = speed * speed - lift;
+  return -Math.sqrt(elasticity * elasticity * (onSurface > 0 ? onSurface : 0) + lift) - 0.5 * gain;
+}
+
 /**
  * Before gravity: how fast each point of a bouncing material has to leave. One that will bounce but has not met the other
- * surface yet is left out of the sub-step, so that it gets there at full speed; this keeps (v − g·h/2)²/2 + g·y, the invariant of
- * the integrator, and with it the height of a bouncing ball.
+ * surface yet is left out of the sub-step, so that it gets there at full speed.
  */
-export function planBounces(data: SolverData): void {
+export function planBounces(data: SolverData, h: number): void {
   const list = data.bounces;
   for (let k = 0; k < list.count; k += 1) {
     const batch = list.twoPoint[k] === 1 ? data.two : data.one;
     const record = list.record[k]!;
     const shift = list.shift[k]!;
-    const leave = list.elasticity[k]! * normalVelocity(data, batch, record, shift);
+    const elasticity = list.elasticity[k]!;
+    const comes = normalVelocity(data, batch, record, shift);
     list.bias[k] = 0;
-    if (leave < -BOUNCE_THRESHOLD) {
-      const apart = separation(data, batch, record, shift) > 0;
-      list.bias[k] = apart ? d.OFF : leave;
-      if (apart) {
+    if (elasticity * comes < -BOUNCE_THRESHOLD) {
+      const s = separation(data, batch, record, shift);
+      list.bias[k] = s > 0 ? d.OFF : leaveSpeed(elasticity, comes, normalGain(data, batch, record), s, h);
+      if (s > 0) {
         const r = batch.records;
         const i = record + shift;
         r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;

@@ -212,6 +212,8 @@ export class SolverData {
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();
+  /** Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. */
+  readonly hard: number[] = [];
   /** s. Length of the sub-steps of the last step … */
   previousH = 0;
   /** … and what its impulses are multiplied by to fit the present ones. */

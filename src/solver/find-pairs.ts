@@ -107,6 +107,7 @@ function interact(world: World, pair: Arbiter): void {
   }
   if (begins) {
     pair.persistent = false;
+    pair.began = stamp;
   }
   pair.lastInteraction = stamp;
   pair.active = true;

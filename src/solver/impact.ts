@@ -24,6 +24,7 @@ export function beginLate(world: World, pair: Arbiter): void {
   }
   pair.persistent = false;
   pair.active = true;
+  pair.began = world.timeStamp;
   pair.lastInteraction = world.timeStamp;
   world.events.interaction(BEGIN, pair, FOUND_LATE);
 }

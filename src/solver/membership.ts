@@ -19,6 +19,7 @@ export function rouseNeighbours(world: World, body: RigidBody): void {
     }
   }
   for (const other of found) {
+    other.unloaded = world.timeStamp + 1;
     wakeBody(world, other, false);
   }
 }

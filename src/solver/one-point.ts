@@ -48,11 +48,11 @@ export function warmStartOne(data: SolverData, h: number, first: boolean): void 
   }
 }
 
-/** One velocity iteration: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal. */
-export function solveVelocityOne(data: SolverData): void {
-  const { records: r, bodies, count } = data.one;
+/** One sweep over the contacts from one index to another: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal. */
+export function solveVelocityOne(data: SolverData, from: number, to: number): void {
+  const { records: r, bodies } = data.one;
   const v = data.velocity;
-  for (let k = 0; k < count; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;

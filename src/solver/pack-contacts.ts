@@ -3,10 +3,13 @@ import * as g from '../collide/layout.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
+  NEW_SHARE,
+  NEW_STEPS,
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_STATIC,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
+  STRAIN_STEPS,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
@@ -21,7 +24,7 @@ import * as d from './data.js';
  * no result that matters. Refused: greedy colouring, so that no neighbours share a body. Solving, say, all left supports before all
  * right ones leaves the same error in all rows of a pyramid: of base 20 it slides 0.3 m and never rests (this order: 0.02 m, rests).
  */
-export function packContacts(data: SolverData, pairs: readonly Arbiter[]): void {
+export function packContacts(data: SolverData, pairs: readonly Arbiter[], stamp: number): void {
   const solved = data.solved;
   let count = 0;
   for (const pair of pairs) {
@@ -33,15 +36,37 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[]): void 
   data.one.count = 0;
   data.two.count = 0;
   data.bounces.count = 0;
+  data.hard.length = 0;
   for (let start = 0; start < count; start += d.WINDOW) {
     const end = Math.min(count, start + d.WINDOW);
+    const fromTwo = data.two.count;
+    const fromOne = data.one.count;
     for (let first = start; first < start + d.RUN && first < end; first += 1) {
       for (let i = first; i < end; i += d.RUN) {
         packContact(data, solved[i]!);
       }
     }
+    if (isHard(solved, start, end, stamp)) {
+      data.hard.push(fromTwo, data.two.count, fromOne, data.one.count);
+    }
   }
   data.drive[d.TOUCHED] = 0;
+}
+
+/**
+ * Whether a part of the list is swept over more often: many of its contacts are new, the load of one was just taken away, or one bears far more
+ * than its bodies weigh.
+ */
+function isHard(solved: readonly Arbiter[], start: number, end: number, stamp: number): boolean {
+  let fresh = 0;
+  for (let i = start; i < end; i += 1) {
+    const { active, began, strained, shapeA, shapeB } = solved[i]!;
+    if (stamp - strained < STRAIN_STEPS || shapeA.owner!.unloaded === stamp || shapeB.owner!.unloaded === stamp) {
+      return true;
+    }
+    fresh += active && stamp - began < NEW_STEPS ? 1 : 0;
+  }
+  return fresh > NEW_SHARE * (end - start);
 }
 
 function packContact(data: SolverData, pair: Arbiter): void {

@@ -13,7 +13,7 @@ export function prepare(world: World, h: number): void {
   packBodies(world, h);
   data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
   data.previousH = h;
-  packContacts(data, world.pairs.sorted);
+  packContacts(data, world.pairs.sorted, world.timeStamp);
   packJoints(world, h);
 }
 

@@ -1,17 +1,17 @@
+import { CONTACT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
 import { applyBounces, planBounces, releaseBounces } from './bounce.js';
+import { solvePositionContacts, solveVelocityContacts, warmStartContacts } from './contacts.js';
 import { continuous } from './continuous.js';
 import { findPairs, listArbiters } from './find-pairs.js';
 import { foresee } from './foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
 import { finishJoints, solvePositionJoints, solveVelocityJoints, storeJoints, warmStartJoints } from './joints.js';
-import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
 import { prepare } from './prepare.js';
 import { refreshMoved } from './refresh.js';
 import { sleepKinematics } from './sleep.js';
 import { store } from './store.js';
-import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
 
 /**
  * One step: the table of contents of the engine. Collision is found once; then the step is integrated in `substeps` equal
@@ -27,26 +27,26 @@ export function step(world: World, dt: number): void {
   listArbiters(world);
   prepare(world, h);
   for (let part = 0; part < substeps; part += 1) {
-    planBounces(solver);
+    planBounces(solver, h);
     integrateVelocities(solver);
     warmStartJoints(solver, part === 0);
-    warmStartTwo(solver, h, part === 0);
-    warmStartOne(solver, h, part === 0);
+    warmStartContacts(solver, h, part === 0);
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
     for (let i = 0; i < turns; i += 1) {
       solveVelocityJoints(solver, i, turns);
-      solveVelocityTwo(solver);
-      solveVelocityOne(solver);
+      solveVelocityContacts(solver);
+    }
+    for (let i = turns; i < CONTACT_SWEEPS * turns; i += 1) {
+      solveVelocityContacts(solver);
     }
     integratePositions(solver, h);
     releaseBounces(solver);
     const pushes = share(world.positionIterations, part, substeps);
     for (let i = 0; i < pushes; i += 1) {
       const pushedJoints = solvePositionJoints(solver, i, pushes);
-      const pushedTwo = solvePositionTwo(solver);
-      const pushedOne = solvePositionOne(solver);
-      if (!pushedJoints && !pushedTwo && !pushedOne) {
+      const pushedContacts = solvePositionContacts(solver);
+      if (!pushedJoints && !pushedContacts) {
         break;
       }
     }

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { SPECULATIVE_MARGIN } from '../config.js';
+import { SPECULATIVE_MARGIN, STRAIN_SPEED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -68,6 +68,11 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     if (two) {
       storePoint(batch, k, 0, 0);
       storePoint(batch, k, d.SECOND, 1);
+      const at = k * d.TWO_STRIDE;
+      const { records: r } = batch;
+      if (r[at + d.NORMAL1]! * r[at + d.K11]! + r[at + d.NORMAL2]! * r[at + d.K22]! > STRAIN_SPEED) {
+        pair.strained = world.timeStamp;
+      }
     } else {
       storeOne(batch, k);
     }

@@ -63,14 +63,14 @@ export function warmStartTwo(data: SolverData, h: number, first: boolean): void 
 }
 
 /**
- * One velocity iteration. Friction of each point, within ± μ · normal impulse; then both normals as one linear
+ * One sweep over the contacts from one index to another. Friction of each point, within ± μ · normal impulse; then both normals as one linear
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
  * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
  */
-export function solveVelocityTwo(data: SolverData): void {
-  const { records: r, bodies, count } = data.two;
+export function solveVelocityTwo(data: SolverData, from: number, to: number): void {
+  const { records: r, bodies } = data.two;
   const v = data.velocity;
-  for (let k = 0; k < count; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;

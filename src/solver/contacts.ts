@@ -1,0 +1,30 @@
+import { HARD_SWEEPS } from '../config.js';
+import type { SolverData } from './data.js';
+import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
+import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
+
+/** Starts a sub-step of length h. */
+export function warmStartContacts(data: SolverData, h: number, isFirst: boolean): void {
+  warmStartTwo(data, h, isFirst);
+  warmStartOne(data, h, isFirst);
+}
+
+/** One sweep over all contacts; over those that are hard to solve some more. */
+export function solveVelocityContacts(data: SolverData): void {
+  solveVelocityTwo(data, 0, data.two.count);
+  solveVelocityOne(data, 0, data.one.count);
+  const { hard } = data;
+  for (let i = 0; i < hard.length; i += 4) {
+    for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
+      solveVelocityTwo(data, hard[i]!, hard[i + 1]!);
+      solveVelocityOne(data, hard[i + 2]!, hard[i + 3]!);
+    }
+  }
+}
+
+/** One position iteration. @returns whether anything was pushed. */
+export function solvePositionContacts(data: SolverData): boolean {
+  const pushedTwo = solvePositionTwo(data);
+  const pushedOne = solvePositionOne(data);
+  return pushedTwo || pushedOne;
+}
