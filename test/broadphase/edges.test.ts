@@ -2,7 +2,8 @@ import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { describe, expect, it } from 'vitest';
 import { BoxTree, type BroadphaseHandle, phys2D, type Rect } from '../../src/index.js';
-import { BROADPHASES, pairsOf, sampleOf } from './model.js';
+import { generator } from '../scenes/mixed.js';
+import { BROADPHASES, Model, pairsOf, sampleOf } from './model.js';
 import type { Item } from './tree-model.js';
 
 // Single cases at the edges of what the classes promise.
@@ -67,6 +68,22 @@ describe.each(BROADPHASES)('edges: %s', (_, create) => {
     }
     expect(sampleOf(broadphase, EVERYWHERE)).toEqual([3, 4, 5, 6, 7, 8]);
     expect(pairsOf(broadphase)).toEqual(['3-4', '4-5', '5-6', '6-7', '7-8']);
+  });
+
+  it('knows what was inserted and removed since the last perform, in any order', () => {
+    for (let seed = 1; seed <= 50; seed += 1) {
+      const random = generator(seed);
+      const model = new Model(create());
+      for (let i = 0; i < 60; i += 1) {
+        const ids = [...model.entries.keys()];
+        if (ids.length < 4 || random() < 0.5) {
+          model.insert([i % 5, 0, (i % 5) + 1, 1], i % 3 === 0);
+        } else {
+          model.remove(ids[Math.floor(random() * ids.length)]!);
+        }
+      }
+      expect(pairsOf(model.broadphase)).toEqual(model.expectedPairs());
+    }
   });
 
   it('hands thisObject to the callback of clear', () => {
@@ -324,10 +341,10 @@ describe('edges: what is removed is let go', () => {
       const broadphase = create();
       expect(
         await survives((data) => {
-          broadphase.insert(0, box, false);
-          const handle = broadphase.insert(data, box, false);
+          const handles = [data, 0, data].map((each) => broadphase.insert(each, box, false));
           broadphase.perform(() => {});
-          broadphase.remove(handle);
+          broadphase.remove(handles[0]!);
+          broadphase.remove(handles[2]!);
           broadphase.perform(() => {});
         }),
       ).toBe(false);
