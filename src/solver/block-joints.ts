@@ -1,11 +1,4 @@
-import {
-  BREAK_STEPS,
-  JOINT_MOMENTUM,
-  JOINT_SNAP,
-  JOINT_SWEEP_ERROR,
-  JOINT_TOLERANCE,
-  MIN_INVERSE_MASS,
-} from '../config.js';
+import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
@@ -76,7 +69,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
 function noteError({ joints }: SolverData, index: number, error: number): void {
   const { worst, strained } = joints;
   worst[0] = Math.max(worst[0]!, error * error);
-  if (error > JOINT_SWEEP_ERROR) {
+  if (error * error > worst[1]!) {
     strained[0] = Math.min(strained[0]!, index);
     strained[1] = index + 1;
   }

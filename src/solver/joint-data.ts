@@ -1,5 +1,5 @@
 import type { RigidBody } from '../body.js';
-import { JOINT_MOMENTUM } from '../config.js';
+import { FEW_JOINTS, JOINT_MOMENTUM, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
@@ -42,10 +42,29 @@ export interface Run {
   end: number;
 }
 
+/** Joints that hang together. */
+export interface Group {
+  readonly start: number;
+  end: number;
+  readonly runs: Run[];
+  /** m, rad. The part of the worst error for which it is swept over once more. */
+  tolerance: number;
+  /** One of the joints was changed before this step. */
+  fresh: boolean;
+  /** For so many steps more large errors are corrected without momentum. */
+  settling: number;
+  /** How often it is in this sub-step, spread over the iterations … */
+  sweeps: number;
+  /** … and which of its joints, but in the last sweep. */
+  from: number;
+  to: number;
+}
+
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
 export class JointData {
   readonly joints: Joint[] = [];
   readonly runs: Run[] = [];
+  readonly groups: Group[] = [];
   records = new Float64Array(0);
   /** Offsets of the members' records. */
   bodies = new Int32Array(0);
@@ -56,9 +75,9 @@ export class JointData {
   parts = 1;
   /** Some joint's body is in contact. */
   isTouched = false;
-  /** The square of the worst error as the sub-step starts … */
-  readonly worst = new Float64Array(1);
-  /** … and which joints have one above JOINT_SWEEP_ERROR: the first, and the one after the last. */
+  /** Of a group: the square of the worst error as the sub-step starts, and of the error from which on a joint is strained … */
+  readonly worst = new Float64Array(2);
+  /** … and which are: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);
@@ -71,22 +90,43 @@ export class JointData {
   reset(): void {
     this.joints.length = 0;
     this.runs.length = 0;
+    this.groups.length = 0;
     this.size = 0;
     this.members = 0;
   }
 
-  /** Appends a constraint to the list. */
+  /** Starts a group. */
+  begin(): void {
+    const { length } = this.joints;
+    this.groups.push({
+      start: length,
+      end: length,
+      runs: [],
+      tolerance: 0,
+      fresh: false,
+      settling: 0,
+      sweeps: 1,
+      from: 0,
+      to: 0,
+    });
+  }
+
+  /** Appends a constraint to the last group. */
   add(constraint: Constraint, kernel: number, layout: BlockLayout): void {
-    const { joints, runs } = this;
+    const { joints } = this;
+    const group = this.groups[this.groups.length - 1]!;
     const twins = twinsOf(constraint.members);
     joints.push({ constraint, kernel, layout, at: this.size, first: this.members, twins });
     this.size += kernel === POINT ? POINT_STRIDE : layout.size;
     this.members += constraint.members.length;
-    const run = runs[runs.length - 1];
+    const run = group.runs[group.runs.length - 1];
+    group.end += 1;
     if (run !== undefined && run.kernel === kernel) {
       run.end += 1;
     } else {
-      runs.push({ kernel, start: joints.length - 1, end: joints.length });
+      const added = { kernel, start: joints.length - 1, end: joints.length };
+      group.runs.push(added);
+      this.runs.push(added);
     }
     if (this.pose.length < POSE * layout.members) {
       this.pose = new Float64Array(POSE * layout.members);
@@ -95,6 +135,10 @@ export class JointData {
 
   /** Ends the list: makes room for it. */
   allot(): void {
+    for (const group of this.groups) {
+      const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * (group.end - group.start)) / FEW_JOINTS;
+      group.tolerance = Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
+    }
     if (this.records.length < this.size) {
       this.records = new Float64Array(2 * this.size);
     }

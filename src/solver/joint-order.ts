@@ -22,6 +22,7 @@ export function orderJoints(world: World): void {
   const left = new Set(acting);
   for (const constraint of acting) {
     if (left.has(constraint)) {
+      joints.begin();
       for (const next of breadthFirst(hangingTogether(constraint, left))) {
         joints.add(next, kernelFor(next), new BlockLayout(next.dimension, next.members.length));
       }

@@ -1,4 +1,4 @@
-import { JOINT_SWEEP_ERROR, JOINT_SWEEP_MARGIN, MAX_JOINT_SWEEPS } from '../config.js';
+import { JOINT_SNAP, JOINT_SWEEP_MARGIN, MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -11,7 +11,7 @@ import {
   warmStartBlock,
 } from './block-joints.js';
 import type { SolverData } from './data.js';
-import { type Joint, type JointData, packHead } from './joint-data.js';
+import { type Group, type Joint, type JointData, packHead } from './joint-data.js';
 import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
@@ -66,50 +66,75 @@ function packJoint(data: SolverData, joint: Joint): void {
 }
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
-function steadyFresh({ joints, records }: JointData): void {
-  for (const { constraint, kernel, at } of joints) {
-    if (constraint.fresh) {
-      constraint.fresh = false;
-      records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
-      records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 0;
-    }
-  }
-}
-
-/** Starts a sub-step. */
-export function warmStartJoints(data: SolverData, isFirst: boolean): void {
-  const { runs, joints, worst, strained } = data.joints;
-  worst[0] = 0;
-  strained[0] = joints.length;
-  strained[1] = 0;
-  for (const { kernel, start, end } of runs) {
-    if (kernel === POINT) {
-      warmStartPoints(data, start, end);
-    } else {
-      for (let k = start; k < end; k += 1) {
-        warmStartBlock(data, k, isFirst);
+function steadyFresh({ joints, groups, records }: JointData): void {
+  for (const group of groups) {
+    for (let k = group.start; k < group.end; k += 1) {
+      const { constraint } = joints[k]!;
+      if (constraint.fresh) {
+        constraint.fresh = false;
+        group.fresh = true;
+        steady(joints[k]!, records);
       }
     }
   }
 }
 
-/** How many sweeps over the joints a sub-step has, spread over its iterations: the worst joint decides. */
-function sweepsOf({ joints }: SolverData): number {
-  const wanted = Math.ceil(Math.sqrt(joints.worst[0]!) / JOINT_SWEEP_ERROR);
-  return wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+/** Makes no momentum of what corrects a joint in this step. */
+function steady({ kernel, at }: Joint, records: Float64Array): void {
+  records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
+  records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 0;
+}
+
+/** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
+function settle({ joints, records }: JointData, group: Group, worst: number): void {
+  const isLarge = worst > JOINT_SNAP * JOINT_SNAP;
+  group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
+  group.fresh = false;
+  for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
+    steady(joints[k]!, records);
+  }
+}
+
+/** Starts a sub-step: finds how often each group has to be swept over. */
+export function warmStartJoints(data: SolverData, isFirst: boolean): void {
+  const { groups, worst, strained } = data.joints;
+  for (let i = 0; i < groups.length; i += 1) {
+    const group = groups[i]!;
+    worst[0] = 0;
+    worst[1] = group.tolerance * group.tolerance;
+    strained[0] = group.end;
+    strained[1] = group.start;
+    for (const { kernel, start, end } of group.runs) {
+      if (kernel === POINT) {
+        warmStartPoints(data, start, end);
+      } else {
+        for (let k = start; k < end; k += 1) {
+          warmStartBlock(data, k, isFirst);
+        }
+      }
+    }
+    if (isFirst) {
+      settle(data.joints, group, worst[0]);
+    }
+    const wanted = Math.ceil(Math.sqrt(worst[0]) / group.tolerance);
+    const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
+    group.sweeps = wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+    group.from = strained[0]! - margin;
+    group.to = strained[1]! + margin;
+  }
 }
 
 /** Solves a part of a run. @returns whether it was worth another sweep. */
 type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
 
-/** One sweep: over all joints if it is the last, else over those that are strained and near that. */
-function sweepOver(data: SolverData, isLast: boolean, solve: Solve): boolean {
-  const { runs, joints, strained } = data.joints;
-  const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
-  const from = isLast ? 0 : strained[0]! - margin;
-  const to = isLast ? joints.length : strained[1]! + margin;
+/** One sweep: over all joints of a group if it is the last, else over those that are strained and near that. */
+function sweepOver(data: SolverData, group: Group, isLast: boolean, solve: Solve): boolean {
+  const { runs } = group;
+  const from = isLast ? group.start : group.from;
+  const to = isLast ? group.end : group.to;
   let found = false;
-  for (const { kernel, start, end } of runs) {
+  for (let k = 0; k < runs.length; k += 1) {
+    const { kernel, start, end } = runs[k]!;
     if (start < to && end > from) {
       found = solve(data, kernel, start > from ? start : from, end < to ? end : to) || found;
     }
@@ -119,11 +144,15 @@ function sweepOver(data: SolverData, isLast: boolean, solve: Solve): boolean {
 
 /** Velocity iteration `i` of `count`. */
 export function solveVelocityJoints(data: SolverData, i: number, count: number): void {
-  const sweeps = sweepsOf(data);
-  const after = Math.floor(((i + 1) * sweeps) / count);
+  const { groups } = data.joints;
   solveVelocityCustoms(data);
-  for (let sweep = Math.floor((i * sweeps) / count); sweep < after; sweep += 1) {
-    sweepOver(data, sweep === sweeps - 1, solveVelocityRun);
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    const { sweeps } = group;
+    const after = Math.floor(((i + 1) * sweeps) / count);
+    for (let sweep = Math.floor((i * sweeps) / count); sweep < after; sweep += 1) {
+      sweepOver(data, group, sweep === sweeps - 1, solveVelocityRun);
+    }
   }
 }
 
@@ -152,26 +181,32 @@ function solveVelocityCustoms(data: SolverData): void {
 
 /** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
-  const sweeps = sweepsOf(data);
-  const before = Math.ceil((i * sweeps) / count);
-  const after = Math.ceil(((i + 1) * sweeps) / count);
-  if (i > 0 && after > before) {
-    noteErrors(data, true);
+  const { groups } = data.joints;
+  let isLeft = pushCustoms(data);
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    const { sweeps } = group;
+    const before = Math.ceil((i * sweeps) / count);
+    const after = Math.ceil(((i + 1) * sweeps) / count);
+    if (after === before) {
+      continue;
+    }
+    if (i > 0) {
+      noteErrors(data, group, true);
+    }
+    let found = linearise(data, group);
+    for (let sweep = before; sweep < after; sweep += 1) {
+      found = sweepOver(data, group, sweep === sweeps - 1, pushRun) || found;
+    }
+    noteErrors(data, group, false);
+    isLeft ||= found && after < sweeps;
   }
-  const isAsked = pushCustoms(data);
-  let found = after > before && linearise(data);
-  for (let sweep = before; sweep < after; sweep += 1) {
-    found = sweepOver(data, sweep === sweeps - 1, pushRun) || found;
-  }
-  if (after > before) {
-    noteErrors(data, false);
-  }
-  return isAsked || (found && after < sweeps);
+  return isLeft;
 }
 
 /** Of joints in contact: what contacts do to their errors must not become momentum. */
-function noteErrors(data: SolverData, isAfterContacts: boolean): void {
-  const { runs, joints, isTouched } = data.joints;
+function noteErrors(data: SolverData, { runs }: Group, isAfterContacts: boolean): void {
+  const { joints, isTouched } = data.joints;
   if (!isTouched) {
     return;
   }
@@ -200,8 +235,8 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
   return false;
 }
 
-function linearise(data: SolverData): boolean {
-  const { runs, joints } = data.joints;
+function linearise(data: SolverData, { runs }: Group): boolean {
+  const { joints } = data.joints;
   let found = false;
   for (const { kernel, start, end } of runs) {
     for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
@@ -227,8 +262,10 @@ function pushCustoms(data: SolverData): boolean {
 
 /** Ends a sub-step. */
 export function finishJoints(data: SolverData): void {
-  const { runs, joints } = data.joints;
-  noteErrors(data, true);
+  const { groups, runs, joints } = data.joints;
+  for (let k = 0; k < groups.length; k += 1) {
+    noteErrors(data, groups[k]!, true);
+  }
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
       finishPoints(data, start, end);

@@ -8,7 +8,10 @@ function gather(handle: BroadphaseHandle): void {
   nearby.push(handle.data as Shape);
 }
 
-/** The shapes that have something to do with `bounds`: all, or at least the static and sleeping ones. Empty ones are all the same list. */
+/**
+ * The shapes that have something to do with `bounds`, by their ids, as broadphases differ in the order in which they find them: all, or at least the
+ * static and sleeping ones. Empty lists are all the same.
+ */
 export function shapesWithin({ broadphase }: World, bounds: Float64Array, all: boolean): Shape[] {
   nearby.length = 0;
   if (all || broadphase.sampleStatic === undefined) {
@@ -21,5 +24,5 @@ export function shapesWithin({ broadphase }: World, bounds: Float64Array, all: b
   }
   const found = nearby;
   nearby = [];
-  return found;
+  return found.sort((a, b) => a.id - b.id);
 }

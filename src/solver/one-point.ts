@@ -1,4 +1,4 @@
-import { CONTACT_SLOP, MAX_PUSH, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import { CONTACT_SLOP, DEEP_OVERLAP, MAX_PUSH, PUSH_SHARE_DEEP, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -134,7 +134,9 @@ export function solvePositionOne(data: SolverData): boolean {
       continue;
     }
     pushed = true;
-    const e = r[i + d.SHARE]! * c;
+    const share = r[i + d.SHARE]!;
+    const deep = c + DEEP_OVERLAP;
+    const e = share * c + (deep < 0 && share < PUSH_SHARE_DEEP ? (PUSH_SHARE_DEEP - share) * deep : 0);
     const x = (e < -MAX_PUSH ? MAX_PUSH : -e) / r[i + d.K11]!;
     const mA = q[a + d.INV_MASS]! * x;
     const mB = q[b + d.INV_MASS]! * x;

@@ -1,4 +1,4 @@
-import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_SWEEP_ERROR, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
 import { cos, sin } from '../math/trig.js';
@@ -99,7 +99,7 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     if (square > worst[0]!) {
       worst[0] = square;
     }
-    if (square > JOINT_SWEEP_ERROR * JOINT_SWEEP_ERROR) {
+    if (square > worst[1]!) {
       strained[0] = k < strained[0]! ? k : strained[0]!;
       strained[1] = k + 1;
     }

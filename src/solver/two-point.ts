@@ -1,4 +1,4 @@
-import { CONTACT_SLOP, MAX_PUSH, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import { CONTACT_SLOP, DEEP_OVERLAP, MAX_PUSH, PUSH_SHARE_DEEP, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -197,8 +197,9 @@ export function solvePositionTwo(data: SolverData): boolean {
     }
     pushed = true;
     const share = r[i + d.SHARE]!;
-    const s1 = share * c1;
-    const s2 = share * c2;
+    const more = share < PUSH_SHARE_DEEP ? PUSH_SHARE_DEEP - share : 0;
+    const s1 = share * c1 + (c1 < -DEEP_OVERLAP ? more * (c1 + DEEP_OVERLAP) : 0);
+    const s2 = share * c2 + (c2 < -DEEP_OVERLAP ? more * (c2 + DEEP_OVERLAP) : 0);
     const e1 = s1 < -MAX_PUSH ? -MAX_PUSH : s1 < 0 ? s1 : 0;
     const e2 = s2 < -MAX_PUSH ? -MAX_PUSH : s2 < 0 ? s2 : 0;
     const i12 = r[i + d.I12]!;

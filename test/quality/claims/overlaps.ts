@@ -4,6 +4,9 @@ import { add, addGround, plainMaterial } from '../../scenes/stacks.js';
 import { type Claim, type Figure, fastest, run, SLOP } from './claim.js';
 import { deepestOverlap, type Outline } from './overlap.js';
 
+/** m. What is deeper than the slop by less than a micrometre is not pushed any more. */
+const LEFT = SLOP + 1e-6;
+
 export const overlappingPyramid: Claim = {
   scene: 'pyramid of four rows created 25 % overlapped',
   measure(phys2D): Figure[] {
@@ -23,7 +26,7 @@ export const overlappingPyramid: Claim = {
     });
     return [
       { what: 'fastest box ever', value: peak, unit: 'm/s', limit: 0.1 },
-      { what: 'overlap after 2 s', value: deepestOverlap(boxes, () => ({ size: 1 })), unit: 'm', limit: SLOP },
+      { what: 'overlap after 2 s', value: deepestOverlap(boxes, () => ({ size: 1 })), unit: 'm', limit: LEFT },
     ];
   },
 };
@@ -56,7 +59,7 @@ export const confinedDiscs: Claim = {
     const overlap = deepestOverlap(discs, () => ({ radius: 0.5 }), false);
     return [
       { what: 'fastest disc ever', value: peak, unit: 'm/s', limit: 1 },
-      { what: 'overlap after 2 s', value: overlap, unit: 'm', limit: SLOP },
+      { what: 'overlap after 2 s', value: overlap, unit: 'm', limit: LEFT },
     ];
   },
 };
