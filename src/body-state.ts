@@ -91,6 +91,8 @@ export abstract class BodyState {
   slot = 0;
   /** @internal the step that comes after something that touched it was taken away */
   unloaded = -1;
+  /** @internal rad. By how much it would have turned in this step, if it was looked ahead for */
+  turnAhead = 0;
   /** @internal m. How far it may go in this step, in any direction, without coming near anything that it would be swept against */
   clearance = 0;
   /** @internal index among the movers of a step, −1 if it is none */

@@ -158,6 +158,8 @@ function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: numbe
   b.place(two.body);
   pair.near = pair.manifold.count > 0;
   pair.foreseen = pair.near;
+  one.body.turnAhead = one.turn;
+  two.body.turnAhead = two.turn;
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */

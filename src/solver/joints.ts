@@ -118,7 +118,8 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
     }
     const wanted = Math.ceil(Math.sqrt(worst[0]) / group.tolerance);
     const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
-    group.sweeps = wanted < 1 ? 1 : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+    const least = Math.max(1, group.sweeps - 1);
+    group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
     group.from = strained[0]! - margin;
     group.to = strained[1]! + margin;
   }

@@ -188,23 +188,23 @@ function note(world: World, one: Shape, two: Shape, depth: number, found: Meetin
 
 /**
  * A contact that was foreseen and solved may not have held, as where a sliver is hit at its tip and whirls round. The true way had a bend where
- * they met, from where on they turned: so the straight one is looked at as if they had been turned from the start.
+ * they met, from where on they turned otherwise: so the straight one is looked at as if what was added to the turn had been there from the start.
  */
 function recheck(world: World, a: Shape, b: Shape, depth: number, found: Meeting[]): void {
   const movers = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC).map((body) => world.movers.of(body));
-  const turns = movers.map(({ turn }) => turn);
-  for (const mover of movers) {
-    mover.angle += mover.turn;
-    mover.turn = 0;
-  }
+  const added = movers.map(({ turn, body }) => turn - body.turnAhead);
+  movers.forEach((mover, i) => {
+    mover.angle += added[i]!;
+    mover.turn -= added[i]!;
+  });
   const time = meetingTime(world, a, b, depth, 0);
   if (time >= 0) {
     found.push({ a, b, time });
     return;
   }
   movers.forEach((mover, i) => {
-    mover.angle -= turns[i]!;
-    mover.turn = turns[i]!;
+    mover.angle -= added[i]!;
+    mover.turn += added[i]!;
   });
 }
 
