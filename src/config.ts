@@ -54,8 +54,11 @@ export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
  */
 export const JOINT_SWEEP_ERROR = 0.004;
 
-/** The same for few joints, as in a ragdoll or a chain; with JOINT_SWEEP_ERROR a chain under a 100-fold ball gapes 27 mm, so 12. */
+/** The same for few joints, as in a ragdoll or a chain; with JOINT_SWEEP_ERROR a chain under a 100-fold ball gapes 27 mm, so 14. */
 export const JOINT_SWEEP_ERROR_OF_FEW = 0.0005;
+
+/** m, rad. Joints that lie still on the ground have errors below this; if these asked for sweeps, some would never come to rest. */
+export const JOINT_REST_ERROR = 0.002;
 
 /** So many joints that hang together are few; for more it grows in proportion. */
 export const FEW_JOINTS = 64;

@@ -136,8 +136,7 @@ export class JointData {
   /** Ends the list: makes room for it. */
   allot(): void {
     for (const group of this.groups) {
-      const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * (group.end - group.start)) / FEW_JOINTS;
-      group.tolerance = Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
+      group.tolerance = this.toleranceOf(group);
     }
     if (this.records.length < this.size) {
       this.records = new Float64Array(2 * this.size);
@@ -145,6 +144,17 @@ export class JointData {
     if (this.bodies.length < this.members) {
       this.bodies = new Int32Array(2 * this.members);
     }
+  }
+
+  /** More sweeps make impulses of a sudden load larger: where joints may break by them they are kept few, else chains break as they are built. */
+  private toleranceOf({ start, end }: Group): number {
+    for (let k = start; k < end; k += 1) {
+      if (this.joints[k]!.constraint.breakUnderForce) {
+        return JOINT_SWEEP_ERROR;
+      }
+    }
+    const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * (end - start)) / FEW_JOINTS;
+    return Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
   }
 
   /** Notes that a joint broke; from now on it does nothing. */

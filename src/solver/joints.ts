@@ -1,4 +1,4 @@
-import { JOINT_SNAP, JOINT_SWEEP_MARGIN, MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
+import { JOINT_REST_ERROR, JOINT_SNAP, JOINT_SWEEP_MARGIN, MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -116,12 +116,22 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
     if (isFirst) {
       settle(data.joints, group, worst[0]);
     }
-    const wanted = Math.ceil(Math.sqrt(worst[0]) / group.tolerance);
-    const margin = JOINT_SWEEP_MARGIN * (strained[1]! - strained[0]!);
-    const least = Math.max(1, group.sweeps - 1);
-    group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
-    group.from = strained[0]! - margin;
-    group.to = strained[1]! + margin;
+    planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
+  }
+}
+
+/**
+ * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before, as sweeps that come and go shake what
+ * hangs there.
+ */
+function planSweeps(group: Group, error: number, first: number, after: number): void {
+  const wanted = error < JOINT_REST_ERROR ? 1 : Math.ceil(error / group.tolerance);
+  const least = group.sweeps > 1 ? group.sweeps - 1 : 1;
+  group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+  if (after > first) {
+    const margin = JOINT_SWEEP_MARGIN * (after - first);
+    group.from = first - margin;
+    group.to = after + margin;
   }
 }
 
