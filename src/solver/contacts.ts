@@ -22,9 +22,16 @@ export function solveVelocityContacts(data: SolverData): void {
   }
 }
 
-/** One position iteration. @returns whether anything was pushed. */
+/** One position iteration, likewise. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
-  const pushedTwo = solvePositionTwo(data);
-  const pushedOne = solvePositionOne(data);
+  const pushedTwo = solvePositionTwo(data, 0, data.two.count);
+  const pushedOne = solvePositionOne(data, 0, data.one.count);
+  const { hard } = data;
+  for (let i = 0; i < hard.length && (pushedTwo || pushedOne); i += 4) {
+    for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
+      solvePositionTwo(data, hard[i]!, hard[i + 1]!);
+      solvePositionOne(data, hard[i + 2]!, hard[i + 3]!);
+    }
+  }
   return pushedTwo || pushedOne;
 }

@@ -125,7 +125,7 @@ export const NEVER = 1e9;
 /** m/s. A bias that no impulse can meet by pushing: keeps a point out of a sub-step. */
 export const OFF = 1e9;
 /** rad. Up to this turn a short series for sine and cosine is exact to the last digit that matters. */
-export const SMALL_TURN = 0.05;
+export const SMALL_TURN = 0.2;
 
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {

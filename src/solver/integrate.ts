@@ -45,9 +45,9 @@ export function integratePositions(data: SolverData, h: number): void {
   }
 }
 
-/** Adds the motion of the sub-step, pushes included, to that of the step. */
+/** Adds the motion of the sub-step, pushes included, to that of the step; contacts want to know how far their bodies have turned in it. */
 export function advance(data: SolverData): void {
-  const { velocity: v, motion: q } = data;
+  const { velocity: v, motion: q, drive: f } = data;
   const { bodyCount } = data;
   for (let k = 1; k < bodyCount; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
@@ -55,6 +55,9 @@ export function advance(data: SolverData): void {
     q[i + d.DY] = q[i + d.DY]! + q[i + d.QY]!;
     const turn = q[i + d.DW]! + q[i + d.QW]!;
     q[i + d.DW] = turn;
+    if (f[i + d.TOUCHED] !== 1) {
+      continue;
+    }
     if (turn < d.SMALL_TURN && turn > -d.SMALL_TURN) {
       const s = turn * turn;
       v[i + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));

@@ -69,8 +69,8 @@ export function advancePoses(data: SolverData): void {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     const turn = q[i + d.QW]!;
     const square = turn * turn;
-    let c = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720)));
-    let s = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040))));
+    let c = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720 - square / 40320)));
+    let s = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040 - square / 362880))));
     if (square > d.SMALL_TURN * d.SMALL_TURN) {
       c = cos(turn);
       s = sin(turn);

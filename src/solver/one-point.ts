@@ -110,12 +110,12 @@ export function solveVelocityOne(data: SolverData, from: number, to: number): vo
   }
 }
 
-/** One position iteration, as `solvePositionTwo`, for contacts of one point. */
-export function solvePositionOne(data: SolverData): boolean {
-  const { records: r, bodies, count } = data.one;
+/** One position sweep, as `solvePositionTwo`, for contacts of one point. */
+export function solvePositionOne(data: SolverData, from: number, to: number): boolean {
+  const { records: r, bodies } = data.one;
   const q = data.motion;
   let pushed = false;
-  for (let k = 0; k < count; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;

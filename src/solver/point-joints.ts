@@ -243,10 +243,10 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const squareA = wA * wA;
     const squareB = wB * wB;
     // Up to a small turn the first terms are exact to a ten-millionth of the arm; the next sub-step removes that.
-    let ca = -0.5 * squareA;
-    let sa = wA * (1 - squareA * (1 / 6));
-    let cb = -0.5 * squareB;
-    let sb = wB * (1 - squareB * (1 / 6));
+    let ca = squareA * (squareA * (1 / 24) - 0.5);
+    let sa = wA * (1 - squareA * (1 / 6 - squareA * (1 / 120)));
+    let cb = squareB * (squareB * (1 / 24) - 0.5);
+    let sb = wB * (1 - squareB * (1 / 6 - squareB * (1 / 120)));
     if (squareA > d.SMALL_TURN * d.SMALL_TURN || squareB > d.SMALL_TURN * d.SMALL_TURN) {
       ca = cos(wA) - 1;
       sa = sin(wA);

@@ -164,16 +164,16 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number): vo
 }
 
 /**
- * One position iteration: moves the bodies apart by a share of the overlap beyond the slop, both points together; if one of
+ * One position sweep over the contacts from one index to another: moves the bodies apart by a share of the overlap beyond the slop, both points together; if one of
  * them would have to pull, the deeper one alone. Velocities are not touched.
  *
  * @returns whether anything was pushed; if not, further iterations would find the same.
  */
-export function solvePositionTwo(data: SolverData): boolean {
-  const { records: r, bodies, count } = data.two;
+export function solvePositionTwo(data: SolverData, from: number, to: number): boolean {
+  const { records: r, bodies } = data.two;
   const q = data.motion;
   let pushed = false;
-  for (let k = 0; k < count; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;

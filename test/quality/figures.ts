@@ -23,8 +23,9 @@ function digits(value: number): string {
 
 /** The table of all figures, as committed. */
 export function tableOf(measured: readonly Measured[]): string {
-  const rows = measured.map((figure, i) => {
-    const scene = measured[i - 1]?.scene === figure.scene ? '' : figure.scene;
+  const sorted = [...measured].sort((a, b) => (a.claim < b.claim ? -1 : a.claim > b.claim ? 1 : 0));
+  const rows = sorted.map((figure, i) => {
+    const scene = sorted[i - 1]?.scene === figure.scene ? '' : figure.scene;
     const target = figure.limit === undefined ? '' : `${figure.limit}`;
     const value = isMissed(figure) ? `**${digits(figure.value)}**` : digits(figure.value);
     return `| ${scene} | ${figure.what} | ${value} | ${target} | ${figure.unit} |`;
