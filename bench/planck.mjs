@@ -1,55 +1,62 @@
 // planck behind the few functions of a phys2d device that scenes use, so that both engines are given the very same scene.
-import { Circle, Polygon, RevoluteJoint, Vec2, World } from 'planck';
-import * as phys2d from '../dist/phys2d.js';
+import { Box, Circle, Polygon, RevoluteJoint, Vec2, World } from 'planck';
+import { boxOf, createDevice, PeerBody, PeerWorld } from './peer.mjs';
 
-/** planck's own default, and Box2D's. */
+/** planck's own defaults, and Box2D's. */
+const VELOCITY_ITERATIONS = 8;
 const POSITION_ITERATIONS = 3;
 
 const vec = ([x, y]) => new Vec2(x, y);
 
-class PlanckBody {
-  constructor(params) {
-    this.params = params;
-    this.body = null;
-  }
-
+class PlanckBody extends PeerBody {
   getPosition() {
-    const { x, y } = this.body === null ? vec(this.params.position) : this.body.getPosition();
+    const { x, y } = this.body.getPosition();
     return [x, y];
   }
 
-  transformLocalPointToWorld(point) {
-    const { x, y } = this.body.getWorldPoint(vec(point));
+  getRotation() {
+    return this.body.getAngle();
+  }
+
+  getVelocity() {
+    const { x, y } = this.body.getLinearVelocity();
     return [x, y];
   }
+
+  getAngularVelocity() {
+    return this.body.getAngularVelocity();
+  }
+
+  getMass() {
+    return this.body.getMass();
+  }
+
+  getInertia() {
+    return this.body.getInertia();
+  }
+
+  get sleeping() {
+    return !this.body.isAwake();
+  }
 }
 
-class PlanckPointConstraint {
-  constructor(params) {
-    this.params = params;
-    this.bodyA = params.bodyA;
-    this.bodyB = params.bodyB;
+/** Boxes as `Box`: `Polygon` takes corners that are less than 2.5 mm apart for one. */
+function shapeOf({ radius, origin, vertices }) {
+  if (radius !== undefined) {
+    return new Circle(vec(origin), radius);
   }
-
-  getAnchorA() {
-    return this.params.anchorA;
-  }
-
-  getAnchorB() {
-    return this.params.anchorB;
-  }
+  const box = boxOf(vertices);
+  return box === null ? new Polygon(vertices.map(vec)) : new Box(box.halfWidth, box.halfHeight, vec(box.middle), 0);
 }
 
-class PlanckWorld {
-  constructor({ gravity = [0, 10], allowSleeping = true, velocityIterations = 8 } = {}, continuousPhysics = true) {
+class PlanckWorld extends PeerWorld {
+  constructor({ gravity, allowSleeping, velocityIterations = VELOCITY_ITERATIONS }, continuousPhysics) {
+    super();
     this.world = new World({ gravity: vec(gravity), allowSleep: allowSleeping, continuousPhysics });
     this.velocityIterations = velocityIterations;
-    this.rigidBodies = [];
   }
 
-  addRigidBody(added) {
-    const { type = 'dynamic', position = [0, 0], rotation = 0, velocity = [0, 0], angularVelocity = 0 } = added.params;
-    const { linearDrag = 0.05, angularDrag = 0.05, shapes = [] } = added.params;
+  create(added, { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes }) {
     added.body = this.world.createBody({
       type,
       position: vec(position),
@@ -59,19 +66,21 @@ class PlanckWorld {
       linearDamping: linearDrag,
       angularDamping: angularDrag,
     });
-    for (const { shape, material = {}, group = 1, mask = 0xffff } of shapes) {
-      const { density = 1, dynamicFriction = 1, elasticity = 0 } = material;
-      const filter = { filterCategoryBits: group, filterMaskBits: mask };
-      added.body.createFixture({ shape, density, friction: dynamicFriction, restitution: elasticity, ...filter });
+    for (const shape of shapes) {
+      const { density, dynamicFriction, elasticity } = shape.material;
+      const filter = { filterCategoryBits: shape.group, filterMaskBits: shape.mask };
+      const surface = { density, friction: dynamicFriction, restitution: elasticity };
+      added.body.createFixture({ shape: shapeOf(shape), ...surface, ...filter });
     }
-    this.rigidBodies.push(added);
-    return true;
   }
 
-  addConstraint({ params: { bodyA, bodyB, anchorA, anchorB } }) {
+  destroy(body) {
+    this.world.destroyBody(body);
+  }
+
+  join({ bodyA, bodyB, anchorA, anchorB }) {
     const anchors = { localAnchorA: vec(anchorA), localAnchorB: vec(anchorB) };
     this.world.createJoint(new RevoluteJoint({ ...anchors, bodyA: bodyA.body, bodyB: bodyB.body }));
-    return true;
   }
 
   step(deltaTime) {
@@ -80,17 +89,7 @@ class PlanckWorld {
 }
 
 /** planck as it comes. */
-export const planck = {
-  createWorld: (params) => new PlanckWorld(params),
-  createRigidBody: (params) => new PlanckBody(params),
-  createPointConstraint: (params) => new PlanckPointConstraint(params),
-  createMaterial: (params) => params,
-  createBoxVertices: phys2d.createBoxVertices,
-  createRectangleVertices: phys2d.createRectangleVertices,
-  createRegularPolygonVertices: phys2d.createRegularPolygonVertices,
-  createCircleShape: ({ radius, origin = [0, 0], ...rest }) => ({ shape: new Circle(vec(origin), radius), ...rest }),
-  createPolygonShape: ({ vertices, ...rest }) => ({ shape: new Polygon(vertices.map(vec)), ...rest }),
-};
+export const planck = createDevice((params) => new PlanckWorld(params, true), PlanckBody);
 
 /** planck without continuous collision. */
-export const planckDiscrete = { ...planck, createWorld: (params) => new PlanckWorld(params, false) };
+export const planckDiscrete = createDevice((params) => new PlanckWorld(params, false), PlanckBody);
