@@ -22,6 +22,11 @@ export function reachAlong(shape: Shape, nx: number, ny: number): number {
   return most;
 }
 
+/** How far two placed shapes are apart along a unit vector, B's body being at `(dx, dy)` from A's. */
+export function separationAlong(a: Shape, b: Shape, dx: number, dy: number, nx: number, ny: number): number {
+  return nx * dx + ny * dy - reachAlong(b, -nx, -ny) - reachAlong(a, nx, ny);
+}
+
 /**
  * The part of a contact's arm that does not turn with the body: on a circle all from its centre to the contact point, half-way into the overlap;
  * on a polygon nothing.
@@ -30,9 +35,13 @@ export function roundness(shape: Shape, separation: number): number {
   return shape.kind === POLYGON ? 0 : (shape as Circle).radius + 0.5 * separation;
 }
 
-/** Whether a shape stays the same when its body turns: a circle around the origin. */
-export function isTurnInvisible(shape: Shape): boolean {
-  return shape.kind !== POLYGON && (shape as Circle).originX === 0 && (shape as Circle).originY === 0;
+/** How far two shapes turn, both together, as far as it shows: a circle around the origin of its body stays the same. */
+export function visibleTurn(a: Shape, turnA: number, b: Shape, turnB: number): number {
+  return (showsTurn(a) ? Math.abs(turnA) : 0) + (showsTurn(b) ? Math.abs(turnB) : 0);
+}
+
+function showsTurn(shape: Shape): boolean {
+  return shape.kind === POLYGON || (shape as Circle).originX !== 0 || (shape as Circle).originY !== 0;
 }
 
 /** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
@@ -43,8 +52,7 @@ export function collideAlong(a: Shape, b: Shape, m: Manifold, nx: number, ny: nu
   }
   const dx = m.numbers[g.DX]!;
   const dy = m.numbers[g.DY]!;
-  const reachA = reachAlong(a, nx, ny);
-  const separation = nx * dx + ny * dy - reachAlong(b, -nx, -ny) - reachA;
+  const separation = separationAlong(a, b, dx, dy, nx, ny);
   const { centreX, centreY, radius } = (a.kind === POLYGON ? b : a) as Circle;
   if (a.kind === POLYGON) {
     const reach = radius + separation;

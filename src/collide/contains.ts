@@ -13,10 +13,14 @@ export function containsPoint(shape: Shape, x: number, y: number): boolean {
     const dy = y - centreY;
     return dx * dx + dy * dy - radius * radius <= CIRCLE_POINT_TOLERANCE;
   }
-  const { edges, offsets } = shape as Polygon;
+  return polygonContains(shape as Polygon, x, y, POLYGON_POINT_TOLERANCE);
+}
+
+/** Whether a placed polygon contains a point, given relative to the origin of its body, or is no farther from it than a tolerance beyond any edge. */
+export function polygonContains({ edges, offsets }: Polygon, x: number, y: number, tolerance: number): boolean {
   for (let i = 0; i < offsets.length; i += 1) {
     const height = edges[EDGE_STRIDE * i + 2]! * x + edges[EDGE_STRIDE * i + 3]! * y - offsets[i]!;
-    if (height > POLYGON_POINT_TOLERANCE) {
+    if (height > tolerance) {
       return false;
     }
   }

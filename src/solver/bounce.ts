@@ -38,16 +38,9 @@ function separation(data: SolverData, batch: ContactBatch, record: number, shift
   );
 }
 
-/** What forces add to the normal velocity of a contact in a sub-step. */
-function normalGain(data: SolverData, batch: ContactBatch, record: number): number {
-  const { drive: f } = data;
-  const k = record / batch.stride;
-  const a = batch.bodies[2 * k]!;
-  const b = batch.bodies[2 * k + 1]!;
-  return (
-    batch.records[record + d.NX]! * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) +
-    batch.records[record + d.NY]! * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!)
-  );
+/** What forces add in a sub-step to the velocity of one body against another along `(nx, ny)`; `a` and `b` are the offsets of their records. */
+export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: number, ny: number): number {
+  return nx * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) + ny * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!);
 }
 
 /**
@@ -77,9 +70,11 @@ export function planBounces(data: SolverData, h: number): void {
     list.bias[k] = 0;
     if (elasticity * comes < -BOUNCE_THRESHOLD) {
       const s = separation(data, batch, record, shift);
-      list.bias[k] = s > 0 ? d.OFF : leaveSpeed(elasticity, comes, normalGain(data, batch, record), s, h);
+      const { records: r, bodies, stride } = batch;
+      const n = (2 * record) / stride;
+      const gain = normalGain(data, bodies[n]!, bodies[n + 1]!, r[record + d.NX]!, r[record + d.NY]!);
+      list.bias[k] = s > 0 ? d.OFF : leaveSpeed(elasticity, comes, gain, s, h);
       if (s > 0) {
-        const r = batch.records;
         const i = record + shift;
         r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
         r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + r[i + d.TANGENT1]!;

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { isTurnInvisible } from '../collide/along.js';
+import { visibleTurn } from '../collide/along.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { approachSpeed } from '../contact/hit.js';
@@ -166,11 +166,10 @@ function approach(world: World, pair: Arbiter, dt: number): void {
 function isForeseen({ shapeA, shapeB, manifold }: Arbiter, dt: number): boolean {
   const a = shapeA.owner!;
   const b = shapeB.owner!;
-  const turn = (isTurnInvisible(shapeA) ? 0 : Math.abs(a.w)) + (isTurnInvisible(shapeB) ? 0 : Math.abs(b.w));
   return (
     (a.kind !== DYNAMIC || b.kind !== DYNAMIC) &&
     manifold.numbers[c.ELASTICITY]! <= 0 &&
-    turn * dt <= SOLVED_TURN &&
+    visibleTurn(shapeA, a.w, shapeB, b.w) * dt <= SOLVED_TURN &&
     (goesFar(a, a.vx * dt, a.vy * dt, a.w * dt) || goesFar(b, b.vx * dt, b.vy * dt, b.w * dt))
   );
 }

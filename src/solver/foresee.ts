@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
-import { isTurnInvisible, roundness } from '../collide/along.js';
+import { roundness, visibleTurn } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -124,7 +124,7 @@ function open(world: World, { a, b, time }: Meeting): void {
   }
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
-  if ((isTurnInvisible(a) ? 0 : one.spin) + (isTurnInvisible(b) ? 0 : two.spin) > SOLVED_TURN) {
+  if (visibleTurn(a, one.spin, b, two.spin) > SOLVED_TURN) {
     return;
   }
   openAt(world, pair, one, two, time);

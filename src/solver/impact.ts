@@ -1,4 +1,3 @@
-import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
@@ -10,6 +9,7 @@ import { preSolve } from '../events/pre-solve.js';
 import { BEGIN } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import { noteApproach } from './find-pairs.js';
@@ -172,9 +172,7 @@ function makePoint(data: SolverData, pair: Arbiter, which: 0 | 1): Point {
   const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
   measureRelative(pair, ax, ay, bx, by);
   const comes = nx * relative.x + ny * relative.y;
-  const gain =
-    nx * (gainOf(data, b, d.GAIN_X) - gainOf(data, a, d.GAIN_X)) +
-    ny * (gainOf(data, b, d.GAIN_Y) - gainOf(data, a, d.GAIN_Y));
+  const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
   const slide = nx * relative.y - ny * relative.x;
   return {
     which,
@@ -197,11 +195,6 @@ function makePoint(data: SolverData, pair: Arbiter, which: 0 | 1): Point {
  */
 function bounceSpeed(elasticity: number, comes: number, gain: number): number {
   return elasticity * comes < -BOUNCE_THRESHOLD ? elasticity * (comes + 0.5 * gain) + 0.5 * gain : 0;
-}
-
-/** What forces add to a velocity of a body in a sub-step. */
-function gainOf(data: SolverData, { slot }: RigidBody, which: number): number {
-  return slot === 0 ? 0 : data.drive[slot * d.BODY_STRIDE + which]!;
 }
 
 function solvePoint(pair: Arbiter, point: Point): void {

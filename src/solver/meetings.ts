@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
-import { isTurnInvisible } from '../collide/along.js';
+import { visibleTurn } from '../collide/along.js';
 import { impactDepth } from '../collide/gap.js';
 import { CLEARANCE, DEEPER_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -222,7 +222,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  const spin = (isTurnInvisible(pair.shapeA) ? 0 : a.spin) + (isTurnInvisible(pair.shapeB) ? 0 : b.spin);
+  const spin = visibleTurn(pair.shapeA, a.spin, pair.shapeB, b.spin);
   return !pair.foreseen && spin * way < leastDepth(pair.shapeA, pair.shapeB, depth);
 }
 

@@ -1,5 +1,6 @@
 import { DYNAMIC, STATIC } from '../body-kind.js';
-import { reachAlong } from '../collide/along.js';
+import { reachAlong, separationAlong } from '../collide/along.js';
+import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
 import { POLYGON } from '../collide/table.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
@@ -158,6 +159,7 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
     return false;
   }
   const shape = dynamicOf(pair);
+  const depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
   const { x, y } = point;
   const { numbers: n } = pair.manifold;
   const nx = signOf(pair) * n[g.NX]!;
@@ -165,34 +167,28 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
   let side = 0;
   point.x += ground.owner!.x - other.owner!.x;
   point.y += ground.owner!.y - other.owner!.y;
-  if (findOpenFace(shape, other, ground)) {
+  if (findOpenFace(shape, depth, other, ground)) {
     side = up.x * ny - up.y * nx;
   }
   point.x = x;
   point.y = y;
-  return findOpenFace(shape, ground, other) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
+  return findOpenFace(shape, depth, ground, other) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
 }
 
-/** Finds a face of a ground that has little of a shape below it, and near `point` is not within another ground. */
-function findOpenFace(shape: Shape, ground: Polygon, other: Polygon): boolean {
-  const depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
+/** Finds a face of a ground that a shape reaches no deeper below than that, and that near `point` is not within another ground. */
+function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polygon): boolean {
   const { edges } = ground;
+  const dx = shape.owner!.x - ground.owner!.x;
+  const dy = shape.owner!.y - ground.owner!.y;
   for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
-    const height = heightAbove(shape, ground);
+    const height = separationAlong(ground, shape, dx, dy, up.x, up.y);
     if (height > -depth && height < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
       return true;
     }
   }
   return false;
-}
-
-/** How far the lowest point of a shape is above the highest of a ground. */
-function heightAbove(shape: Shape, ground: Shape): number {
-  const dx = shape.owner!.x - ground.owner!.x;
-  const dy = shape.owner!.y - ground.owner!.y;
-  return up.x * dx + up.y * dy - reachAlong(shape, -up.x, -up.y) - reachAlong(ground, up.x, up.y);
 }
 
 /** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */
@@ -234,13 +230,7 @@ function distanceSquared(edges: Float64Array, corner: number): number {
 }
 
 /** Whether a polygon contains a point, given relative to the body of a ground, or nearly. */
-function isWithin({ edges, offsets, owner }: Polygon, ground: Shape, x: number, y: number): boolean {
-  const px = x + ground.owner!.x - owner!.x;
-  const py = y + ground.owner!.y - owner!.y;
-  for (let i = 0; i < offsets.length; i += 1) {
-    if (edges[EDGE_STRIDE * i + 2]! * px + edges[EDGE_STRIDE * i + 3]! * py - offsets[i]! > FLUSH_TOLERANCE) {
-      return false;
-    }
-  }
-  return true;
+function isWithin(polygon: Polygon, ground: Shape, x: number, y: number): boolean {
+  const { owner } = polygon;
+  return polygonContains(polygon, x + ground.owner!.x - owner!.x, y + ground.owner!.y - owner!.y, FLUSH_TOLERANCE);
 }

@@ -68,9 +68,7 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     if (two) {
       storePoint(batch, k, 0, 0);
       storePoint(batch, k, d.SECOND, 1);
-      const at = k * d.TWO_STRIDE;
-      const { records: r } = batch;
-      if (r[at + d.NORMAL1]! * r[at + d.K11]! + r[at + d.NORMAL2]! * r[at + d.K22]! > STRAIN_SPEED) {
+      if (isStrained(batch.records, k * d.TWO_STRIDE)) {
         pair.strained = world.timeStamp;
       }
     } else {
@@ -81,6 +79,11 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
       meet(world, pair);
     }
   }
+}
+
+/** Whether the contact whose record begins at `i` bears far more than its bodies weigh. */
+function isStrained(r: Float64Array, i: number): boolean {
+  return r[i + d.NORMAL1]! * r[i + d.K11]! + r[i + d.NORMAL2]! * r[i + d.K22]! > STRAIN_SPEED;
 }
 
 /** A contact of one point; a second point that the solver did not see has no impulse. */

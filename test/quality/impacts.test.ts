@@ -2,7 +2,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import type * as source from '../../src/index.js';
-import { generator } from '../scenes/mixed.js';
+import { dice } from './dice.js';
 
 // What moves fast is not stopped by what it only slides over; what falls bounces as it should, or comes to rest. From the bundle as built:
 // unbundled, this takes minutes.
@@ -13,15 +13,6 @@ const { phys2D } = (await import(
 
 const DT = 1 / 60;
 const FREE = { linearDrag: 0, angularDrag: 0 };
-
-/** Random numbers for scene number `seed`. */
-function dice(seed: number) {
-  const random = generator(seed);
-  const within = (from: number, to: number): number => from + (to - from) * random();
-  /** The same share of numbers in every decade. */
-  const scaled = (from: number, to: number): number => from * (to / from) ** random();
-  return { within, scaled };
-}
 
 interface Skim {
   readonly substeps: number;

@@ -2,7 +2,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import type * as source from '../../src/index.js';
-import { generator } from '../scenes/mixed.js';
+import { type Dice, dice } from './dice.js';
 import { DrumRun } from './drum.js';
 
 // What moves fast does not pass through things. From the bundle as built: unbundled, this takes minutes.
@@ -15,17 +15,6 @@ const DT = 1 / 60;
 /** As many as take some seconds; for more see drum-long.mjs. */
 const STEPS_IN_DRUM = 300;
 const FREE = { linearDrag: 0, angularDrag: 0 };
-
-/** Random numbers for scene number `seed`. */
-function dice(seed: number) {
-  const random = generator(seed);
-  const within = (from: number, to: number): number => from + (to - from) * random();
-  /** The same share of numbers in every decade. */
-  const scaled = (from: number, to: number): number => from * (to / from) ** random();
-  return { random, within, scaled, pick: <T>(list: readonly T[]): T => list[Math.floor(random() * list.length)]! };
-}
-
-type Dice = ReturnType<typeof dice>;
 
 const PROJECTILES = ['circle', 'box', 'triangle', 'sliver'] as const;
 

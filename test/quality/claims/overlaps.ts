@@ -91,16 +91,11 @@ export const pile: Claim = {
     const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
     addGround(phys2D, world, 0.6);
     const random = generator(500);
-    const wall = phys2D.createPolygonShape({
-      vertices: phys2D.createBoxVertices(1, 80),
-      material: plainMaterial(phys2D, 0.6),
-    });
-    add(phys2D, world, wall, [-8.5, -38], { type: 'static' });
-    const other = phys2D.createPolygonShape({
-      vertices: phys2D.createBoxVertices(1, 80),
-      material: plainMaterial(phys2D, 0.6),
-    });
-    add(phys2D, world, other, [8.5, -38], { type: 'static' });
+    for (const x of [-8.5, 8.5]) {
+      const vertices = phys2D.createBoxVertices(1, 80);
+      const wall = phys2D.createPolygonShape({ vertices, material: plainMaterial(phys2D, 0.6) });
+      add(phys2D, world, wall, [x, -38], { type: 'static' });
+    }
     const bodies: RigidBody[] = [];
     const outlines: Outline[] = [];
     for (let i = 0; i < 500; i += 1) {
