@@ -1,5 +1,11 @@
 import type { RigidBody } from '../body.js';
-import { FEW_JOINTS, JOINT_MOMENTUM, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW } from '../config.js';
+import {
+  FEW_JOINTS,
+  JOINT_MOMENTUM,
+  JOINT_SWEEP_ERROR,
+  JOINT_SWEEP_ERROR_OF_FEW,
+  NEW_JOINT_SWEEPS,
+} from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
@@ -58,6 +64,8 @@ export interface Group {
   /** … and which of its joints, but in the last sweep. */
   from: number;
   to: number;
+  /** The square of the largest error that the first position iteration found. */
+  pushed: number;
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
@@ -75,7 +83,7 @@ export class JointData {
   parts = 1;
   /** Some joint's body is in contact. */
   isTouched = false;
-  /** Of a group: the square of the worst error as the sub-step starts, and of the error from which on a joint is strained … */
+  /** Of a group: the square of the worst error so far in this sweep or at the start of the sub-step, and of the error from which on a joint is strained … */
   readonly worst = new Float64Array(2);
   /** … and which are: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
@@ -106,6 +114,7 @@ export class JointData {
       fresh: false,
       settling: 0,
       sweeps: 1,
+      pushed: 0,
       from: 0,
       to: 0,
     });
@@ -137,6 +146,7 @@ export class JointData {
   allot(): void {
     for (const group of this.groups) {
       group.tolerance = this.toleranceOf(group);
+      group.sweeps = this.isNew(group) ? NEW_JOINT_SWEEPS : 1;
     }
     if (this.records.length < this.size) {
       this.records = new Float64Array(2 * this.size);
@@ -155,6 +165,17 @@ export class JointData {
     }
     const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * (end - start)) / FEW_JOINTS;
     return Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
+  }
+
+  /** Most of its joints carried nothing yet. */
+  private isNew({ start, end }: Group): boolean {
+    let count = 0;
+    for (let k = start; k < end; k += 1) {
+      if (this.joints[k]!.constraint.impulse.every((part) => part === 0)) {
+        count += 1;
+      }
+    }
+    return 2 * count > end - start;
   }
 
   /** Notes that a joint broke; from now on it does nothing. */

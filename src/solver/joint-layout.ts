@@ -27,41 +27,48 @@ export const TOUCHED = 11;
 export const HEAD = 12;
 
 /**
- * Rigid point joints have records without such a head: two rows with unit columns, so their arms say all. Arms, K⁻¹ and impulse in
- * velocity iterations; error at the start of the sub-step and corrections so far in position iterations …
+ * Rigid point joints have records without such a head: two rows with unit columns, so their arms say all. What velocity iterations use stands
+ * first: arms, impulse and K⁻¹ …
  */
 export const ARM_AX = 0;
 export const ARM_AY = 1;
 export const ARM_BX = 2;
 export const ARM_BY = 3;
-export const I11 = 4;
-export const I12 = 5;
-export const I22 = 6;
-export const IMPULSE_X = 7;
-export const IMPULSE_Y = 8;
-export const ERROR_X = 9;
-export const ERROR_Y = 10;
-export const PUSH_X = 11;
-export const PUSH_Y = 12;
-/** 1 if one of its bodies is in contact … */
-export const POINT_TOUCHED = 13;
+export const IMPULSE_X = 4;
+export const IMPULSE_Y = 5;
+export const I11 = 6;
+export const I12 = 7;
+export const I22 = 8;
+/** … then what position iterations use: arms where the last exact sweep found them, the error that these make linear in the motion, corrections … */
+export const PLACED_AX = 9;
+export const PLACED_AY = 10;
+export const PLACED_BX = 11;
+export const PLACED_BY = 12;
+export const OFFSET_X = 13;
+export const OFFSET_Y = 14;
+export const PUSH_X = 15;
+export const PUSH_Y = 16;
+/** … the error at the start of the sub-step; 1 if one of its bodies is in contact … */
+export const ERROR_X = 17;
+export const ERROR_Y = 18;
+export const POINT_TOUCHED = 19;
 /** … then: the error that joints left, and how much of one contacts made since … */
-export const LEFT_X = 14;
-export const LEFT_Y = 15;
-export const UNDONE_X = 16;
-export const UNDONE_Y = 17;
+export const LEFT_X = 20;
+export const LEFT_Y = 21;
+export const UNDONE_X = 22;
+export const UNDONE_Y = 23;
 /** … anchors in the coordinates of their bodies, of immovable ones in the world … */
-export const ANCHOR_AX = 18;
-export const ANCHOR_AY = 19;
-export const ANCHOR_BX = 20;
-export const ANCHOR_BY = 21;
+export const ANCHOR_AX = 24;
+export const ANCHOR_AY = 25;
+export const ANCHOR_BX = 26;
+export const ANCHOR_BY = 27;
 /** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
-export const SUM_X = 22;
-export const SUM_Y = 23;
-export const SUM_WA = 24;
-export const SUM_WB = 25;
-export const POINT_CARRY = 26;
-export const POINT_STRIDE = 27;
+export const SUM_X = 28;
+export const SUM_Y = 29;
+export const SUM_WA = 30;
+export const SUM_WB = 31;
+export const POINT_CARRY = 32;
+export const POINT_STRIDE = 33;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;

@@ -1,4 +1,12 @@
-import { JOINT_REST_ERROR, JOINT_SNAP, JOINT_SWEEP_MARGIN, MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
+import {
+  JOINT_FAR,
+  JOINT_PUSHES,
+  JOINT_REST_ERROR,
+  JOINT_SNAP,
+  JOINT_SWEEP_MARGIN,
+  MAX_JOINT_SWEEPS,
+  SETTLE_STEPS,
+} from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -21,6 +29,7 @@ import {
   notePoints,
   packPoint,
   pushPoints,
+  pushPointsFurther,
   solveVelocityPoints,
   storePoint,
   warmStartPoints,
@@ -138,11 +147,11 @@ function planSweeps(group: Group, error: number, first: number, after: number): 
 /** Solves a part of a run. @returns whether it was worth another sweep. */
 type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
 
-/** One sweep: over all joints of a group if it is the last, else over those that are strained and near that. */
-function sweepOver(data: SolverData, group: Group, isLast: boolean, solve: Solve): boolean {
+/** One sweep: over all joints of a group, or over those that are strained and near that. */
+function sweepOver(data: SolverData, group: Group, isWhole: boolean, solve: Solve): boolean {
   const { runs } = group;
-  const from = isLast ? group.start : group.from;
-  const to = isLast ? group.end : group.to;
+  const from = isWhole ? group.start : group.from;
+  const to = isWhole ? group.end : group.to;
   let found = false;
   for (let k = 0; k < runs.length; k += 1) {
     const { kernel, start, end } = runs[k]!;
@@ -190,13 +199,16 @@ function solveVelocityCustoms(data: SolverData): void {
   }
 }
 
-/** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
+/**
+ * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
+ * contacts came in between or much is moved. @returns whether there is something left for another.
+ */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
-  const { groups } = data.joints;
+  const { groups, worst, isTouched } = data.joints;
   let isLeft = pushCustoms(data);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
-    const { sweeps } = group;
+    const sweeps = group.sweeps === 1 ? 1 : JOINT_PUSHES * group.sweeps;
     const before = Math.ceil((i * sweeps) / count);
     const after = Math.ceil(((i + 1) * sweeps) / count);
     if (after === before) {
@@ -206,8 +218,14 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
       noteErrors(data, group, true);
     }
     let found = linearise(data, group);
+    worst[0] = 0;
+    const isExact = i === 0 || isTouched || group.pushed > JOINT_FAR * JOINT_FAR;
     for (let sweep = before; sweep < after; sweep += 1) {
-      found = sweepOver(data, group, sweep === sweeps - 1, pushRun) || found;
+      const isLinear = group.settling === 0 && (sweep > before || !isExact);
+      found = sweepOver(data, group, sweep === 0, isLinear ? pushRunFurther : pushRun) || found;
+    }
+    if (i === 0) {
+      group.pushed = worst[0]!;
     }
     noteErrors(data, group, false);
     isLeft ||= found && after < sweeps;
@@ -244,6 +262,10 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
     }
   }
   return false;
+}
+
+function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
 }
 
 function linearise(data: SolverData, { runs }: Group): boolean {

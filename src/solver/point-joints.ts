@@ -226,7 +226,7 @@ export function notePoints(data: SolverData, start: number, end: number, isAfter
  * @returns whether an error was worth another iteration.
  */
 export function pushPoints(data: SolverData, start: number, end: number): boolean {
-  const { records: r, bodies, joints } = data.joints;
+  const { records: r, bodies, joints, worst } = data.joints;
   const { motion: q } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -266,6 +266,9 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const square = cx * cx + cy * cy;
     if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
       found = true;
+      if (square > worst[0]!) {
+        worst[0] = square;
+      }
     }
     if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
       const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
@@ -285,13 +288,16 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const k11 = m + iA * ay * ay + iB * by * by;
     const k12 = -iA * ax * ay - iB * bx * by;
     const k22 = m + iA * ax * ax + iB * bx * bx;
-    const det = k11 * k22 - k12 * k12;
-    let x = (k22 * cx - k12 * cy) / det;
-    let y = (k11 * cy - k12 * cx) / det;
-    if (!(det > SINGULAR * k11 * k22 && det > MIN_INVERSE_MASS * MIN_INVERSE_MASS)) {
-      x = r[i + j.I11]! * cx + r[i + j.I12]! * cy;
-      y = r[i + j.I12]! * cx + r[i + j.I22]! * cy;
-    }
+    r[i + j.PLACED_AX] = ax;
+    r[i + j.PLACED_AY] = ay;
+    r[i + j.PLACED_BX] = bx;
+    r[i + j.PLACED_BY] = by;
+    r[i + j.OFFSET_X] = cx - (qbx - qax - wB * by + wA * ay);
+    r[i + j.OFFSET_Y] = cy - (qby - qay + wB * bx - wA * ax);
+    writeInverse(r, i, k11, k12, k22);
+    const i12 = r[i + j.I12]!;
+    let x = r[i + j.I11]! * cx + i12 * cy;
+    let y = i12 * cx + r[i + j.I22]! * cy;
     if (square > JOINT_SNAP * JOINT_SNAP && r[i + j.POINT_CARRY] === 0 && m > MIN_INVERSE_MASS) {
       x = cx / m;
       y = cy / m;
@@ -308,6 +314,48 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     q[b + d.QX] = qbx - mB * x;
     q[b + d.QY] = qby - mB * y;
     q[b + d.QW] = wB - iB * (bx * y - by * x);
+  }
+  return found;
+}
+
+/** Another sweep: as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth another iteration. */
+export function pushPointsFurther(data: SolverData, start: number, end: number): boolean {
+  const { records: r, bodies, joints } = data.joints;
+  const { motion: q } = data;
+  let i = joints[start]!.at;
+  let n = joints[start]!.first;
+  let found = false;
+  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    const ax = r[i + j.PLACED_AX]!;
+    const ay = r[i + j.PLACED_AY]!;
+    const bx = r[i + j.PLACED_BX]!;
+    const by = r[i + j.PLACED_BY]!;
+    const qax = q[a + d.QX]!;
+    const qay = q[a + d.QY]!;
+    const wA = q[a + d.QW]!;
+    const qbx = q[b + d.QX]!;
+    const qby = q[b + d.QY]!;
+    const wB = q[b + d.QW]!;
+    const cx = r[i + j.OFFSET_X]! + (qbx - qax - wB * by + wA * ay);
+    const cy = r[i + j.OFFSET_Y]! + (qby - qay + wB * bx - wA * ax);
+    if (cx * cx + cy * cy > JOINT_TOLERANCE * JOINT_TOLERANCE) {
+      found = true;
+    }
+    const i12 = r[i + j.I12]!;
+    const x = r[i + j.I11]! * cx + i12 * cy;
+    const y = i12 * cx + r[i + j.I22]! * cy;
+    r[i + j.PUSH_X] = r[i + j.PUSH_X]! - x;
+    r[i + j.PUSH_Y] = r[i + j.PUSH_Y]! - y;
+    const mA = q[a + d.INV_MASS]!;
+    const mB = q[b + d.INV_MASS]!;
+    q[a + d.QX] = qax + mA * x;
+    q[a + d.QY] = qay + mA * y;
+    q[a + d.QW] = wA + q[a + d.INV_INERTIA]! * (ax * y - ay * x);
+    q[b + d.QX] = qbx - mB * x;
+    q[b + d.QY] = qby - mB * y;
+    q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
   return found;
 }
