@@ -1,0 +1,232 @@
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { describe, expect, it } from 'vitest';
+import type * as source from '../../src/index.js';
+import { dice } from './dice.js';
+
+// Bounces between walls, of boxes and bullets, and of several bodies at once, at several time steps. From the bundle as built: much is measured.
+
+const { phys2D } = (await import(
+  /* @vite-ignore */ pathToFileURL(join(import.meta.dirname, '../../dist/phys2d.js')).href
+)) as typeof source;
+
+const STEPS = [1 / 30, 1 / 60, 1 / 120, 1 / 240];
+const FREE = { linearDrag: 0, angularDrag: 0 };
+
+function smooth(elasticity: number): source.Material {
+  return phys2D.createMaterial({ elasticity, staticFriction: 0, dynamicFriction: 0, rollingFriction: 0 });
+}
+
+function box(width: number, height: number, elasticity: number): source.Shape {
+  return phys2D.createPolygonShape({
+    vertices: phys2D.createBoxVertices(width, height),
+    material: smooth(elasticity),
+  });
+}
+
+function ball(position: source.Vec2, velocity: source.Vec2, radius = 0.3, elasticity = 1): source.RigidBody {
+  const shapes = [phys2D.createCircleShape({ radius, material: smooth(elasticity) })];
+  return phys2D.createRigidBody({ position, velocity, shapes, ...FREE });
+}
+
+function energyOf(body: source.RigidBody): number {
+  const [vx, vy] = body.getVelocity();
+  return 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * body.getAngularVelocity() ** 2;
+}
+
+function wall(world: source.World, width: number, height: number, position: source.Vec2): void {
+  world.addRigidBody(phys2D.createRigidBody({ type: 'static', position, shapes: [box(width, height, 1)] }));
+}
+
+describe('a ball of elasticity 1', () => {
+  it('between two walls keeps its speed to the last digits, from 0.3 to 200 m/s', () => {
+    let [off, out] = [0, 0];
+    for (const dt of STEPS) {
+      for (const speed of [0.3, 1, 7, 50, 200]) {
+        const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+        wall(world, 1, 20, [-3, 0]);
+        wall(world, 1, 20, [3, 0]);
+        const body = ball([0, 0], [speed, 0]);
+        world.addRigidBody(body);
+        const steps = Math.round(20 / dt);
+        let turns = 0;
+        let before = speed;
+        for (let i = 0; i < steps; i += 1) {
+          world.step(dt);
+          const [vx] = body.getVelocity();
+          turns += vx > 0 === before > 0 ? 0 : 1;
+          before = vx;
+          off = Math.max(off, Math.abs(Math.abs(vx) / speed - 1));
+          out = Math.max(out, Math.abs(body.getPosition()[0]) - 2.2);
+        }
+        // An impact that is swept ends the step: so at most one in each.
+        const wanted = Math.floor((20 * speed + 2.2) / 4.4);
+        expect(turns).toBeLessThanOrEqual(wanted);
+        if (speed <= 7) {
+          expect(turns).toBe(wanted);
+        }
+      }
+    }
+    console.log(`two walls: speed off by ${off.toExponential(1)}, ${(1000 * out).toFixed(1)} mm into a wall at most`);
+    expect(off).toBeLessThan(1e-12);
+    expect(out).toBeLessThanOrEqual(0.05 + 1e-6);
+  });
+
+  it('in a room of four walls gains no energy and stays in; keeps it in corners that it meets along the diagonal', () => {
+    let [most, out, diagonal] = [0, 0, 0];
+    for (const dt of STEPS) {
+      for (let seed = 0; seed < 60; seed += 1) {
+        const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+        for (const side of [-3, 3]) {
+          wall(world, 1, 8, [side, 0]);
+          wall(world, 8, 1, [0, side]);
+        }
+        const { within } = dice(seed);
+        const isDiagonal = seed % 3 === 0;
+        const vx = within(0.5, 40);
+        const body = ball([0, 0], [vx, isDiagonal ? vx : within(0.5, 40)]);
+        world.addRigidBody(body);
+        const start = energyOf(body);
+        const steps = Math.round(5 / dt);
+        for (let i = 0; i < steps; i += 1) {
+          world.step(dt);
+          const [x, y] = body.getPosition();
+          out = Math.max(out, Math.abs(x) - 2.2, Math.abs(y) - 2.2);
+          most = Math.max(most, energyOf(body) / start - 1);
+        }
+        if (isDiagonal) {
+          diagonal = Math.max(diagonal, Math.abs(energyOf(body) / start - 1));
+        }
+      }
+    }
+    console.log(
+      `rooms: ${most.toExponential(1)} more energy, corners ${diagonal.toExponential(1)} off, ${(1000 * out).toFixed(1)} mm into a wall at most`,
+    );
+    expect(most).toBeLessThan(1e-12);
+    expect(diagonal).toBeLessThan(1e-12);
+    expect(out).toBeLessThanOrEqual(0.05 + 1e-6);
+  });
+
+  it('hands all of its speed to the last of a row of equal ones that are apart', () => {
+    for (const speed of [1, 5, 30]) {
+      for (const count of [1, 2]) {
+        const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+        const row = Array.from({ length: 5 }, (_, i) => {
+          const body = ball([1.1 * i - (i < count ? 1 : 0), 0], [i < count ? speed : 0, 0], 0.5);
+          body.bullet = true;
+          world.addRigidBody(body);
+          return body;
+        });
+        for (let i = 0; i < 300; i += 1) {
+          world.step(1 / 60);
+        }
+        const ends = row.map((body) => body.getVelocity()[0] / speed);
+        ends.forEach((share, i) => {
+          expect(share).toBeCloseTo(i < 5 - count ? 0 : 1, 9);
+        });
+      }
+    }
+  });
+
+  it('in a row of touching ones keeps the momentum and makes no energy', () => {
+    let [momentum, energy] = [0, 0];
+    for (const gap of [0, 1e-3, 1e-2]) {
+      for (const speed of [1, 5, 30]) {
+        for (const dt of STEPS) {
+          const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+          const row = Array.from({ length: 5 }, (_, i) => {
+            const body = ball([(1 + gap) * i - (i === 0 ? 1 : 0), 0], [i === 0 ? speed : 0, 0], 0.5);
+            world.addRigidBody(body);
+            return body;
+          });
+          const start = energyOf(row[0]!);
+          for (let t = 0; t < 3; t += dt) {
+            world.step(dt);
+            const sum = row.reduce((total, body) => total + body.getVelocity()[0], 0);
+            momentum = Math.max(momentum, Math.abs(sum / speed - 1));
+            energy = Math.max(energy, row.reduce((total, body) => total + energyOf(body), 0) / start - 1);
+          }
+        }
+      }
+    }
+    console.log(`rows: momentum off by ${momentum.toExponential(1)}, ${energy.toExponential(1)} more energy at most`);
+    expect(momentum).toBeLessThan(1e-12);
+    expect(energy).toBeLessThan(1e-12);
+  });
+});
+
+describe('a box that lands flat', () => {
+  it('rises by the square of its elasticity, without turning', () => {
+    let [off, spin] = [0, 0];
+    for (const dt of [1 / 60, 1 / 120, 1 / 240]) {
+      for (const elasticity of [0.5, 0.8, 1]) {
+        for (const height of [0.5, 1, 4]) {
+          for (const [width, thickness] of [
+            [1, 1],
+            [3, 0.3],
+          ] as const) {
+            const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+            const ground = [box(40, 2, elasticity)];
+            world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [0, 1], shapes: ground }));
+            const shapes = [box(width, thickness, elasticity)];
+            const body = phys2D.createRigidBody({ position: [0, -thickness / 2 - height], shapes, ...FREE });
+            world.addRigidBody(body);
+            let apex = 0;
+            for (let rose = false, done = false; !done; ) {
+              world.step(dt);
+              spin = Math.max(spin, Math.abs(body.getAngularVelocity()));
+              const falls = body.getVelocity()[1] >= 0;
+              done = rose && falls;
+              rose ||= !falls;
+              apex = rose ? Math.max(apex, -thickness / 2 - body.getPosition()[1]) : 0;
+            }
+            off = Math.max(off, Math.abs(apex / height - elasticity * elasticity));
+          }
+        }
+      }
+    }
+    console.log(`flat boxes: apex off by ${(100 * off).toFixed(2)} % of the height, ${spin.toExponential(1)} rad/s`);
+    expect(off).toBeLessThan(0.003);
+    expect(spin).toBeLessThan(0.002);
+  });
+});
+
+describe('a bullet that bounces', () => {
+  it('leaves with its elasticity times the speed it came with, whatever it hits', () => {
+    let off = 0;
+    for (const dt of STEPS) {
+      for (const elasticity of [0.25, 0.5, 0.9, 1]) {
+        for (const speed of [2, 20, 100, 400]) {
+          for (const type of ['static', 'kinematic', 'dynamic'] as const) {
+            for (const isRound of [true, false]) {
+              for (const start of [0, 0.3, 0.7]) {
+                const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+                const shapes = [box(0.5, 20, elasticity)];
+                const target = phys2D.createRigidBody({ type, position: [2 * speed * dt + 1, 0], shapes, ...FREE });
+                const at: source.Vec2 = [start * speed * dt, 0];
+                const bullet = isRound
+                  ? ball(at, [speed, 0], 0.2, elasticity)
+                  : phys2D.createRigidBody({
+                      position: at,
+                      velocity: [speed, 0],
+                      shapes: [box(0.4, 0.4, elasticity)],
+                      ...FREE,
+                    });
+                bullet.bullet = true;
+                world.addRigidBody(target);
+                world.addRigidBody(bullet);
+                for (let t = 0; t < 3 * dt + 1 / speed; t += dt) {
+                  world.step(dt);
+                }
+                const parts = (target.getVelocity()[0] - bullet.getVelocity()[0]) / speed;
+                off = Math.max(off, Math.abs(parts / elasticity - 1));
+              }
+            }
+          }
+        }
+      }
+    }
+    console.log(`bullets: speed after the impact off by ${off.toExponential(1)}`);
+    expect(off).toBeLessThan(1e-11);
+  });
+});
