@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
@@ -64,7 +65,7 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
     if (body.isDynamic()) {
       wakeBody(world, body, false);
       if (begins) {
-        world.movers.of(body).slowTo(time);
+        slowTo(world, body, time);
       }
     }
   }
@@ -78,6 +79,13 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
     world.events.hit(pair, FOUND_LATE);
   }
   return pair;
+}
+
+/** Gives a body the velocity it has at a time of the step. */
+function slowTo({ solver, substeps, movers }: World, body: RigidBody, time: number): void {
+  const at = body.slot * d.BODY_STRIDE;
+  const gain = (which: number): number => substeps * solver.drive[at + which]!;
+  movers.of(body).slowTo(time, gain(d.GAIN_X), gain(d.GAIN_Y), gain(d.GAIN_W));
 }
 
 /** One point of an impact: arms, effective masses, what has to be reached, and what has been given. */

@@ -6,6 +6,11 @@ import type { Shape } from '../shape/shape.js';
 /** Whole turns within a step change nothing. */
 const TURN = 2 * Math.PI;
 
+/** Times what forces add to a velocity in a step: a bounce adds more … */
+const SUDDEN = 2;
+/** … and of what it adds, more than this share is left when it is over. */
+const TURNED_BACK = 0.01;
+
 /** A body on its way through the step that was just solved, seen from its end: time runs from 0 to 1. */
 export class Mover {
   body!: RigidBody;
@@ -95,14 +100,26 @@ export class Mover {
     travel.angle = this.angle - travel.w * this.from;
   }
 
-  /** Gives the body the velocity it has at a time: what forces and contacts added in the step came evenly. Before the first stop. */
-  slowTo(time: number): void {
-    if (!this.stopped) {
-      const { body } = this;
-      body.vx = this.vx + (body.vx - this.vx) * time;
-      body.vy = this.vy + (body.vy - this.vy) * time;
-      body.w = this.w + (body.w - this.w) * time;
+  /**
+   * Gives the body the velocity it has at a time, before the first stop: what forces added in the step, (gainX, gainY, gainW), came evenly, and so did
+   * what joints and contacts added, unless it turned the body back: then it bounced before.
+   */
+  slowTo(time: number, gainX: number, gainY: number, gainW: number): void {
+    if (this.stopped) {
+      return;
     }
+    const { body } = this;
+    const dx = body.vx - this.vx;
+    const dy = body.vy - this.vy;
+    const square = dx * dx + dy * dy;
+    const bounced =
+      square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
+      body.vx * dx + body.vy * dy > TURNED_BACK * square &&
+      body.constraints.length === 0;
+    const left = time - 1;
+    body.vx += left * (bounced ? gainX : dx);
+    body.vy += left * (bounced ? gainY : dy);
+    body.w += left * (bounced ? gainW : body.w - this.w);
   }
 
   /** Puts the body to where it is at a time, not before `from`. */
