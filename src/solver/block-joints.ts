@@ -382,6 +382,14 @@ export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boole
   }
 }
 
+/** A share of the error that a sub-step begins with makes no momentum. */
+export function excuseBlock(r: Float64Array, at: number, { rows, undone, error }: j.BlockLayout, share: number): void {
+  r[at + j.TOUCHED] = 1;
+  for (let n = 0; n < rows; n += 1) {
+    r[at + undone + n] = r[at + undone + n]! + share * r[at + error + n]!;
+  }
+}
+
 /** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
 export function finishBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;

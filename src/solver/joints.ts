@@ -9,6 +9,7 @@ import {
 } from '../config.js';
 import type { World } from '../world.js';
 import {
+  excuseBlock,
   finishBlock,
   lineariseBlock,
   noteBlock,
@@ -25,6 +26,7 @@ import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
 import {
   beginPoints,
+  excusePoint,
   finishPoints,
   notePoints,
   packPoint,
@@ -104,6 +106,20 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
   }
 }
 
+/** An error that a longer sub-step left would make more momentum in a shorter one: a share of it makes none. */
+function excuse(data: JointData, { start, end }: Group, share: number): void {
+  const { joints, records } = data;
+  data.isTouched = true;
+  for (let k = start; k < end; k += 1) {
+    const { kernel, at, layout } = joints[k]!;
+    if (kernel === POINT) {
+      excusePoint(records, at, share);
+    } else {
+      excuseBlock(records, at, layout, share);
+    }
+  }
+}
+
 /** Starts a sub-step: finds how often each group has to be swept over. */
 export function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { groups, worst, strained } = data.joints;
@@ -124,6 +140,9 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
     }
     if (isFirst) {
       settle(data.joints, group, worst[0]);
+    }
+    if (data.impulseScale < 1) {
+      excuse(data.joints, group, 1 - data.impulseScale);
     }
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
   }
@@ -201,7 +220,7 @@ function solveVelocityCustoms(data: SolverData): void {
 
 /**
  * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
- * contacts came in between or much is moved. @returns whether there is something left for another.
+ * contacts came in between or they are large. @returns whether there is something left for another.
  */
 export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups, worst, isTouched } = data.joints;
@@ -218,19 +237,23 @@ export function solvePositionJoints(data: SolverData, i: number, count: number):
       noteErrors(data, group, true);
     }
     let found = linearise(data, group);
-    worst[0] = 0;
-    const isExact = i === 0 || isTouched || group.pushed > JOINT_FAR * JOINT_FAR;
     for (let sweep = before; sweep < after; sweep += 1) {
-      const isLinear = group.settling === 0 && (sweep > before || !isExact);
+      const isLinear = sweep > 0 && !isFar(group) && (sweep > before || !isTouched);
+      worst[0] = 0;
       found = sweepOver(data, group, sweep === 0, isLinear ? pushRunFurther : pushRun) || found;
-    }
-    if (i === 0) {
-      group.pushed = worst[0]!;
+      if (!isLinear) {
+        group.pushed = worst[0];
+      }
     }
     noteErrors(data, group, false);
     isLeft ||= found && after < sweeps;
   }
   return isLeft;
+}
+
+/** More than small motion was left when exact errors were found the last time, or bodies are to be moved without turning. */
+function isFar({ pushed, settling }: Group): boolean {
+  return pushed > JOINT_FAR * JOINT_FAR || settling > 0;
 }
 
 /** Of joints in contact: what contacts do to their errors must not become momentum. */

@@ -131,6 +131,13 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
   }
 }
 
+/** A share of the error that a sub-step begins with makes no momentum. */
+export function excusePoint(r: Float64Array, at: number, share: number): void {
+  r[at + j.POINT_TOUCHED] = 1;
+  r[at + j.UNDONE_X] = r[at + j.UNDONE_X]! + share * r[at + j.ERROR_X]!;
+  r[at + j.UNDONE_Y] = r[at + j.UNDONE_Y]! + share * r[at + j.ERROR_Y]!;
+}
+
 /** K⁻¹; of a K of rank 1 the larger diagonal element alone, of none nothing. */
 function writeInverse(r: Float64Array, i: number, k11: number, k12: number, k22: number): void {
   const product = k11 * k22;
