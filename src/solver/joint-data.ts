@@ -142,11 +142,15 @@ export class JointData {
     }
   }
 
-  /** Ends the list: makes room for it. */
+  /**
+   * Ends the list: makes room for it. More sweeps make impulses of a sudden load larger: where joints may break by them they are kept few, else chains
+   * break as they are built.
+   */
   allot(): void {
     for (const group of this.groups) {
-      group.tolerance = this.toleranceOf(group);
-      group.sweeps = this.isNew(group) ? NEW_JOINT_SWEEPS : 1;
+      const isCareful = this.joints.slice(group.start, group.end).some(({ constraint }) => constraint.breakUnderForce);
+      group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
+      group.sweeps = isCareful || !this.isNew(group) ? 1 : NEW_JOINT_SWEEPS;
     }
     if (this.records.length < this.size) {
       this.records = new Float64Array(2 * this.size);
@@ -154,17 +158,6 @@ export class JointData {
     if (this.bodies.length < this.members) {
       this.bodies = new Int32Array(2 * this.members);
     }
-  }
-
-  /** More sweeps make impulses of a sudden load larger: where joints may break by them they are kept few, else chains break as they are built. */
-  private toleranceOf({ start, end }: Group): number {
-    for (let k = start; k < end; k += 1) {
-      if (this.joints[k]!.constraint.breakUnderForce) {
-        return JOINT_SWEEP_ERROR;
-      }
-    }
-    const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * (end - start)) / FEW_JOINTS;
-    return Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
   }
 
   /** Most of its joints carried nothing yet. */
@@ -196,6 +189,12 @@ export class JointData {
     r[at + CHECKED] = 0;
     r.fill(0, at + HEAD, at + layout.size);
   }
+}
+
+/** Of so many joints that hang together. */
+function toleranceOf(count: number): number {
+  const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * count) / FEW_JOINTS;
+  return Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
 }
 
 /** Each member that was listed before, with the first place it was listed at. */

@@ -141,7 +141,7 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
     if (isFirst) {
       settle(data.joints, group, worst[0]);
     }
-    if (data.impulseScale < 1) {
+    if (data.impulseScale > 0 && data.impulseScale < 1) {
       excuse(data.joints, group, 1 - data.impulseScale);
     }
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
@@ -153,7 +153,7 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
  * hangs there.
  */
 function planSweeps(group: Group, error: number, first: number, after: number): void {
-  const wanted = error < JOINT_REST_ERROR ? 1 : Math.ceil(error / group.tolerance);
+  const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / group.tolerance));
   const least = group.sweeps > 1 ? group.sweeps - 1 : 1;
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
   if (after > first) {

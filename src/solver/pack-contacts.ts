@@ -1,10 +1,12 @@
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
+import { POLYGON } from '../collide/table.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   NEW_SHARE,
   NEW_STEPS,
+  PUSH_SHARE_CIRCLES,
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_STATIC,
   SPECULATIVE_MARGIN,
@@ -248,7 +250,8 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.NX] = n[g.NX]!;
   records[at + d.NY] = n[g.NY]!;
   const bothMove = data.velocity[a + d.INV_MASS]! > 0 && data.velocity[b + d.INV_MASS]! > 0;
-  records[at + d.SHARE] = bothMove ? PUSH_SHARE_DYNAMIC : PUSH_SHARE_STATIC;
+  const areRound = pair.shapeA.kind !== POLYGON && pair.shapeB.kind !== POLYGON;
+  records[at + d.SHARE] = !bothMove ? PUSH_SHARE_STATIC : areRound ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
   records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   data.drive[a + d.TOUCHED] = 1;
