@@ -12,6 +12,7 @@ let defs;
 function createDefs() {
   const body = b2.b2DefaultBodyDef();
   const shape = b2.b2DefaultShapeDef();
+  const circle = new b2.b2Circle();
   return {
     body,
     position: body.position,
@@ -19,7 +20,8 @@ function createDefs() {
     shape,
     material: shape.material,
     filter: shape.filter,
-    circle: new b2.b2Circle(),
+    circle,
+    center: circle.center,
     unturned: b2.b2MakeRot(0),
     types: {
       dynamic: b2.b2BodyType.b2_dynamicBody,
@@ -105,7 +107,7 @@ function createShape(body, { group, mask, material, ...shape }) {
   defs.filter.categoryBits = group;
   defs.filter.maskBits = mask;
   if (shape.radius !== undefined) {
-    withNew(defs.circle.center, (center) => center.Set(...shape.origin));
+    defs.center.Set(...shape.origin);
     defs.circle.radius = shape.radius;
     b2.b2CreateCircleShape(body, def, defs.circle);
   } else {

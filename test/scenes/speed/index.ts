@@ -1,3 +1,14 @@
+import {
+  barrel,
+  compounds,
+  largeCompounds,
+  largePyramid,
+  manyPyramids,
+  ragdolls,
+  smash,
+  spinner,
+  tumbler,
+} from './box2d.js';
 import { chains, gridOf } from './jointed.js';
 import { circles, pusher, pyramidsOf, rain, renewedRain } from './piles.js';
 import type { SpeedScene } from './scene.js';
@@ -27,4 +38,13 @@ export const scenes: Readonly<Record<string, SpeedScene>> = {
   addRemove,
   bullets,
   renewedRain,
+  largePyramid,
+  manyPyramids,
+  tumbler,
+  smash,
+  spinner,
+  ragdolls,
+  barrel,
+  compounds,
+  largeCompounds,
 };

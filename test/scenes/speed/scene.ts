@@ -47,6 +47,7 @@ interface BodyOptions {
   readonly velocity?: Vec2;
   readonly angularVelocity?: number;
   readonly bullet?: boolean;
+  readonly sleeping?: boolean;
 }
 
 /** Adds bodies to a world, and remembers what they were made of. All are of one material, and without drag. */
@@ -122,6 +123,29 @@ export function regular(radius: number, sides: number): Outline {
     return [radius * Math.cos(angle), radius * Math.sin(angle)];
   };
   return { vertices: Array.from({ length: sides }, corner) };
+}
+
+/** A closed ring of boards around the origin, `radius` wide within. */
+export function ring(radius: number, thickness: number, sides: number): Outline[] {
+  const outer = radius + thickness;
+  const half = outer * Math.tan(Math.PI / sides);
+  const corners: Vec2[] = [
+    [radius, -half],
+    [outer, -half],
+    [outer, half],
+    [radius, half],
+  ];
+  return Array.from({ length: sides }, (_, i) => {
+    const angle = (2 * Math.PI * i) / sides;
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    return { vertices: corners.map(([x, y]): [number, number] => [c * x - s * y, s * x + c * y]) };
+  });
+}
+
+/** How many bodies are farther than that from a point, or nowhere. */
+export function countOutside(bodies: readonly RigidBody[], [cx, cy]: Vec2, distance: number): number {
+  const isOut = ([x, y]: Vec2): boolean => !((x - cx) ** 2 + (y - cy) ** 2 < distance ** 2);
+  return bodies.filter((body) => isOut(body.getPosition())).length;
 }
 
 /** mm. How far the body that sank most has sunk since. */

@@ -1,6 +1,6 @@
 import type { Physics2DDevice, RigidBody, Vec2, World } from '../../../src/index.js';
 import { generator } from '../mixed.js';
-import { DT, Heap, type SpeedScene } from './scene.js';
+import { countOutside, DT, Heap, ring, type SpeedScene } from './scene.js';
 
 /** A closed ring of boxes as one kinematic body that turns at 0.5 rad/s, half full of boxes. */
 export function drumOf(count: number): SpeedScene {
@@ -15,21 +15,7 @@ export function drumOf(count: number): SpeedScene {
       const heap = new Heap(phys2D, world);
       const [sides, thickness, cell] = [48, 1, 0.6];
       const radius = Math.sqrt((2 * count * cell * cell) / Math.PI);
-      const side = 2 * (radius + thickness) * Math.tan(Math.PI / sides);
-      const board = (_: unknown, i: number) => {
-        const angle = (2 * Math.PI * i) / sides;
-        const [c, s] = [Math.cos(angle), Math.sin(angle)];
-        const corner = ([x, y]: Vec2): [number, number] => [c * x - s * y, s * x + c * y];
-        const [inner, outer] = [radius, radius + thickness];
-        const corners: Vec2[] = [
-          [inner, -side / 2],
-          [outer, -side / 2],
-          [outer, side / 2],
-          [inner, side / 2],
-        ];
-        return { vertices: corners.map(corner) };
-      };
-      heap.add(Array.from({ length: sides }, board), [0, 0], { type: 'kinematic', angularVelocity: 0.5 });
+      heap.add(ring(radius, thickness, sides), [0, 0], { type: 'kinematic', angularVelocity: 0.5 });
       const random = generator(2);
       const boxes: RigidBody[] = [];
       const half = Math.floor(radius / cell);
@@ -42,8 +28,7 @@ export function drumOf(count: number): SpeedScene {
         }
       }
       const limit = (radius + thickness / 2) / Math.cos(Math.PI / sides);
-      const isOut = ([x, y]: Vec2): boolean => !(x * x + y * y < limit * limit);
-      return { world, quality: () => boxes.filter((body) => isOut(body.getPosition())).length };
+      return { world, quality: () => countOutside(boxes, [0, 0], limit) };
     },
   };
 }
