@@ -22,6 +22,8 @@ export const rays = {
   warmUp: 10,
   steps: 40,
   steady: true,
+  /** All engines must hit the same. */
+  agrees: true,
   start: (device) => castAll(device, 10_000, 40, 0, ({ ray }) => ray),
 };
 

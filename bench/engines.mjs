@@ -1,4 +1,5 @@
-// The engines: how each is loaded, and what package it is. Adapters are loaded only when asked for, one in a process.
+// The engines: how each is loaded, and what package it is; extra ones take part only if they are named. Adapters are loaded only when
+// asked for, one in a process.
 import { readFileSync } from 'node:fs';
 
 const box2dFlavour = (name) => import(`./node_modules/box2d3-wasm/build/dist/es/${name}/Box2D.${name}.mjs`);
@@ -27,10 +28,19 @@ export const engines = {
     load: async () => (await import('./rapier.mjs')).rapier(await import('@dimforge/rapier2d-compat')),
   },
   planck: { package: 'planck', load: async () => (await import('./planck.mjs')).planck },
+  'planck-discrete': {
+    title: 'planck, discrete',
+    package: 'planck',
+    isExtra: true,
+    load: async () => (await import('./planck.mjs')).planckDiscrete,
+  },
   'phaser-box2d': { package: 'phaser-box2d', load: async () => (await import('./phaser.mjs')).phaser },
   'matter-js': { package: 'matter-js', load: async () => (await import('./matter.mjs')).matter },
   'p2-es': { package: 'p2-es', load: async () => (await import('./p2.mjs')).p2es },
 };
+
+/** Those that take part if none is named. */
+export const usual = Object.keys(engines).filter((name) => !engines[name].isExtra);
 
 /** The version of an engine, and of what flavour it is. */
 export function versionOf(name) {

@@ -151,4 +151,4 @@ class MatterWorld extends PeerWorld {
 }
 
 /** matter-js as it comes: 6 position, 4 velocity and 2 constraint iterations, and pins of stiffness 0.7. */
-export const matter = createDevice((params) => new MatterWorld(params), MatterBody);
+export const matter = { ...createDevice((params) => new MatterWorld(params), MatterBody), lacksLimits: true };

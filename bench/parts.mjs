@@ -1,5 +1,5 @@
 // What the bench measures besides the scenes. Each part returns a title, the rows of its table, and its targets.
-import { engines } from './engines.mjs';
+import { engines, usual } from './engines.mjs';
 import { GC_FLAGS, interleave, measure, summary } from './measure.mjs';
 
 const ms = (value) => `${value.toFixed(3)} ms`;
@@ -135,7 +135,7 @@ function memory() {
 
 /** A new process: from before the import to after the first step of 100 boxes. */
 function cold({ rounds }) {
-  const names = Object.keys(engines);
+  const names = usual;
   const times = names.map(() => []);
   for (let round = 0; round < rounds; round += 1) {
     names.forEach((engine, i) => {
