@@ -7,6 +7,9 @@ import { phys2D } from '../dist/phys2d.js';
 import { casts, rays } from './casts-scene.mjs';
 import { engines } from './engines.mjs';
 
+/** s. Large scenes are warm after so long. */
+const WARM_SECONDS = 6;
+
 const scenes = { ...built, rays, casts };
 const tasks = { speed, crowd, events, continuous, garbage, memory, hash };
 const { task, ...params } = JSON.parse(process.argv[2]);
@@ -27,6 +30,14 @@ function time(steps, step) {
 
 function repeat(count, action) {
   for (let i = 0; i < count; i += 1) {
+    action();
+  }
+}
+
+/** As often, but no longer than so many seconds. */
+function repeatFor(seconds, count, action) {
+  const end = performance.now() + 1000 * seconds;
+  for (let i = 0; i < count && performance.now() < end; i += 1) {
     action();
   }
 }
@@ -182,7 +193,7 @@ function growthOf(step, warmUp, steps, room) {
     repeat(count, step);
     return process.memoryUsage().heapUsed - before;
   };
-  repeat(warmUp, step);
+  repeatFor(WARM_SECONDS, warmUp, step);
   const trial = Math.min(50, steps);
   const part = Math.min(steps, Math.ceil((room * trial) / Math.max(1, growth(trial))));
   let bytes = 0;

@@ -133,8 +133,8 @@ export const ragdolls: SpeedScene = {
   },
 };
 
-/** Bodies that fall into a bucket, in rows. */
-function fallInto(title: string, side: number, count: number, add: (heap: Heap, at: Vec2, i: number) => RigidBody) {
+/** Bodies that fall into a bucket, in rows, one in each cell. */
+function fallInto(title: string, count: number, cell: number, add: (heap: Heap, at: Vec2, i: number) => RigidBody) {
   return {
     title,
     ...HEAPED,
@@ -143,11 +143,11 @@ function fallInto(title: string, side: number, count: number, add: (heap: Heap, 
     start(phys2D) {
       const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
       const heap = new Heap(phys2D, world);
-      addBucket(heap, side);
-      const columns = Math.floor((side - 4) / 1.6);
+      addBucket(heap, 60);
+      const columns = Math.floor(56 / cell);
       for (let i = 0; i < count; i += 1) {
-        const x = 1.6 * ((i % columns) - (columns - 1) / 2) + 0.1 * (Math.floor(i / columns) % 3);
-        add(heap, [x, -1.6 - 1.6 * Math.floor(i / columns)], i);
+        const x = cell * ((i % columns) - (columns - 1) / 2) + 0.1 * (Math.floor(i / columns) % 3);
+        add(heap, [x, -cell * (1 + Math.floor(i / columns))], i);
       }
       return { world, quality: () => heap.overlap() };
     },

@@ -44,8 +44,8 @@ export const circles: SpeedScene = {
     const random = generator(1);
     for (let i = 0; i < 2000; i += 1) {
       const radius = 0.3 + 0.2 * random();
-      const x = (i % 38) - 18.5 + 0.2 * (random() - 0.5);
-      heap.add([{ radius }], [x, -0.6 - Math.floor(i / 38)]);
+      const x = 1.2 * ((i % 32) - 15.5) + 0.2 * (random() - 0.5);
+      heap.add([{ radius }], [x, -0.6 - Math.floor(i / 32)]);
     }
     return { world, quality: () => heap.overlap() };
   },
