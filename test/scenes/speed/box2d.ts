@@ -156,8 +156,8 @@ function fallInto(title: string, count: number, cell: number, add: (heap: Heap, 
 
 export const barrel: SpeedScene = fallInto(
   'Box2D: barrel with 2,600 circles, boxes and polygons',
-  60,
   2600,
+  1.6,
   (heap, at, i) =>
     i % 3 === 0 ? heap.box(1, 0.6, at) : heap.add([i % 3 === 1 ? { radius: 0.5 } : mixedOutline(generator(i))], at),
 );
@@ -167,8 +167,8 @@ const L = [box(1.5, 0.5, 0.2, 0.3), box(0.5, 1, -0.3, -0.45)];
 
 export const compounds: SpeedScene = fallInto(
   'Box2D: barrel with 1,000 bodies of two shapes',
-  60,
   1000,
+  2.3,
   (heap, at, i) => heap.add(L, at, { rotation: i }),
 );
 
