@@ -51,6 +51,7 @@ const wantedParts = isNarrowed ? named(parts) : Object.keys(parts);
 
 let hasFailed = false;
 const results = {
+  command: process.argv.slice(2).join(' '),
   date: new Date().toISOString().slice(0, 10),
   node: process.version,
   cpu: cpus()[0].model.trim(),

@@ -108,7 +108,7 @@ function targetsOf({ scenes, parts }) {
 
 /** The same as a page. */
 export function markdown(results) {
-  const { date, node, cpu, cores, rounds, versions, scenes, parts } = results;
+  const { date, command, node, cpu, cores, versions, scenes, parts } = results;
   const targets = targetsOf(results);
   const others = targets.filter(({ engine }) => engine === undefined);
   const failures = scenes.flatMap(({ name, cells }) =>
@@ -118,7 +118,7 @@ export function markdown(results) {
   );
   return `# Speed of phys2d beside other engines
 
-Written on ${date} by \`node bench/run.mjs --write --rounds=${rounds}\`, Node ${node}, ${cpu}, ${cores} cores:
+Written on ${date} by \`node bench/run.mjs ${command}\`, Node ${node}, ${cpu}, ${cores} cores:
 ${Object.entries(versions)
   .map(([engine, version]) => `${titleOf(engine)} ${version}`)
   .join(', ')}.
