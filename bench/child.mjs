@@ -48,26 +48,27 @@ function sceneOf(name, base) {
 }
 
 /**
- * A scene with an engine: milliseconds of its steps, and its quality after them. Where steps are much alike, the warm-up and the
- * measurement end after so many seconds each, and at least five steps.
+ * A scene with an engine: milliseconds of its steps, and its quality after them. The warm-up and the
+ * measurement end after so many seconds each, where steps are much alike, and else after `most`; but not before five steps.
  */
-async function speed({ engine, scene, base, seconds }) {
+async function speed({ engine, scene, base, seconds, most = Number.POSITIVE_INFINITY }) {
   const device = await engines[engine].load();
   const { warmUp, steps, steady, start } = sceneOf(scene, base);
   const run = start(device);
   if (run === null) {
     return { unsupported: true };
   }
-  const limit = 1000 * (steady ? seconds : Number.POSITIVE_INFINITY);
-  timeRun(run, 0, warmUp, limit);
-  const times = timeRun(run, warmUp, steps, limit);
-  const { world } = run;
-  // Not every version of phys2d has a profile of its last step.
+  const limit = 1000 * (steady ? seconds : most);
+  const warm = timeRun(run, 0, warmUp, limit).length;
+  const times = timeRun(run, warm, steps, limit);
+  const isCut = warm < warmUp || times.length < steps;
   return {
     times,
+    isCut,
     quality: run.quality(),
     factors: run.factors?.(),
-    profile: device.isPeer ? undefined : world.profile,
+    // Not every version of phys2d has a profile of its last step.
+    profile: device.isPeer ? undefined : run.world.profile,
   };
 }
 

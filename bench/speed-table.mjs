@@ -33,7 +33,7 @@ export function printScene({ name, title, figure, cells, targets }) {
             `${time(cell.median)} ms`,
             `${time(cell.p95)} ms`,
             `${number(cell.quality ?? Number.NaN)}${cell.isCut ? '†' : ''}`,
-            engine === 'phys2d' ? '' : `× ${ratio(cells, engine)}`,
+            engine === 'phys2d' || ratio(cells, engine) === '' ? '' : `× ${ratio(cells, engine)}`,
           ]
         : [titleOf(engine), cell.failure, '', '', ''],
     ),
@@ -128,7 +128,7 @@ ${targets.filter(({ met }) => met).length} of ${targets.length} targets are met.
 
 ## Median of a step, ms (quality)
 
-† The engine was too slow to do all steps: its quality is that of an earlier moment. – It has no such thing.
+† The engine was too slow to do all steps: its figures are those of an earlier moment. – It has no such thing.
 
 ${grid(sceneTable(results))}
 
