@@ -20,7 +20,6 @@ import {
   b2CreateWorld,
   b2CreateWorldArray,
   b2DefaultBodyDef,
-  b2DefaultQueryFilter,
   b2DefaultRevoluteJointDef,
   b2DefaultShapeDef,
   b2DefaultWorldDef,
@@ -33,10 +32,9 @@ import {
   b2RevoluteJoint_SetMaxMotorTorque,
   b2Rot,
   b2Vec2,
-  b2World_CastRayClosest,
   b2World_Step,
 } from 'phaser-box2d/dist/PhaserBox2D.js';
-import { createDevice, MISS, PeerBody, PeerWorld } from './peer.mjs';
+import { createDevice, PeerBody, PeerWorld } from './peer.mjs';
 
 /** What the author of Box2D recommends, in b2World_Step. */
 const SUBSTEPS = 4;
@@ -170,20 +168,6 @@ class PhaserWorld extends PeerWorld {
 
   step(deltaTime) {
     b2World_Step(this.world, deltaTime, SUBSTEPS);
-  }
-
-  caster() {
-    const filter = b2DefaultQueryFilter();
-    return {
-      ray: ({ x, y, dx, dy }) => {
-        const from = new b2Vec2(x, y);
-        const way = new b2Vec2(dx, dy);
-        return () => {
-          const { hit, fraction } = b2World_CastRayClosest(this.world, from, way, filter);
-          return hit ? fraction : MISS;
-        };
-      },
-    };
   }
 }
 
