@@ -1,17 +1,36 @@
-// Which functions of phys2d allocate in a warm step, and how much: node bench/allocations.mjs
+// Which functions of phys2d allocate in a warm step, and how much: node bench/allocations.mjs [scene]
 import { Session } from 'node:inspector/promises';
-import { buildPyramid } from '../dist/bench/scenes.js';
+import { DT, pyramidsOf, scenes } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
 
+/** s. Large scenes are done in fewer steps. */
+const SECONDS = 10;
 const STEPS = 1000;
 
-const world = phys2D.createWorld({ allowSleeping: false });
-buildPyramid(phys2D, world, 15);
+const [name] = process.argv.slice(2);
+if (name !== undefined && !(name in scenes)) {
+  console.error(`bench: scenes are ${Object.keys(scenes).join(', ')}`);
+  process.exit(2);
+}
+const {
+  world,
+  act = () => world.step(DT),
+  before = () => {},
+} = (name === undefined ? pyramidsOf(15, 1) : scenes[name]).start(phys2D);
+let index = 0;
 
+/** @returns how many steps were done. */
 function run(steps) {
+  const end = performance.now() + 1000 * SECONDS;
   for (let i = 0; i < steps; i += 1) {
-    world.step(1 / 60);
+    if (performance.now() > end) {
+      return i;
+    }
+    before(index);
+    act();
+    index += 1;
   }
+  return steps;
 }
 
 run(2 * STEPS);
@@ -22,7 +41,7 @@ await session.post('HeapProfiler.startSampling', {
   includeObjectsCollectedByMajorGC: true,
   includeObjectsCollectedByMinorGC: true,
 });
-run(STEPS);
+const steps = run(STEPS);
 const { profile } = await session.post('HeapProfiler.stopSampling');
 
 const bytes = new Map();
@@ -33,5 +52,5 @@ for (const { callFrame, selfSize, children } of nodes) {
   nodes.push(...children);
 }
 for (const [name, size] of [...bytes].sort((a, b) => b[1] - a[1]).slice(0, 15)) {
-  console.log(`${(size / STEPS).toFixed(0).padStart(8)} B/step  ${name}`);
+  console.log(`${(size / steps).toFixed(0).padStart(8)} B/step  ${name}`);
 }

@@ -1,11 +1,35 @@
 // Box2D v3 behind the few functions of a phys2d device that scenes use, so that both engines are given the very same scene.
-import Box2D from 'box2d3-wasm';
-import { boxOf, createDevice, PeerBody, PeerWorld } from './peer.mjs';
+import { createDevice, MISS, PeerBody, PeerWorld } from './peer.mjs';
 
 /** What its author recommends, in b2World_Step. */
 const SUBSTEPS = 4;
 
-const b2 = await Box2D();
+/** The module in use: the flavour that is loaded first is that of the process. */
+let b2;
+/** Definitions that are filled in anew for each body, shape and joint: their memory is never given back. */
+let defs;
+
+function createDefs() {
+  const body = b2.b2DefaultBodyDef();
+  const shape = b2.b2DefaultShapeDef();
+  const circle = new b2.b2Circle();
+  return {
+    body,
+    position: body.position,
+    velocity: body.linearVelocity,
+    shape,
+    material: shape.material,
+    filter: shape.filter,
+    circle,
+    center: circle.center,
+    unturned: b2.b2MakeRot(0),
+    types: {
+      dynamic: b2.b2BodyType.b2_dynamicBody,
+      kinematic: b2.b2BodyType.b2_kinematicBody,
+      static: b2.b2BodyType.b2_staticBody,
+    },
+  };
+}
 
 /** Reads a vector of the engine, and gives its memory back. */
 function take(vector) {
@@ -14,11 +38,10 @@ function take(vector) {
   return [x, y];
 }
 
-/** Does something with a new vector, and gives its memory back. */
-function withVec([x, y], action) {
-  const vector = new b2.b2Vec2(x, y);
-  const result = action(vector);
-  vector.delete();
+/** Does something with a new object of the engine, and gives its memory back. */
+function withNew(object, action) {
+  const result = action(object);
+  object.delete();
   return result;
 }
 
@@ -28,10 +51,7 @@ class Box2DBody extends PeerBody {
   }
 
   getRotation() {
-    const rotation = b2.b2Body_GetRotation(this.body);
-    const angle = b2.b2Rot_GetAngle(rotation);
-    rotation.delete();
-    return angle;
+    return withNew(b2.b2Body_GetRotation(this.body), (rotation) => b2.b2Rot_GetAngle(rotation));
   }
 
   getVelocity() {
@@ -53,26 +73,46 @@ class Box2DBody extends PeerBody {
   get sleeping() {
     return !b2.b2Body_IsAwake(this.body);
   }
+
+  setVelocity([x, y]) {
+    withNew(new b2.b2Vec2(x, y), (velocity) => b2.b2Body_SetLinearVelocity(this.body, velocity));
+  }
+
+  /** For good: waking does not set its clock back, as it does in other engines, so that it would fall asleep now and then. */
+  wake() {
+    b2.b2Body_EnableSleep(this.body, false);
+  }
 }
 
 /** Boxes by b2MakeOffsetBox: b2ComputeHull takes corners that are within its slop for one. No polygon has a radius. */
-function polygonOf(vertices) {
-  const box = boxOf(vertices);
+function polygonOf({ vertices, box }) {
   if (box !== null) {
-    return withVec(box.middle, (middle) => b2.b2MakeOffsetBox(box.halfWidth, box.halfHeight, middle, b2.b2MakeRot(0)));
+    return withNew(new b2.b2Vec2(...box.middle), (middle) =>
+      b2.b2MakeOffsetBox(box.halfWidth, box.halfHeight, middle, defs.unturned),
+    );
   }
-  const hull = b2.b2ComputeHull(vertices.map(([x, y]) => ({ x, y })));
-  if (hull.count !== vertices.length) {
-    throw new Error(`Box2D made a hull of ${hull.count} corners of ${vertices.length}`);
-  }
-  return b2.b2MakePolygon(hull, 0);
+  return withNew(b2.b2ComputeHull(vertices.map(([x, y]) => ({ x, y }))), (hull) => {
+    if (hull.count !== vertices.length) {
+      throw new Error(`Box2D made a hull of ${hull.count} corners of ${vertices.length}`);
+    }
+    return b2.b2MakePolygon(hull, 0);
+  });
 }
 
-function circleOf({ radius, origin }) {
-  const circle = new b2.b2Circle();
-  circle.center.Set(...origin);
-  circle.radius = radius;
-  return circle;
+function createShape(body, { group, mask, material, ...shape }) {
+  const def = defs.shape;
+  def.density = material.density;
+  defs.material.friction = material.dynamicFriction;
+  defs.material.restitution = material.elasticity;
+  defs.filter.categoryBits = group;
+  defs.filter.maskBits = mask;
+  if (shape.radius !== undefined) {
+    defs.center.Set(...shape.origin);
+    defs.circle.radius = shape.radius;
+    b2.b2CreateCircleShape(body, def, defs.circle);
+  } else {
+    withNew(polygonOf(shape), (polygon) => b2.b2CreatePolygonShape(body, def, polygon));
+  }
 }
 
 class Box2DWorld extends PeerWorld {
@@ -84,28 +124,22 @@ class Box2DWorld extends PeerWorld {
     this.world = b2.b2CreateWorld(def);
   }
 
-  create(added, { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes }) {
-    const def = b2.b2DefaultBodyDef();
-    def.type = type === 'static' ? b2.b2BodyType.b2_staticBody : b2.b2BodyType.b2_dynamicBody;
-    def.position.Set(...position);
-    def.rotation = b2.b2MakeRot(rotation);
-    def.linearVelocity.Set(...velocity);
-    def.angularVelocity = angularVelocity;
-    def.linearDamping = linearDrag;
-    def.angularDamping = angularDrag;
+  create(added, params) {
+    const def = defs.body;
+    def.type = defs.types[params.type];
+    defs.position.Set(...params.position);
+    withNew(b2.b2MakeRot(params.rotation), (rotation) => {
+      def.rotation = rotation;
+    });
+    defs.velocity.Set(...params.velocity);
+    def.angularVelocity = params.angularVelocity;
+    def.linearDamping = params.linearDrag;
+    def.angularDamping = params.angularDrag;
+    def.isBullet = params.bullet;
+    def.isAwake = !params.sleeping;
     added.body = b2.b2CreateBody(this.world, def);
-    for (const { group, mask, material, ...shape } of shapes) {
-      const surface = b2.b2DefaultShapeDef();
-      surface.density = material.density;
-      surface.material.friction = material.dynamicFriction;
-      surface.material.restitution = material.elasticity;
-      surface.filter.categoryBits = group;
-      surface.filter.maskBits = mask;
-      if (shape.radius !== undefined) {
-        b2.b2CreateCircleShape(added.body, surface, circleOf(shape));
-      } else {
-        b2.b2CreatePolygonShape(added.body, surface, polygonOf(shape.vertices));
-      }
+    for (const shape of params.shapes) {
+      createShape(added.body, shape);
     }
   }
 
@@ -113,19 +147,48 @@ class Box2DWorld extends PeerWorld {
     b2.b2DestroyBody(body);
   }
 
-  join({ bodyA, bodyB, anchorA, anchorB }) {
-    const def = b2.b2DefaultRevoluteJointDef();
-    def.base.bodyIdA = bodyA.body;
-    def.base.bodyIdB = bodyB.body;
-    def.base.localFrameA.p.Set(...anchorA);
-    def.base.localFrameB.p.Set(...anchorB);
-    b2.b2CreateRevoluteJoint(this.world, def);
+  join({ bodyA, bodyB, anchorA, anchorB, ignoreInteractions }) {
+    return withNew(b2.b2DefaultRevoluteJointDef(), (def) => {
+      def.base.bodyIdA = bodyA.body;
+      def.base.bodyIdB = bodyB.body;
+      def.base.localFrameA.p.Set(...anchorA);
+      def.base.localFrameB.p.Set(...anchorB);
+      def.base.collideConnected = !ignoreInteractions;
+      return b2.b2CreateRevoluteJoint(this.world, def);
+    });
+  }
+
+  limit(joint, lower, upper) {
+    b2.b2RevoluteJoint_SetLimits(joint, lower, upper);
+    b2.b2RevoluteJoint_EnableLimit(joint, true);
+  }
+
+  brake(joint, torque) {
+    b2.b2RevoluteJoint_SetMaxMotorTorque(joint, torque);
+    b2.b2RevoluteJoint_EnableMotor(joint, true);
   }
 
   step(deltaTime) {
     b2.b2World_Step(this.world, deltaTime, SUBSTEPS);
   }
+
+  /** Rays are made before, as a program does that casts them from the same places again. */
+  caster() {
+    const filter = b2.b2DefaultQueryFilter();
+    return {
+      ray: ({ x, y, dx, dy }) => {
+        const from = new b2.b2Vec2(x, y);
+        const way = new b2.b2Vec2(dx, dy);
+        return () =>
+          withNew(b2.b2World_CastRayClosest(this.world, from, way, filter), (hit) => (hit.hit ? hit.fraction : MISS));
+      },
+    };
+  }
 }
 
-/** Box2D as it comes. */
-export const box2d = createDevice((params) => new Box2DWorld(params), Box2DBody);
+/** Box2D as it comes, of one flavour: the factory of its module with SIMD, or with plain code. One thread in either. */
+export async function box2d({ default: flavour }) {
+  b2 = await flavour();
+  defs = createDefs();
+  return createDevice((params) => new Box2DWorld(params), Box2DBody);
+}

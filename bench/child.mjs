@@ -1,21 +1,21 @@
-// One measurement in a process of its own: node child.mjs '{"task":"pyramid","engine":"phys2d"}' prints one line of JSON.
+// One measurement in a process of its own: node child.mjs '{"task":"speed","engine":"phys2d","scene":"pyramid","seconds":3}' prints one
+// line of JSON at the end.
+import { writeSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
-import { buildChains, buildJointGrid, buildPyramid, stateHash, worstGap } from '../dist/bench/scenes.js';
+import { buildPyramid, scenes as built, DT, pyramidsOf, stateHash } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
-import { casters } from './casters.mjs';
-import { createField } from './casts-scene.mjs';
+import { casts, rays } from './casts-scene.mjs';
+import { engines } from './engines.mjs';
 
-const DT = 1 / 60;
+/** s. Large scenes are warm after so long. */
+const WARM_SECONDS = 6;
 
-const engines = {
-  phys2d: () => phys2D,
-  planck: async () => (await import('./planck.mjs')).planck,
-  'planck, discrete': async () => (await import('./planck.mjs')).planckDiscrete,
-};
-
-const tasks = { pyramid, chains, grid, crowd, events, continuous, rays, casts, garbage, hash };
+const scenes = { ...built, rays, casts };
+const tasks = { speed, crowd, events, continuous, garbage, memory, hash };
 const { task, ...params } = JSON.parse(process.argv[2]);
-console.log(JSON.stringify(await tasks[task](params)));
+// At once, as Box2D's threads would keep the process.
+writeSync(1, `\n${JSON.stringify(await tasks[task](params))}\n`);
+process.exit(0);
 
 /** Milliseconds of each of `steps` steps. */
 function time(steps, step) {
@@ -34,41 +34,56 @@ function repeat(count, action) {
   }
 }
 
-/** An awake pyramid: the time of its steps, and how far the box that sank most has sunk. */
-async function pyramid({ engine, base, warmUp, steps }) {
-  const device = await engines[engine]();
-  const world = device.createWorld({ allowSleeping: false, velocityIterations: 8 });
-  const boxes = buildPyramid(device, world, base);
-  const before = boxes.map((body) => body.getPosition()[1]);
-  const step = () => world.step(DT);
-  repeat(warmUp, step);
-  const times = time(steps, step);
-  const sags = boxes.map((body, i) => body.getPosition()[1] - before[i]);
-  return { times, sag: Math.max(...sags) };
+/** As often, but no longer than so many seconds. */
+function repeatFor(seconds, count, action) {
+  const end = performance.now() + 1000 * seconds;
+  for (let i = 0; i < count && performance.now() < end; i += 1) {
+    action();
+  }
 }
 
-/** Chains that swing, or a net that hangs: the time of a step, and the widest gap of a joint. */
-async function jointed({ engine, warmUp, steps }, build) {
-  const device = await engines[engine]();
-  const world = device.createWorld({ allowSleeping: false, velocityIterations: 8 });
-  const { joints } = build(device, world);
-  const step = () => world.step(DT);
-  repeat(warmUp, step);
-  const times = time(steps, step);
-  let gap = 0;
-  repeat(60, () => {
-    step();
-    gap = Math.max(gap, worstGap(joints));
-  });
-  return { times, gap };
+/** One by its name, or a pyramid of any base. */
+function sceneOf(name, base) {
+  return name === undefined ? pyramidsOf(base, 1) : scenes[name];
 }
 
-function chains({ count, links, ...job }) {
-  return jointed(job, (device, world) => buildChains(device, world, count, links));
+/**
+ * A scene with an engine: milliseconds of its steps, and its quality after them. The warm-up and the
+ * measurement end after so many seconds each, where steps are much alike, and else after `most`; but not before five steps.
+ */
+async function speed({ engine, scene, base, seconds, most = Number.POSITIVE_INFINITY }) {
+  const device = await engines[engine].load();
+  const { warmUp, steps, steady, start } = sceneOf(scene, base);
+  const run = start(device);
+  if (run === null) {
+    return { unsupported: true };
+  }
+  const limit = 1000 * (steady ? seconds : most);
+  const warm = timeRun(run, 0, warmUp, limit).length;
+  const times = timeRun(run, warm, steps, limit);
+  const isCut = warm < warmUp || times.length < steps;
+  return {
+    times,
+    isCut,
+    quality: run.quality(),
+    factors: run.factors?.(),
+    // Not every version of phys2d has a profile of its last step.
+    profile: device.isPeer ? undefined : run.world.profile,
+  };
 }
 
-function grid({ size, ...job }) {
-  return jointed(job, (device, world) => buildJointGrid(device, world, size));
+/** Milliseconds of each of `steps` steps of a scene, or of fewer if they take longer than `limit` together. */
+function timeRun({ world, act = () => world.step(DT), before = () => {} }, first, steps, limit) {
+  const times = [];
+  let sum = 0;
+  for (let i = 0; i < steps && (i < 5 || sum < limit); i += 1) {
+    before(first + i);
+    const start = performance.now();
+    act();
+    times.push(performance.now() - start);
+    sum += times[i];
+  }
+  return times;
 }
 
 /** Ten stacks of five boxes that are kept awake, alone or amid static and sleeping boxes. */
@@ -152,64 +167,71 @@ async function continuous({ base, warmUp, steps }) {
   return { share: within(['foresee', 'continuous'])(root) / within(['step'])(root) };
 }
 
-/** Rays through a field of bodies: the time of all of them, how many hit, and the sum of their factors. */
-async function rays({ engine, warmUp, steps, ...counts }) {
-  const { bodies, rays } = createField(counts);
-  const caster = await casters[engine](bodies);
-  return castAll(rays.map(caster.ray), warmUp, steps);
-}
-
-/** The same for boxes. */
-async function casts({ engine, warmUp, steps, ...counts }) {
-  const { bodies, casts } = createField(counts);
-  const caster = await casters[engine](bodies);
-  return castAll(casts.map(caster.box), warmUp, steps);
-}
-
-function castAll(prepared, warmUp, steps) {
-  let hits = 0;
-  let factors = 0;
-  const step = () => {
-    hits = 0;
-    factors = 0;
-    for (const cast of prepared) {
-      const factor = cast();
-      if (factor >= 0) {
-        hits += 1;
-        factors += factor;
-      }
-    }
-  };
-  repeat(warmUp, step);
-  return { times: time(steps, step), hits, factors };
-}
-
 /**
- * Bytes allocated per step. A run begins with a clean heap; it is cut into parts that are too short for a collection of their
- * own, where an engine allocates so much that this is needed.
+ * Bytes allocated per step of a scene, or of a pyramid with or without handlers. A run begins with a clean heap; it is cut into parts that are too short for a collection of
+ * their own, where an engine allocates so much that this is needed.
  */
-async function garbage({ engine, base, listening, warmUp, steps }) {
+async function garbage({ engine, scene, base, listening, warmUp, steps }) {
   const ROOM = 32e6;
-  const device = await engines[engine]();
-  const world = device.createWorld({ allowSleeping: false });
-  buildPyramid(device, world, base);
+  const device = await engines[engine].load();
+  const { world, act = () => world.step(DT), before = () => {} } = sceneOf(scene, base).start(device);
   if (listening) {
     listen(world);
   }
-  const step = () => world.step(DT);
+  let index = 0;
+  const step = () => {
+    before(index);
+    act();
+    index += 1;
+  };
+  return { bytesPerStep: growthOf(step, warmUp, steps, ROOM) };
+}
+
+function growthOf(step, warmUp, steps, room) {
   const growth = (count) => {
     globalThis.gc();
     const before = process.memoryUsage().heapUsed;
     repeat(count, step);
     return process.memoryUsage().heapUsed - before;
   };
-  repeat(warmUp, step);
-  const part = Math.min(steps, Math.ceil((ROOM * 50) / Math.max(1, growth(50))));
+  repeatFor(WARM_SECONDS, warmUp, step);
+  const trial = Math.min(50, steps);
+  const part = Math.min(steps, Math.ceil((room * trial) / Math.max(1, growth(trial))));
   let bytes = 0;
   for (let done = 0; done < steps; done += part) {
     bytes += growth(Math.min(part, steps - done));
   }
-  return { bytesPerStep: bytes / steps };
+  return bytes / steps;
+}
+
+/** Bytes of the heap and of typed arrays, per body, of bodies with one box each that sleep. */
+async function memory({ engine, count }) {
+  const device = await engines[engine].load();
+  const used = () => {
+    globalThis.gc();
+    const { heapUsed, arrayBuffers } = process.memoryUsage();
+    return heapUsed + arrayBuffers;
+  };
+  const world = device.createWorld();
+  const box = (i) => {
+    const shapes = [device.createPolygonShape({ vertices: device.createBoxVertices(1, 1) })];
+    const position = [2 * (i % 100), 2 * Math.floor(i / 100)];
+    const body = device.createRigidBody({ shapes, position, sleeping: true });
+    world.addRigidBody(body);
+  };
+  // So that what is made once, as pools and lists of a few, does not count.
+  for (let i = 0; i < 100; i += 1) {
+    box(i);
+  }
+  world.step(DT);
+  const before = used();
+  for (let i = 0; i < count; i += 1) {
+    box(100 + i);
+  }
+  world.step(DT);
+  world.step(DT);
+  const bytes = used() - before;
+  return { bytesPerBody: bytes / count, awake: world.rigidBodies.filter((body) => !body.sleeping).length };
 }
 
 /** State hashes of one scene: with either broadphase, and in a second world while another one is stepped in between. */

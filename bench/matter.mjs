@@ -2,7 +2,7 @@
 import Matter from 'matter-js';
 import { createDevice, PeerBody, PeerWorld } from './peer.mjs';
 
-const { Bodies, Body, Composite, Constraint, Engine, Vertices } = Matter;
+const { Bodies, Body, Composite, Constraint, Engine, Sleeping, Vertices } = Matter;
 
 /** Pixels in a metre: its default gravity of 0.001 px/ms² is 10 m/s² then, and boxes of a metre are as large as in its demos. */
 const SCALE = 100;
@@ -52,6 +52,17 @@ class MatterBody extends PeerBody {
   get sleeping() {
     return this.body.isSleeping;
   }
+
+  setVelocity(velocity) {
+    this.params.velocity = velocity;
+    if (this.params.type === 'dynamic') {
+      Body.setVelocity(this.body, { x: (SCALE * velocity[0]) / 60, y: (SCALE * velocity[1]) / 60 });
+    }
+  }
+
+  wake() {
+    Sleeping.set(this.body, false);
+  }
 }
 
 /** A shape as a body around the origin. It has no circles, but polygons of 25 or 26 sides for them. */
@@ -86,9 +97,11 @@ class MatterWorld extends PeerWorld {
     // Its unit of gravity is `scale` px/ms².
     const gravity = { x: x / 10, y: y / 10, scale: SCALE / 1e5 };
     this.engine = Engine.create({ gravity, enableSleeping: allowSleeping });
+    this.kinematic = [];
   }
 
-  create(added, { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes }) {
+  create(added, params) {
+    const { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes } = params;
     const body = bodyOf(shapes);
     added.body = body;
     added.centre = { ...body.position };
@@ -96,12 +109,16 @@ class MatterWorld extends PeerWorld {
     const centre = turn(added.centre, rotation);
     Body.setAngle(body, rotation);
     Body.setPosition(body, { x: x + centre.x, y: y + centre.y });
-    if (type === 'static') {
-      Body.setStatic(body, true);
-    } else {
-      Body.setVelocity(body, { x: (SCALE * velocity[0]) / 60, y: (SCALE * velocity[1]) / 60 });
+    if (type === 'dynamic') {
+      added.setVelocity(velocity);
       Body.setAngularVelocity(body, angularVelocity / 60);
       body.frictionAir = Math.max(linearDrag, angularDrag) / 60;
+      Sleeping.set(body, params.sleeping);
+    } else {
+      Body.setStatic(body, true);
+    }
+    if (type === 'kinematic') {
+      this.kinematic.push(added);
     }
     Composite.add(this.engine.world, body);
   }
@@ -116,13 +133,22 @@ class MatterWorld extends PeerWorld {
       return turn({ x: x - centre.x, y: y - centre.y }, body.angle);
     };
     const points = { pointA: point(anchorA, bodyA), pointB: point(anchorB, bodyB) };
-    Composite.add(this.engine.world, Constraint.create({ bodyA: bodyA.body, bodyB: bodyB.body, ...points, length: 0 }));
+    const joint = Constraint.create({ bodyA: bodyA.body, bodyB: bodyB.body, ...points, length: 0 });
+    Composite.add(this.engine.world, joint);
+    return joint;
   }
 
+  /** It has no kinematic bodies: static ones are put where they are next, so that it knows their velocity. */
   step(deltaTime) {
+    for (const { body, params } of this.kinematic) {
+      const [vx, vy] = params.velocity;
+      const { x, y } = body.position;
+      Body.setPosition(body, { x: x + SCALE * vx * deltaTime, y: y + SCALE * vy * deltaTime }, true);
+      Body.setAngle(body, body.angle + params.angularVelocity * deltaTime, true);
+    }
     Engine.update(this.engine, deltaTime * 60 * FRAME);
   }
 }
 
 /** matter-js as it comes: 6 position, 4 velocity and 2 constraint iterations, and pins of stiffness 0.7. */
-export const matter = createDevice((params) => new MatterWorld(params), MatterBody);
+export const matter = { ...createDevice((params) => new MatterWorld(params), MatterBody), lacksLimits: true };

@@ -1,8 +1,10 @@
 // p2-es behind the few functions of a phys2d device that scenes use, so that both engines are given the very same scene.
 import p2 from 'p2-es';
-import { centroidOf, createDevice, PeerBody, PeerWorld } from './peer.mjs';
+import { centroidOf, createDevice, MISS, PeerBody, PeerWorld } from './peer.mjs';
 
-const { Body, Circle, ContactMaterial, Convex, Material, RevoluteConstraint, World } = p2;
+const { Body, Circle, ContactMaterial, Convex, Material, Ray, RaycastResult, RevoluteConstraint, World } = p2;
+
+const TYPES = { dynamic: Body.DYNAMIC, kinematic: Body.KINEMATIC, static: Body.STATIC };
 
 class P2Body extends PeerBody {
   /** Of its origin; the engine's is that of the centre of mass, which is at `centre` from there. */
@@ -37,6 +39,15 @@ class P2Body extends PeerBody {
 
   get sleeping() {
     return this.body.sleepState === Body.SLEEPING;
+  }
+
+  setVelocity([x, y]) {
+    this.body.velocity[0] = x;
+    this.body.velocity[1] = y;
+  }
+
+  wake() {
+    this.body.wakeUp();
   }
 }
 
@@ -77,49 +88,86 @@ class P2World extends PeerWorld {
     return added.material;
   }
 
-  create(added, { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes }) {
-    const isStatic = type === 'static';
-    const made = shapes.map((shape) => ({ ...shapeOf(shape), material: shape.material }));
-    if (made.length > 1 && !isStatic) {
-      throw new Error('p2: only a static body may have several shapes');
-    }
-    const mass = isStatic ? 0 : made[0].area * made[0].material.density;
-    const centre = isStatic ? [0, 0] : made[0].place;
+  create(added, params) {
+    const { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes } = params;
+    const isDynamic = type === 'dynamic';
+    const made = shapes.map((shape) => {
+      const { area, ...part } = shapeOf(shape);
+      return { ...part, material: shape.material, mass: area * shape.material.density };
+    });
+    const mass = isDynamic ? made.reduce((sum, part) => sum + part.mass, 0) : 0;
+    const moment = (axis) => made.reduce((sum, part) => sum + part.mass * part.place[axis], 0);
+    const centre = isDynamic ? [moment(0) / mass, moment(1) / mass] : [0, 0];
     const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
     added.centre = centre;
     added.body = new Body({
       mass,
-      type: isStatic ? Body.STATIC : Body.DYNAMIC,
+      type: TYPES[type],
       position: [position[0] + c * centre[0] - s * centre[1], position[1] + s * centre[0] + c * centre[1]],
       angle: rotation,
       velocity: [...velocity],
       angularVelocity,
       damping: linearDrag,
       angularDamping: angularDrag,
+      ccdSpeedThreshold: params.bullet ? 1 : -1,
     });
     for (const { shape, place, material } of made) {
       shape.material = this.materialOf(material);
       added.body.addShape(shape, [place[0] - centre[0], place[1] - centre[1]]);
     }
-    if (!isStatic) {
-      // As it comes it is that of a body of 1 kg: https://github.com/schteppe/p2.js, Body.updateMassProperties.
+    if (isDynamic) {
+      // As it comes it is that of shapes of 1 kg each: https://github.com/schteppe/p2.js, Body.updateMassProperties.
+      added.body.inertia = made.reduce((sum, { shape, mass }) => {
+        const [x, y] = shape.position;
+        return sum + mass * (shape.computeMomentOfInertia() + x * x + y * y);
+      }, 0);
       added.body.invInertia = 1 / added.body.inertia;
     }
     this.world.addBody(added.body);
+    if (params.sleeping) {
+      added.body.sleep();
+    }
   }
 
   destroy(body) {
     this.world.removeBody(body);
   }
 
-  join({ bodyA, bodyB, anchorA, anchorB }) {
+  join({ bodyA, bodyB, anchorA, anchorB, ignoreInteractions }) {
     const pivot = ([x, y], { centre }) => [x - centre[0], y - centre[1]];
     const pivots = { localPivotA: pivot(anchorA, bodyA), localPivotB: pivot(anchorB, bodyB) };
-    this.world.addConstraint(new RevoluteConstraint(bodyA.body, bodyB.body, pivots));
+    const options = { ...pivots, collideConnected: !ignoreInteractions };
+    const joint = new RevoluteConstraint(bodyA.body, bodyB.body, options);
+    this.world.addConstraint(joint);
+    return joint;
+  }
+
+  limit(joint, lower, upper) {
+    joint.setLimits(lower, upper);
+  }
+
+  brake(joint, torque) {
+    joint.motorMaxForce = torque;
+    joint.motorSpeed = 0;
+    joint.motorEnabled = true;
   }
 
   step(deltaTime) {
     this.world.step(deltaTime);
+  }
+
+  caster() {
+    const result = new RaycastResult();
+    return {
+      ray: ({ x, y, dx, dy }) => {
+        const ray = new Ray({ mode: Ray.CLOSEST, from: [x, y], to: [x + dx, y + dy] });
+        return () => {
+          result.reset();
+          this.world.raycast(result, ray);
+          return result.hasHit() ? result.fraction : MISS;
+        };
+      },
+    };
   }
 }
 

@@ -10,16 +10,23 @@ const BODY = {
   angularVelocity: 0,
   linearDrag: 0.05,
   angularDrag: 0.05,
+  bullet: false,
+  sleeping: false,
   shapes: [],
 };
 const MATERIAL = { elasticity: 0, staticFriction: 2, dynamicFriction: 1, rollingFriction: 0.005, density: 1 };
 const SHAPE = { material: MATERIAL, group: 1, mask: 0xffff, origin: [0, 0] };
 
-/** A body: parameters until it is added, then also the engine's own `body`. Each engine adds how it is read. */
+/** What a cast that hits nothing returns instead of the factor of its hit. */
+export const MISS = -1;
+
+/** A body: parameters until it is added, then also the engine's own `body`. Each engine adds how it is read, moved and woken. */
 export class PeerBody {
   constructor(params) {
     this.params = { ...BODY, ...params };
     this.body = null;
+    /** Point joints of which it is the second body. */
+    this.joints = [];
   }
 
   isStatic() {
@@ -35,11 +42,14 @@ export class PeerBody {
 }
 
 class PeerPointConstraint {
-  constructor({ bodyA, bodyB, anchorA = [0, 0], anchorB = [0, 0] }) {
+  constructor({ bodyA, bodyB, anchorA = [0, 0], anchorB = [0, 0], ignoreInteractions = false }) {
     this.bodyA = bodyA;
     this.bodyB = bodyB;
     this.anchorA = [...anchorA];
     this.anchorB = [...anchorB];
+    this.ignoreInteractions = ignoreInteractions;
+    /** The engine's own, once it is added. */
+    this.joint = null;
   }
 
   getAnchorA() {
@@ -49,34 +59,66 @@ class PeerPointConstraint {
   getAnchorB() {
     return this.anchorB;
   }
+
+  addTo(world) {
+    this.joint = world.join(this);
+    this.bodyB.joints.push(this);
+  }
 }
 
-/** A world that keeps a list of its bodies. */
+/** What turns about a point joint: engines have that as a property of the joint, so it is added after it. */
+class PeerTurn {
+  constructor({ bodyA, bodyB }, apply) {
+    this.bodyA = bodyA;
+    this.bodyB = bodyB;
+    this.apply = apply;
+  }
+
+  addTo(world) {
+    const found = this.bodyB.joints.find(({ bodyA }) => bodyA === this.bodyA);
+    if (found === undefined) {
+      throw new Error('bench: an angle or motor constraint needs a point constraint of the same bodies');
+    }
+    this.apply(world, found.joint);
+  }
+}
+
+/** A world that keeps its bodies. */
 export class PeerWorld {
   constructor() {
-    this.rigidBodies = [];
+    this.bodies = new Set();
+  }
+
+  get rigidBodies() {
+    return [...this.bodies];
   }
 
   addRigidBody(added) {
     this.create(added, added.params);
-    this.rigidBodies.push(added);
+    this.bodies.add(added);
     return true;
   }
 
   removeRigidBody(removed) {
     this.destroy(removed.body);
-    this.rigidBodies = this.rigidBodies.filter((body) => body !== removed);
+    this.bodies.delete(removed);
     return true;
   }
 
-  addConstraint(joint) {
-    this.join(joint);
+  addConstraint(added) {
+    added.addTo(this);
     return true;
   }
+
+  /** Keeps the angle of a joint in a range. An engine without limits leaves it free. */
+  limit() {}
+
+  /** Brakes the turning of a joint with a torque. An engine without that does not. */
+  brake() {}
 }
 
 /** Half the sides and the middle of a polygon that is a box along the axes, `null` for others: engines have shapes of their own for boxes. */
-export function boxOf(vertices) {
+function boxOf(vertices) {
   const [xs, ys] = [0, 1].map((axis) => vertices.map((vertex) => vertex[axis]));
   const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const isCorner = ([x, y]) => (x === left || x === right) && (y === top || y === bottom);
@@ -103,13 +145,23 @@ export function centroidOf(vertices) {
   return { area: Math.abs(sum) / 2, centroid: [ox + x / (3 * sum), oy + y / (3 * sum)] };
 }
 
+/** What adapters make polygons of: reckoned when the shape is described, so that adding a body costs what it costs the engine. */
+function outlineOf(vertices) {
+  return { vertices, box: boxOf(vertices) };
+}
+
 /** A device of the worlds and bodies of one engine. */
 export function createDevice(createWorld, Body) {
   return {
+    isPeer: true,
     createWorld: ({ gravity = [0, 10], allowSleeping = true, ...more } = {}) =>
       createWorld({ gravity, allowSleeping, ...more }),
     createRigidBody: (params) => new Body(params),
     createPointConstraint: (params) => new PeerPointConstraint(params),
+    createAngleConstraint: ({ lowerBound, upperBound, ...bodies }) =>
+      new PeerTurn(bodies, (world, joint) => world.limit(joint, lowerBound, upperBound)),
+    createMotorConstraint: ({ maxForce, ...bodies }) =>
+      new PeerTurn(bodies, (world, joint) => world.brake(joint, maxForce)),
     createMaterial: (params) => ({ ...MATERIAL, ...params }),
     createBoxVertices: phys2d.createBoxVertices,
     createRectangleVertices: phys2d.createRectangleVertices,
@@ -118,7 +170,7 @@ export function createDevice(createWorld, Body) {
     createPolygonShape: ({ vertices, ...params }) => ({
       ...SHAPE,
       ...params,
-      vertices: [...vertices].map(([x, y]) => [x, y]),
+      ...outlineOf([...vertices].map(([x, y]) => [x, y])),
     }),
   };
 }

@@ -16,6 +16,10 @@ export function checks(device) {
     rotated(device),
     removed(device),
     asleep(device),
+    ...kinematic(device),
+    ...compound(device),
+    ...(device.lacksLimits ? [] : [limited(device)]),
+    awake(device),
   ];
 }
 
@@ -213,4 +217,76 @@ function asleep(device) {
     return body.sleeping ? 1 : 0;
   });
   return check('sleeps where it may, not where it may not (10)', Number(slept.join('')), 10, 0);
+}
+
+/** One turns and goes where it is told, and takes along what lies on it. */
+function kinematic(device) {
+  const world = device.createWorld({ gravity: [0, 10], allowSleeping: false });
+  const material = plain(device, 1);
+  const params = { type: 'kinematic', velocity: [1, 0] };
+  const belt = add(device, world, box(device, 20, 2, material), { ...params, position: [0, 1] });
+  const rider = add(device, world, box(device, 1, 1, material), { position: [0, -0.5], velocity: [1, 0] });
+  const wheel = add(device, world, box(device, 1, 1, material), {
+    type: 'kinematic',
+    position: [0, -20],
+    angularVelocity: 2,
+  });
+  repeat(world, 1);
+  belt.setVelocity([3, 0]);
+  repeat(world, 1);
+  const turned = wheel.getRotation();
+  const turns = Math.round((turned - 4) / (2 * Math.PI));
+  return [
+    check('kinematic body goes 4 m in 2 s', belt.getPosition()[0], 4, 0.05),
+    check('box on it goes along', rider.getPosition()[0], 4, 0.5),
+    check('kinematic body turns by 4 rad in 2 s', turned - 2 * Math.PI * turns, 4, 0.05),
+  ];
+}
+
+/** An L of two boxes around its centre of mass: what it weighs, and that it turns freely around that. */
+function compound(device) {
+  const world = device.createWorld({ gravity: [0, 0], allowSleeping: false });
+  const material = plain(device, 0);
+  const part = (left, top, right, bottom) =>
+    device.createPolygonShape({ vertices: device.createRectangleVertices(left, top, right, bottom), material });
+  const shapes = [part(-0.55, 0.05, 0.95, 0.55), part(-0.55, -0.95, -0.05, 0.05)];
+  const body = add(device, world, shapes, { position: [1, 2], angularVelocity: 3 });
+  repeat(world, 1);
+  const [x, y] = body.getPosition();
+  const boxInertia = (width, height, x, y) => width * height * ((width ** 2 + height ** 2) / 12 + x ** 2 + y ** 2);
+  const inertia = boxInertia(1.5, 0.5, 0.2, 0.3) + boxInertia(0.5, 1, -0.3, -0.45);
+  return [
+    check('body of two boxes: mass', body.getMass(), 1.25, 0.01),
+    // That of matter-js is four times as large on purpose.
+    check('body of two boxes: inertia', Math.log(body.getInertia() / inertia) / Math.log(4), 0.5, 0.51),
+    check('body of two boxes turns around its centre: off by', Math.hypot(x - 1, y - 2), 0, 0.01),
+  ];
+}
+
+/** A bar that turns about a joint comes to the limit of its angle, and no farther. */
+function limited(device) {
+  const world = device.createWorld({ gravity: [0, 10], allowSleeping: false });
+  const bodyA = device.createRigidBody({ type: 'static', position: [0, 0] });
+  world.addRigidBody(bodyA);
+  const shape = device.createPolygonShape({ vertices: device.createBoxVertices(2, 0.2), material: plain(device, 0) });
+  const bodyB = add(device, world, shape, { position: [1, 0] });
+  world.addConstraint(device.createPointConstraint({ bodyA, bodyB, anchorA: [0, 0], anchorB: [-1, 0] }));
+  world.addConstraint(device.createAngleConstraint({ bodyA, bodyB, lowerBound: -0.5, upperBound: 0.5 }));
+  repeat(world, 3);
+  return check('bar with a limit of 0.5 rad hangs at', bodyB.getRotation(), 0.5, 0.05);
+}
+
+/** What is woken before each step does not fall asleep. */
+function awake(device) {
+  const world = device.createWorld({ gravity: [0, 10] });
+  const material = plain(device, 0.6);
+  add(device, world, box(device, 20, 2, material), { type: 'static', position: [0, 1] });
+  const body = add(device, world, box(device, 1, 1, material), { position: [0, -0.5] });
+  let slept = 0;
+  body.wake();
+  repeat(world, 10, () => {
+    slept += body.sleeping ? 1 : 0;
+    body.wake();
+  });
+  return check('steps after which it sleeps though it is woken', slept, 0, 0);
 }

@@ -1,20 +1,12 @@
 // One claim, or the checks of an adapter, with one engine: node quality-child.mjs '{"engine":"planck","claim":"tower"}' prints one
 // line of JSON at the end.
 import { writeSync } from 'node:fs';
+import { engines } from './engines.mjs';
 import { checks } from './quality-checks.mjs';
-
-const load = {
-  phys2d: async () => (await import('../dist/phys2d.js')).phys2D,
-  planck: async () => (await import('./planck.mjs')).planck,
-  Rapier: async () => (await import('./rapier.mjs')).rapier,
-  Box2D: async () => (await import('./box2d.mjs')).box2d,
-  'matter-js': async () => (await import('./matter.mjs')).matter,
-  'p2-es': async () => (await import('./p2.mjs')).p2es,
-};
 
 const { ...claims } = await import('../dist/bench/claims.js');
 const { engine, claim } = JSON.parse(process.argv[2]);
-const device = await load[engine]();
+const device = await engines[engine].load();
 const result = claim === undefined ? checks(device) : measure(claims[claim]);
 // At once, as Box2D's threads would keep the process.
 writeSync(1, `\n${JSON.stringify(result)}\n`);

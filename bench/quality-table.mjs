@@ -89,7 +89,8 @@ export function print({ versions, cpu, node, summary, tables }) {
   align([SUMMARY, ...summary.map(summaryRow)]);
 }
 
-function align(lines) {
+/** Prints lines of cells in columns, the first to the left. */
+export function align(lines) {
   const widths = lines[0].map((_, i) => Math.max(...lines.map((line) => line[i].length)));
   for (const line of lines) {
     const cells = line.map((text, i) => (i === 0 ? text.padEnd(widths[i]) : text.padStart(widths[i] + 2)));
@@ -97,8 +98,8 @@ function align(lines) {
   }
 }
 
-/** As biome formats it. */
-function grid(lines) {
+/** A table of a page, as biome formats it. */
+export function grid(lines) {
   const widths = lines[0].map((_, i) => Math.max(3, ...lines.map((line) => line[i].length)));
   const pad = (text, i) => (i === 0 ? text.padEnd(widths[i]) : text.padStart(widths[i]));
   const rule = widths.map((width, i) => (i === 0 ? '-'.repeat(width) : `${'-'.repeat(width - 1)}:`));

@@ -1,20 +1,15 @@
 // What comes of the scenes of test/quality/claims with phys2d and with other engines: npm run quality, or
 // node bench/quality.mjs [--json] [--write] [--check] [--limit=120] [engine…] [claim…]
 import { spawn } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
+import { engines as all, versionOf } from './engines.mjs';
 import { collapsed, markdown, print, summarize } from './quality-table.mjs';
 
-const PACKAGES = {
-  phys2d: null,
-  planck: 'planck',
-  Rapier: '@dimforge/rapier2d-compat',
-  Box2D: 'box2d3-wasm',
-  'matter-js': 'matter-js',
-  'p2-es': 'p2-es',
-};
+/** Those compared unless names say otherwise: flavours of one engine differ in speed, and phaser-box2d is Box2D. */
+const USUAL = ['phys2d', 'planck', 'Rapier', 'Box2D', 'matter-js', 'p2-es'];
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const flags = process.argv.slice(2).filter((argument) => argument.startsWith('--'));
@@ -31,18 +26,19 @@ await build({
 const claims = await import(pathToFileURL(here('../dist/bench/claims.js')).href);
 
 const unknown = [
-  ...names.filter((name) => !(name in PACKAGES) && !(name in claims)),
+  ...names.filter((name) => !(name in all) && !(name in claims)),
   ...flags.filter((flag) => !/^--(json|write|check|limit=\d+)$/.test(flag)),
 ];
 if (unknown.length > 0) {
   console.error(`quality: there is no ${unknown.join(', ')}`);
-  console.error(
-    `quality: engines are ${Object.keys(PACKAGES).join(', ')}; claims are ${Object.keys(claims).join(', ')}`,
-  );
+  console.error(`quality: engines are ${Object.keys(all).join(', ')}; claims are ${Object.keys(claims).join(', ')}`);
   process.exit(2);
 }
-const chosen = (all) => (all.some((name) => names.includes(name)) ? all.filter((name) => names.includes(name)) : all);
-const engines = chosen(Object.keys(PACKAGES));
+const chosen = (from, usual = from) => {
+  const named = from.filter((name) => names.includes(name));
+  return named.length > 0 ? named : usual;
+};
+const engines = chosen(Object.keys(all), USUAL);
 
 if (flags.includes('--check')) {
   await check();
@@ -116,11 +112,6 @@ async function check() {
   }
 }
 
-function versionOf(engine) {
-  const path = PACKAGES[engine] === null ? '../package.json' : `node_modules/${PACKAGES[engine]}/package.json`;
-  return JSON.parse(readFileSync(here(path), 'utf8')).version;
-}
-
 async function compare(wanted) {
   const jobs = wanted.flatMap((claim) => engines.map((engine) => ({ engine, claim })));
   const runs = await runAll(jobs);
@@ -132,9 +123,7 @@ async function compare(wanted) {
     date: new Date().toISOString().slice(0, 10),
     node: process.version,
     cpu: cpus()[0].model.trim(),
-    versions: Object.fromEntries(
-      engines.map((engine) => [engine, `${versionOf(engine)}${engine === 'Box2D' ? ' (box2d3-wasm)' : ''}`]),
-    ),
+    versions: Object.fromEntries(engines.map((engine) => [engine, versionOf(engine)])),
   };
   const results = { ...about, timeout: TIMEOUT / 1000, summary: summarize(engines, tables), tables };
   if (flags.includes('--write')) {

@@ -1,9 +1,8 @@
 // Rapier behind the few functions of a phys2d device that scenes use, so that both engines are given the very same scene.
-import RAPIER from '@dimforge/rapier2d-compat';
-import { boxOf, createDevice, PeerBody, PeerWorld } from './peer.mjs';
+import { createDevice, MISS, PeerBody, PeerWorld } from './peer.mjs';
 
-await RAPIER.init();
-const { ColliderDesc, JointData, RigidBodyDesc, World } = RAPIER;
+/** The module in use: the flavour that is loaded first is that of the process. */
+let RAPIER;
 
 const vec = ([x, y]) => ({ x, y });
 
@@ -37,14 +36,30 @@ class RapierBody extends PeerBody {
   get sleeping() {
     return this.body.isSleeping();
   }
+
+  setVelocity(velocity) {
+    this.body.setLinvel(vec(velocity), true);
+  }
+
+  wake() {
+    this.body.wakeUp();
+  }
+}
+
+function descOf(type) {
+  const { RigidBodyDesc } = RAPIER;
+  if (type === 'static') {
+    return RigidBodyDesc.fixed();
+  }
+  return type === 'kinematic' ? RigidBodyDesc.kinematicVelocityBased() : RigidBodyDesc.dynamic();
 }
 
 /** Boxes as cuboids, others as convex polygons as they are. */
-function colliderOf({ radius, origin, vertices }) {
+function colliderOf({ radius, origin, vertices, box }) {
+  const { ColliderDesc } = RAPIER;
   if (radius !== undefined) {
     return ColliderDesc.ball(radius).setTranslation(...origin);
   }
-  const box = boxOf(vertices);
   return box === null
     ? ColliderDesc.convexPolyline(Float32Array.from(vertices.flat()))
     : ColliderDesc.cuboid(box.halfWidth, box.halfHeight).setTranslation(...box.middle);
@@ -53,20 +68,22 @@ function colliderOf({ radius, origin, vertices }) {
 class RapierWorld extends PeerWorld {
   constructor({ gravity, allowSleeping }) {
     super();
-    this.world = new World(vec(gravity));
+    this.world = new RAPIER.World(vec(gravity));
     this.allowSleeping = allowSleeping;
   }
 
-  create(added, { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes }) {
-    const desc = type === 'static' ? RigidBodyDesc.fixed() : RigidBodyDesc.dynamic();
-    desc
+  create(added, params) {
+    const { type, position, rotation, velocity, angularVelocity, linearDrag, angularDrag, shapes } = params;
+    const desc = descOf(type)
       .setTranslation(...position)
       .setRotation(rotation)
       .setLinvel(...velocity)
       .setAngvel(angularVelocity)
       .setLinearDamping(linearDrag)
       .setAngularDamping(angularDrag)
-      .setCanSleep(this.allowSleeping);
+      .setCanSleep(this.allowSleeping)
+      .setSleeping(params.sleeping)
+      .setCcdEnabled(params.bullet);
     added.body = this.world.createRigidBody(desc);
     for (const shape of shapes) {
       const { density, dynamicFriction, elasticity } = shape.material;
@@ -83,16 +100,51 @@ class RapierWorld extends PeerWorld {
     this.world.removeRigidBody(body);
   }
 
-  join({ bodyA, bodyB, anchorA, anchorB }) {
-    const data = JointData.revolute(vec(anchorA), vec(anchorB));
-    this.world.createImpulseJoint(data, bodyA.body, bodyB.body, true);
+  join({ bodyA, bodyB, anchorA, anchorB, ignoreInteractions }) {
+    const data = RAPIER.JointData.revolute(vec(anchorA), vec(anchorB));
+    const joint = this.world.createImpulseJoint(data, bodyA.body, bodyB.body, true);
+    joint.setContactsEnabled(!ignoreInteractions);
+    return joint;
+  }
+
+  limit(joint, lower, upper) {
+    joint.setLimits(lower, upper);
+  }
+
+  /** Viscous, as not both flavours can limit the torque of a motor. */
+  brake(joint, torque) {
+    joint.configureMotorModel(RAPIER.MotorModel.ForceBased);
+    joint.configureMotorVelocity(0, torque);
   }
 
   step(deltaTime) {
     this.world.timestep = deltaTime;
     this.world.step();
   }
+
+  caster() {
+    const { Cuboid, Ray } = RAPIER;
+    const { world } = this;
+    return {
+      ray({ x, y, dx, dy }) {
+        const ray = new Ray({ x, y }, { x: dx, y: dy });
+        return () => world.castRayAndGetNormal(ray, 1, false)?.timeOfImpact ?? MISS;
+      },
+      box(size) {
+        const box = new Cuboid(size / 2, size / 2);
+        return ({ x, y, angle, dx, dy }) => {
+          const position = { x, y };
+          const velocity = { x: dx, y: dy };
+          return () => world.castShape(position, angle, velocity, box, 0, 1, true)?.time_of_impact ?? MISS;
+        };
+      },
+    };
+  }
 }
 
-/** Rapier as it comes: 4 solver iterations. */
-export const rapier = createDevice((params) => new RapierWorld(params), RapierBody);
+/** Rapier as it comes, 4 solver iterations, of one flavour: its module with plain code, or with SIMD. */
+export async function rapier({ default: flavour }) {
+  RAPIER = flavour;
+  await RAPIER.init();
+  return createDevice((params) => new RapierWorld(params), RapierBody);
+}

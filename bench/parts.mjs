@@ -1,0 +1,171 @@
+// What the bench measures besides the scenes. Each part returns a title, the rows of its table, and its targets.
+import { engines, usual } from './engines.mjs';
+import { GC_FLAGS, interleave, measure, summary } from './measure.mjs';
+
+const ms = (value) => `${value.toFixed(3)} ms`;
+const kB = (bytes) => `${(bytes / 1000).toFixed(2)} kB`;
+const titleOf = (engine) => engines[engine].title ?? engine;
+
+/** A target that is met if the value is at most that. */
+function target(what, value, most) {
+  return { what, value, most, met: value <= most };
+}
+
+function crowd({ rounds }) {
+  const job = { task: 'crowd', warmUp: 300, steps: 1200 };
+  const jobs = [0, 10_000].map((idle) => ({ ...job, idle }));
+  const runs = interleave(jobs, rounds);
+  for (const { awake } of runs.flat()) {
+    if (awake !== 50) {
+      throw new Error(`bench: 50 boxes should be awake, not ${awake}`);
+    }
+  }
+  const [alone, amid] = runs.map(summary);
+  return {
+    title: '50 awake boxes, alone and among 5,000 static and 5,000 sleeping ones',
+    rows: [
+      ['', 'median', 'p95'],
+      ['alone', ms(alone.median), ms(alone.p95)],
+      ['with 10,000 idle', ms(amid.median), ms(amid.p95)],
+    ],
+    targets: [target('with / alone', amid.median / alone.median, 1.5)],
+    alone,
+    amid,
+  };
+}
+
+function events({ rounds }) {
+  const job = { task: 'events', base: 32, warmUp: 120, steps: 480 };
+  const [silentRuns, heardRuns] = interleave([job, { ...job, listening: true }], rounds);
+  const { pairs, callsPerStep } = heardRuns[0];
+  const [silent, heard] = [summary(silentRuns), summary(heardRuns)];
+  const warm = { task: 'garbage', engine: 'phys2d', base: job.base, warmUp: 1000, steps: 1000 };
+  const [bytes, heardBytes] = [false, true].map(
+    (listening) => measure({ ...warm, listening }, { flags: GC_FLAGS }).bytesPerStep,
+  );
+  return {
+    title: `Handlers for progress: a pyramid with ${pairs} touching pairs`,
+    rows: [
+      ['', 'median', 'p95', 'garbage per step'],
+      ['none', ms(silent.median), ms(silent.p95), kB(bytes)],
+      [`${callsPerStep.toFixed(0)} calls a step`, ms(heard.median), ms(heard.p95), kB(heardBytes)],
+    ],
+    targets: [target('with / without', heard.median / silent.median, 1.15)],
+    silent,
+    heard,
+    pairs,
+    callsPerStep,
+    bytes: { silent: bytes, heard: heardBytes },
+  };
+}
+
+function continuous({ rounds }) {
+  const job = { task: 'continuous', base: 40, warmUp: 120, steps: 2000 };
+  const shares = interleave([job], rounds)[0].map(({ share }) => 100 * share);
+  const share = shares.sort((a, b) => a - b)[Math.floor(shares.length / 2)];
+  return {
+    title: 'Continuous collision in the pyramid, where nothing is fast',
+    rows: [
+      ['', 'of a step'],
+      ['share', `${share.toFixed(2)} %`],
+    ],
+    targets: [target('share, %', share, 3)],
+    share,
+  };
+}
+
+/** Bytes allocated per warm step: of phys2d in all scenes, of planck in one. */
+function garbage({ scenes }) {
+  const small = { task: 'garbage', base: 15, warmUp: 1000, steps: 1000 };
+  const bytes = Object.fromEntries(
+    ['phys2d', 'planck'].map((engine) => [
+      `120 awake boxes, ${engine}`,
+      measure({ ...small, engine }, { flags: GC_FLAGS }).bytesPerStep,
+    ]),
+  );
+  const targets = [target('120 awake boxes, kB', bytes['120 awake boxes, phys2d'] / 1000, 1)];
+  for (const [scene, { steps, renews }] of Object.entries(scenes)) {
+    const job = { task: 'garbage', engine: 'phys2d', scene, warmUp: 300, steps: Math.min(60, steps) };
+    bytes[scene] = measure(job, { flags: GC_FLAGS }).bytesPerStep;
+    if (!renews) {
+      targets.push(target(`${scene}, kB`, bytes[scene] / 1000, 1));
+    }
+  }
+  return {
+    title: 'Garbage: bytes allocated per step, after 300 steps or 6 s',
+    rows: [['', 'per step'], ...Object.entries(bytes).map(([name, each]) => [name, kB(each)])],
+    targets,
+    bytes,
+  };
+}
+
+/** Time per contact of pyramids: touching pairs of one of base n are n². */
+function growth({ rounds }) {
+  const bases = [20, 40, 80, 160];
+  const names = ['phys2d', 'Box2D', 'Box2D-scalar'];
+  const jobs = bases.flatMap((base) => names.map((engine) => ({ task: 'speed', engine, base, seconds: 4 })));
+  const medians = interleave(jobs, rounds).map((runs) => summary(runs).median);
+  const perPair = bases.map((base, i) => names.map((_, k) => (1e6 * medians[names.length * i + k]) / base ** 2));
+  const [least, most] = [perPair[0][0], perPair.at(-1)[0]];
+  return {
+    title: 'Growth: time per touching pair of a pyramid',
+    rows: [
+      ['base', ...names.map(titleOf)],
+      ...perPair.map((row, i) => [`${bases[i]}`, ...row.map((each) => `${each.toFixed(0)} ns`)]),
+    ],
+    targets: [target('phys2d, base 160 / base 20', most / least, 1.3)],
+    bases,
+    perPair: Object.fromEntries(names.map((name, k) => [name, perPair.map((row) => row[k])])),
+  };
+}
+
+/** Engines in WebAssembly keep their bodies where the heap does not show. */
+function memory() {
+  const names = ['phys2d', 'planck', 'phaser-box2d', 'matter-js', 'p2-es'];
+  const bytes = names.map(
+    (engine) => measure({ task: 'memory', engine, count: 10_000 }, { flags: GC_FLAGS }).bytesPerBody,
+  );
+  return {
+    title: 'Memory of a sleeping body with one box',
+    rows: [['', 'per body'], ...names.map((engine, i) => [engine, kB(bytes[i])])],
+    targets: [target('phys2d, kB', bytes[0] / 1000, 1.2)],
+    bytes: Object.fromEntries(names.map((engine, i) => [engine, bytes[i]])),
+  };
+}
+
+/** A new process: from before the import to after the first step of 100 boxes. */
+function cold({ rounds }) {
+  const names = usual;
+  const times = names.map(() => []);
+  for (let round = 0; round < rounds; round += 1) {
+    names.forEach((engine, i) => {
+      times[i].push(measure({ engine }, { program: 'cold.mjs' }).total);
+    });
+  }
+  const medians = times.map((each) => each.sort((a, b) => a - b)[Math.floor(each.length / 2)]);
+  return {
+    title: `Cold: from the import to the end of the first step of 100 boxes, median of ${rounds}`,
+    rows: [['', 'time'], ...names.map((engine, i) => [titleOf(engine), `${medians[i].toFixed(1)} ms`])],
+    targets: [target('phys2d, ms', medians[0], 30)],
+    medians: Object.fromEntries(names.map((engine, i) => [engine, medians[i]])),
+  };
+}
+
+function hash() {
+  const hashes = measure({ task: 'hash', base: 40, steps: 600 });
+  const different = new Set(Object.values(hashes)).size - 1;
+  return {
+    title: 'State hash of the pyramid of 820 boxes, awake, after 600 steps',
+    rows: [
+      ['', 'hash'],
+      ['box tree', hashes.boxTree],
+      ['sweep and prune', hashes.sweepAndPrune],
+      ['in a second world', hashes.secondWorld],
+    ],
+    targets: [target('hashes that differ', different, 0)],
+    hashes,
+    equal: different === 0,
+  };
+}
+
+export const parts = { crowd, events, continuous, garbage, growth, memory, cold, hash };
