@@ -68,7 +68,7 @@ export class CanvasDebugDevice implements DebugGraphicsDevice {
     context.save();
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.lineWidth = this.lineWidth;
-    context.lineCap = 'round';
+    context.lineCap = 'butt';
     context.lineJoin = 'round';
     let color = -1;
     let length = 0;

@@ -75,7 +75,7 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
     const { width, height, background } = this;
     const back = background === undefined ? '' : `<rect width="${width}" height="${height}" fill="${background}"/>\n`;
     const size = `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`;
-    const pen = `fill="none" stroke-width="${this.lineWidth}" stroke-linecap="round" stroke-linejoin="round"`;
+    const pen = `fill="none" stroke-width="${this.lineWidth}" stroke-linejoin="round"`;
     return `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${back}<g ${pen}>\n${this.paths.join('')}</g>\n</svg>\n`;
   }
 }
