@@ -98,7 +98,9 @@ describe('curves', () => {
     const points = draws((debug) => debug.drawCurve(1, 2, 6, -5, 3, 4, RED));
     const count = points.length - 1;
     expect(Math.log2(count) % 1).toBe(0);
-    points.forEach((point, i) => near(point, bezier(i / count), 1e-12));
+    for (const [i, point] of points.entries()) {
+      near(point, bezier(i / count), 1e-12);
+    }
     // Of a piece: between the middle of the curve and that of the chord.
     const gap = (n: number): number => {
       const [a, m, b] = [bezier(0), bezier(0.5 / n), bezier(1 / n)];
