@@ -107,17 +107,21 @@ function addPolygonShape(debug: Physics2DDebugDraw, polygon: Polygon): void {
   const { vertices } = polygon;
   const cos = turn[1]!;
   const sin = turn[2]!;
-  const last = vertices.length - 2;
-  let x = pose[X]! + cos * vertices[last]! - sin * vertices[last + 1]!;
-  let y = pose[Y]! + sin * vertices[last]! + cos * vertices[last + 1]!;
-  box[0] = box[2] = x;
-  box[1] = box[3] = y;
-  for (let i = 0; i <= last; i += 2) {
-    const nextX = pose[X]! + cos * vertices[i]! - sin * vertices[i + 1]!;
-    const nextY = pose[Y]! + sin * vertices[i]! + cos * vertices[i + 1]!;
-    debug.lines.add(x, y, nextX, nextY);
-    x = nextX;
-    y = nextY;
+  const { lines } = debug;
+  const { next } = lines;
+  box.fill(Infinity, 0, 2);
+  box.fill(-Infinity, 2);
+  for (let i = -2; i < vertices.length; i += 2) {
+    const at = i < 0 ? vertices.length - 2 : i;
+    const x = pose[X]! + cos * vertices[at]! - sin * vertices[at + 1]!;
+    const y = pose[Y]! + sin * vertices[at]! + cos * vertices[at + 1]!;
+    if (i < 0) {
+      lines.moveTo(x, y);
+    } else {
+      next[0] = x;
+      next[1] = y;
+      lines.lineToNext();
+    }
     box[0] = Math.min(box[0]!, x);
     box[1] = Math.min(box[1]!, y);
     box[2] = Math.max(box[2]!, x);

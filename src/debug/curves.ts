@@ -1,4 +1,4 @@
-import { atan2, cosSin, sin } from '../math/trig.js';
+import { atan2, cosSin } from '../math/trig.js';
 import type { Physics2DDebugDraw } from './draw.js';
 
 // Curves as segments, in the colour that the line buffer has. Lengths in m; the tolerances of the settings are px.
@@ -44,15 +44,22 @@ export function addCircle(debug: Physics2DDebugDraw, x: number, y: number, radiu
   cosSin(turn);
   const cos = turn[1]!;
   const sin = turn[2]!;
-  let rx = radius;
-  let ry = 0;
-  for (let i = 1; i <= count; i += 1) {
-    const nextX = i === count ? radius : cos * rx - sin * ry;
-    const nextY = i === count ? 0 : sin * rx + cos * ry;
-    debug.lines.add(x + rx, y + ry, x + nextX, y + nextY);
-    rx = nextX;
-    ry = nextY;
+  const { lines } = debug;
+  const { next } = lines;
+  let rx = cos * radius;
+  let ry = sin * radius;
+  lines.moveTo(x + radius, y);
+  for (let i = 1; i < count; i += 1) {
+    next[0] = x + rx;
+    next[1] = y + ry;
+    lines.lineToNext();
+    const before = rx;
+    rx = cos * before - sin * ry;
+    ry = sin * before + cos * ry;
   }
+  next[0] = x + radius;
+  next[1] = y;
+  lines.lineToNext();
 }
 
 /**
@@ -77,16 +84,18 @@ export function addCurve(
     gap /= 4;
     count *= 2;
   }
-  let x = x1;
-  let y = y1;
-  for (let i = 1; i <= count; i += 1) {
+  const { lines } = debug;
+  const { next } = lines;
+  lines.moveTo(x1, y1);
+  for (let i = 1; i < count; i += 1) {
     const t = i / count;
-    const nextX = i === count ? x2 : x1 + t * (2 * (cx - x1) + t * ax);
-    const nextY = i === count ? y2 : y1 + t * (2 * (cy - y1) + t * ay);
-    debug.lines.add(x, y, nextX, nextY);
-    x = nextX;
-    y = nextY;
+    next[0] = x1 + t * (2 * (cx - x1) + t * ax);
+    next[1] = y1 + t * (2 * (cy - y1) + t * ay);
+    lines.lineToNext();
   }
+  next[0] = x2;
+  next[1] = y2;
+  lines.lineToNext();
 }
 
 /** From `near` to `far`: the Bézier curve with their tangents, or a straight line if these do not meet between them. */
@@ -208,15 +217,19 @@ export function addLinearSpring(
   const exact = circlePieces(Math.abs(radius) * debug.physics2DToScreen, debug.curveMaxError);
   const perWave = Math.max(MIN_WAVE_PIECES, 4 * Math.ceil(exact / 4));
   const count = pieces(perWave * coils);
-  let x = x1;
-  let y = y1;
-  for (let i = 1; i <= count; i += 1) {
+  const { lines } = debug;
+  const { next } = lines;
+  lines.moveTo(x1, y1);
+  for (let i = 1; i < count; i += 1) {
     const t = i / count;
-    const aside = (radius / length) * (i === count ? 0 : sin(TWO_PI * coils * t));
-    const nextX = i === count ? x2 : x1 + t * dx - aside * dy;
-    const nextY = i === count ? y2 : y1 + t * dy + aside * dx;
-    debug.lines.add(x, y, nextX, nextY);
-    x = nextX;
-    y = nextY;
+    turn[0] = TWO_PI * coils * t;
+    cosSin(turn);
+    const aside = (radius / length) * turn[2]!;
+    next[0] = x1 + t * dx - aside * dy;
+    next[1] = y1 + t * dy + aside * dx;
+    lines.lineToNext();
   }
+  next[0] = x2;
+  next[1] = y2;
+  lines.lineToNext();
 }

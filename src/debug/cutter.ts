@@ -13,8 +13,9 @@ export class Cutter {
   private readonly offset = new Float64Array(2);
   private readonly least = new Float64Array(2);
   private readonly most = new Float64Array(2);
-  /** The part of the segment that is left, as a range of [0, 1]. */
-  private readonly range = new Float64Array(2);
+  /** Where the segment comes between the sides, and where it leaves, for x and y: 0 at its start, 1 at its end. */
+  private readonly enter = new Float64Array(2);
+  private readonly leave = new Float64Array(2);
 
   /** Takes over the mapping to a device of so many px. */
   begin({ mapping, clip }: DebugLines, width: number, height: number): void {
@@ -32,39 +33,49 @@ export class Cutter {
   /** Finds the ends of a segment. @returns whether any of it is to be seen. */
   cut(lines: DebugLines, segment: number): boolean {
     const { vertices } = lines;
-    const { ends, factor, offset, range } = this;
+    const { ends, factor, offset, enter, leave } = this;
     const at = segment * SEGMENT;
-    range[0] = 0;
-    range[1] = 1;
     for (let i = 0; i < 2; i += 1) {
-      const from = factor[i]! * vertices[at + i]! + offset[i]!;
-      const to = factor[i]! * vertices[at + VERTEX + i]! + offset[i]!;
-      if (!this.cutAxis(from, to - from, this.least[i]!, this.most[i]!)) {
-        return false;
-      }
-      ends[i] = from;
-      ends[i + 2] = to;
+      ends[i] = factor[i]! * vertices[at + i]! + offset[i]!;
+      ends[i + 2] = factor[i]! * vertices[at + VERTEX + i]! + offset[i]!;
+      this.meetSides(i);
     }
-    const [start, end] = [range[0]!, range[1]!];
+    const start = Math.max(0, enter[0]!, enter[1]!);
+    const end = Math.min(1, leave[0]!, leave[1]!);
+    if (start > end) {
+      return false;
+    }
     for (let i = 0; i < 2; i += 1) {
       const from = ends[i]!;
       const way = ends[i + 2]! - from;
-      if (start > 0) ends[i] = from + start * way;
-      if (end < 1) ends[i + 2] = from + end * way;
+      // What is cut by a side ends right there, which the sum would miss if the segment is very long.
+      if (start > 0) {
+        ends[i] = start === enter[i] ? this.side(i, way < 0) : from + start * way;
+      }
+      if (end < 1) {
+        ends[i + 2] = end === leave[i] ? this.side(i, way > 0) : from + end * way;
+      }
     }
     return true;
   }
 
-  private cutAxis(from: number, way: number, least: number, most: number): boolean {
-    const { range } = this;
+  private meetSides(i: number): void {
+    const from = this.ends[i]!;
+    const way = this.ends[i + 2]! - from;
+    const toLeast = this.least[i]! - from;
+    const toMost = this.most[i]! - from;
     if (way === 0) {
-      return from >= least && from <= most;
+      const within = toLeast <= 0 && toMost >= 0;
+      this.enter[i] = within ? -Infinity : Infinity;
+      this.leave[i] = Infinity;
+    } else {
+      this.enter[i] = Math.min(toLeast / way, toMost / way);
+      this.leave[i] = Math.max(toLeast / way, toMost / way);
     }
-    const atLeast = (least - from) / way;
-    const atMost = (most - from) / way;
-    range[0] = Math.max(range[0]!, Math.min(atLeast, atMost));
-    range[1] = Math.min(range[1]!, Math.max(atLeast, atMost));
-    return range[0]! <= range[1]!;
+  }
+
+  private side(i: number, upper: boolean): number {
+    return upper ? this.most[i]! : this.least[i]!;
   }
 }
 

@@ -11,6 +11,8 @@ export interface SVGDebugDeviceParams {
   lineWidth?: number | undefined;
   /** Any colour of CSS, such as `'#102030'`. Default: none. */
   background?: string | undefined;
+  /** What the picture shows, for who can not see it. Default: none. */
+  title?: string | undefined;
 }
 
 /** Draws debug lines as an SVG document: pictures for documentation and tests, in Node as well. */
@@ -18,7 +20,8 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
   readonly width: number;
   readonly height: number;
   private readonly lineWidth: number;
-  private readonly background: string | undefined;
+  private readonly background: string;
+  private readonly title: string;
   private readonly cutter = new Cutter();
   private paths: string[] = [];
 
@@ -29,10 +32,8 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
     this.width = positive(where, 'width', given.width);
     this.height = positive(where, 'height', given.height);
     this.lineWidth = positive(where, 'lineWidth', optional(given.lineWidth, 1));
-    if (given.background !== undefined && !/^[^<>&"]*$/.test(checkedText(where, given.background))) {
-      throw typeError(where, 'background', 'a colour of CSS', given.background);
-    }
-    this.background = given.background;
+    this.background = escaped(where, 'background', optional(given.background, ''));
+    this.title = escaped(where, 'title', optional(given.title, ''));
   }
 
   static create(params: SVGDebugDeviceParams): SVGDebugDevice {
@@ -72,19 +73,21 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
 
   /** The document. */
   toString(): string {
-    const { width, height, background } = this;
-    const back = background === undefined ? '' : `<rect width="${width}" height="${height}" fill="${background}"/>\n`;
+    const { width, height, background, title } = this;
+    const name = title === '' ? '' : `<title>${title}</title>\n`;
+    const back = background === '' ? '' : `<rect width="${width}" height="${height}" fill="${background}"/>\n`;
     const size = `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`;
     const pen = `fill="none" stroke-width="${this.lineWidth}" stroke-linejoin="round"`;
-    return `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${back}<g ${pen}>\n${this.paths.join('')}</g>\n</svg>\n`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${name}${back}<g ${pen}>\n${this.paths.join('')}</g>\n</svg>\n`;
   }
 }
 
-function checkedText(where: string, value: unknown): string {
+/** A text as XML has it. */
+function escaped(where: string, name: string, value: unknown): string {
   if (typeof value !== 'string') {
-    throw typeError(where, 'background', 'a colour of CSS', value);
+    throw typeError(where, name, 'a string', value);
   }
-  return value;
+  return value.replace(/[<>&"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 }
 
 function pathElement(color: number, path: string): string {
