@@ -112,7 +112,11 @@ function buildTypes() {
   rmSync(all, { recursive: true });
 
   const types = (file) =>
-    [...readFileSync(join(dist, file), 'utf8').matchAll(/\{([^}]*)\}|export (?:declare )?(?:class|interface) (\w+)/g)]
+    [
+      ...readFileSync(join(dist, file), 'utf8').matchAll(
+        /export (?:type )?\{([^}]*)\}|export (?:declare )?(?:class|interface) (\w+)/g,
+      ),
+    ]
       .flatMap(([, list, name]) => (name === undefined ? list.split(',').map((part) => part.trim()) : [name]))
       .filter((name) => /^[A-Z]\w*[a-z]/.test(name));
   const aliases = [
