@@ -29,10 +29,11 @@ export async function launch(): Promise<Browser> {
 }
 
 /**
- * Opens an empty page. It can import `/dist/…`, `/pages/…`, and `/scenes/….js`, which is built from that scene. Errors of the page that nothing
- * catches are put into `errors`.
+ * Opens a page, an empty one or one of `pages`; `/readme.html` is the one that the README shows. It can import `/dist/…` (also as
+ * `/node_modules/phys2d/dist/…`), `/pages/…`, and `/scenes/….js`, which is built from that scene. Errors of the page that nothing catches are put
+ * into `errors`.
  */
-export async function open(browser: Browser, errors: string[]): Promise<Page> {
+export async function open(browser: Browser, errors: string[], path = '/'): Promise<Page> {
   const page = await browser.newPage({ viewport: { width: 1000, height: 700 } });
   page.on('pageerror', (error) => errors.push(String(error)));
   await page.route('**/*', async (route) => {
@@ -49,12 +50,15 @@ export async function open(browser: Browser, errors: string[]): Promise<Page> {
       await route.fulfill({ contentType, body: await read(pathname) });
     }
   });
-  await page.goto(`${ORIGIN}/`);
+  await page.goto(ORIGIN + path);
   return page;
 }
 
 async function read(pathname: string): Promise<string> {
-  const [, folder, ...rest] = pathname.split('/');
+  if (pathname === '/readme.html') {
+    return /```html\n(<canvas[\s\S]*?)```/.exec(readFileSync(join(root, 'README.md'), 'utf8'))![1]!;
+  }
+  const [, folder, ...rest] = pathname.replace('/node_modules/phys2d/', '/').split('/');
   if (folder === 'scenes') {
     const entry = join(root, 'test/scenes', rest.join('/').replace(/\.js$/, '.ts'));
     const { outputFiles } = await build({ entryPoints: [entry], bundle: true, format: 'esm', write: false });

@@ -147,6 +147,20 @@ it('WebGL goes on after a lost context', async () => {
   expect(error).toBe(0);
 });
 
+it('the page of the README shows crates that fall', async () => {
+  const readme = await open(browser, errors, '/readme.html');
+  const lit = (): Promise<number[]> =>
+    readme.evaluate(`new Promise((resolve) => setTimeout(resolve, 300)).then(() => {
+      const { data } = document.querySelector('canvas').getContext('2d').getImageData(0, 0, 900, 600);
+      return Array.from({ length: 900 * 600 }, (_, i) => i).filter((i) => data[4 * i + 1] > 150);
+    })`);
+  const [before, after] = [await lit(), await lit()];
+  expect(before.length).toBeGreaterThan(1000);
+  expect(after.length).toBeGreaterThan(1000);
+  expect(after).not.toEqual(before);
+  await readme.close();
+});
+
 it('no error went by unseen', () => {
   expect(errors).toEqual([]);
 });
