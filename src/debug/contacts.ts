@@ -9,16 +9,14 @@ const normal = new Float64Array(2);
 const point = new Float64Array(2);
 const other = new Float64Array(2);
 
-/** The contacts of arbiters that are active; a sensor has none. */
+/** The active contacts. A sensor has none, nor has what does not touch any more. */
 export function addContacts(debug: Physics2DDebugDraw, arbiters: readonly Arbiter[], color: Color): void {
   for (const arbiter of arbiters) {
-    if (arbiter.active && !arbiter.sensor) {
-      arbiter.getNormal(normal);
-      debug.lines.setColor(color);
-      addCapsule(debug, arbiter.contacts);
-      if (debug.showContactImpulses) {
-        addImpulses(debug, arbiter.contacts);
-      }
+    arbiter.getNormal(normal);
+    debug.lines.setColor(color);
+    addCapsule(debug, arbiter.contacts);
+    if (debug.showContactImpulses) {
+      addImpulses(debug, arbiter.contacts);
     }
   }
 }

@@ -99,7 +99,7 @@ function pathElement(color: number, path: string): string {
   return `<path stroke="rgb(${redGreenBlue(color)})"${opacity} d="${path}"/>\n`;
 }
 
-/** px to two digits; −0 is 0. */
+/** px to two digits. */
 function short(px: number): string {
-  return String(Math.round(100 * px) / 100 + 0);
+  return String(Math.round(100 * px) / 100);
 }

@@ -188,7 +188,7 @@ describe('spirals', () => {
       });
       const reach = Math.max(Math.abs(radius1), Math.abs(radius2));
       for (const point of points) {
-        expect(Math.hypot(...point)).toBeLessThanOrEqual(3 * reach + 1e-9);
+        expect(Math.hypot(...point)).toBeLessThanOrEqual(1.02 * reach);
       }
     }
   });
@@ -274,6 +274,16 @@ describe('spiral springs', () => {
       const radius = radius1 + slope * (angle - angle1) + amplitude * Math.sin((2 * Math.PI * coils * i) / count);
       near(point, [radius * Math.cos(angle), radius * Math.sin(angle)], 1e-9);
     });
+  });
+
+  it('bend as the waves do between the points', () => {
+    const [coils, radius1, radius2, angle] = [2, 400, 410, 1.5];
+    const points = draws(spring(0, angle, radius1, radius2, coils));
+    expect(points.length).toBeGreaterThan(3 * 40 * coils);
+    const slope = (radius2 - radius1) / angle;
+    const radiusAt = (at: number): number =>
+      radius1 + slope * at + 0.75 * 2 * Math.PI * slope * Math.sin((2 * Math.PI * coils * at) / angle);
+    expect(farthest(points, radiusAt)).toBeLessThan(1);
   });
 
   it('have at least a piece for each three arcs, and 40 for each coil', () => {

@@ -133,24 +133,28 @@ describe('a frame', () => {
     expect(device.frames).toEqual([]);
   });
 
-  it('that was not ended, or that the device could not draw, leaves nothing behind', () => {
+  it('that was not ended is dropped by the next', () => {
     const { device, debug } = recorder();
     debug.begin();
     debug.drawLine(0, 0, 1, 1, RED);
     debug.begin();
     debug.drawRectangle(0, 0, 1, 1, RED);
+    debug.end();
+    expect(device.frames.map(({ segments }) => segments.length)).toEqual([4]);
+  });
+
+  it('that the device could not draw is not sent again', () => {
+    const { device, debug } = recorder();
     const { drawLines } = device;
     device.drawLines = () => {
       throw new Error('lost');
     };
+    debug.begin();
+    debug.drawLine(0, 0, 1, 1, RED);
     expect(() => debug.end()).toThrow('lost');
     device.drawLines = drawLines;
     debug.end();
-    expect(device.frames).toHaveLength(0);
-    debug.begin();
-    debug.drawLine(0, 0, 2, 2, RED);
-    debug.end();
-    expect(device.frames.map(({ segments }) => segments.length)).toEqual([1]);
+    expect(device.frames).toEqual([]);
   });
 
   it('ends for good with destroy, which releases the device once', () => {
