@@ -5,20 +5,16 @@ import { Physics2DDebugDraw, SVGDebugDevice } from '../../src/debug/index.js';
 import { phys2D } from '../../src/index.js';
 import { buildGallery, GALLERY } from '../scenes/gallery.js';
 
-// One picture with all that can be drawn. If it is meant to change: npx vitest run test/debug/picture.test.ts -u, and look at it.
+// One picture, of a scene before its first step, so that it does not depend on the solver. If it is meant to change:
+// npx vitest run test/debug/picture.test.ts -u, and look at it.
 
 it('a scene with all eight constraints looks as it did', async () => {
   const world = phys2D.createWorld();
   buildGallery(phys2D, world);
-  for (let i = 0; i < 24; i += 1) {
-    world.step(1 / 60);
-  }
   expect(new Set(world.constraints.map(({ type }) => type)).size).toBe(8);
-  const title = 'One constraint of each kind, and a heap, as Physics2DDebugDraw draws them';
+  const title = 'One constraint of each kind, and bodies of all types, as Physics2DDebugDraw draws them';
   const svg = SVGDebugDevice.create({ width: 60 * GALLERY[0], height: 60 * GALLERY[1], background: '#14181f', title });
   const debug = Physics2DDebugDraw.create({ graphicsDevice: svg });
-  debug.showContacts = true;
-  debug.showContactImpulses = true;
   debug.begin();
   debug.drawWorld(world);
   debug.end();

@@ -34,7 +34,7 @@ export function buildGallery(phys2D: Physics2DDevice, world: World): void {
   const rail = { bodyA: peg(11.6, 1), bodyB: wheel(13, 2.4), axis: [2, 1] };
   world.addConstraint(phys2D.createLineConstraint({ ...rail, ...soft, lowerBound: 0.5, upperBound: 2.6 }));
 
-  const gear = { bodyA: wheel(1.4, 5), bodyB: wheel(3, 5, { angularVelocity: 3 }) };
+  const gear = { bodyA: wheel(1.4, 5), bodyB: wheel(3, 5, { angularVelocity: 3, rotation: 1.6 }) };
   for (const body of [gear.bodyA, gear.bodyB]) {
     world.addConstraint(
       phys2D.createPointConstraint({ bodyA: peg(...body.getPosition()), bodyB: body, ignoreInteractions: true }),
