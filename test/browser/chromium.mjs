@@ -39,7 +39,7 @@ function install() {
   }
 }
 
-if (process.argv.includes('--install') && find() === undefined) {
+if (process.argv.includes('--install') && !process.env.CHROMIUM && find() === undefined) {
   install();
 }
 const found = find();
