@@ -14,13 +14,20 @@ const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap:
 rmSync(dist, { recursive: true, force: true });
 buildTypes();
 const internal = internalNames();
-await Promise.all([buildEsm(false), buildEsm(true), buildUmd(false), buildUmd(true), buildExamples()]);
+// What a game that ships without it does not pay for is a module of its own.
+const modules = { phys2d: 'src/index.ts', debug: 'src/debug/index.ts', runner: 'src/runner.ts' };
+await Promise.all([
+  ...Object.keys(modules).flatMap((name) => [buildEsm(name, false), buildEsm(name, true)]),
+  buildUmd(false),
+  buildUmd(true),
+  buildExamples(),
+]);
 copyFileSync(join(dist, 'phys2d.umd.cjs'), join(dist, 'phys2d.umd.js'));
 printSizes();
 
-function buildEsm(minify) {
-  const outfile = minify ? 'dist/phys2d.min.js' : 'dist/phys2d.js';
-  return build({ ...common, entryPoints: ['src/index.ts'], outfile, format: 'esm', ...minified(minify) });
+function buildEsm(name, minify) {
+  const outfile = minify ? `dist/${name}.min.js` : `dist/${name}.js`;
+  return build({ ...common, entryPoints: [modules[name]], outfile, format: 'esm', ...minified(minify) });
 }
 
 /** Minified bundles have short names for internal members too. */
@@ -28,7 +35,10 @@ function minified(minify) {
   return minify ? { minify, mangleProps: new RegExp(`^(${internal.join('|')})$`) } : {};
 }
 
-/** Members marked internal or private whose names appear neither in the published types nor in the language's own objects. */
+/**
+ * Members marked internal or private whose names appear neither in the published types nor in the language's own objects. What one bundle
+ * reads of another's objects is marked so that it keeps its name.
+ */
 function internalNames() {
   const files = (folder, ending) =>
     readdirSync(folder, { recursive: true })
@@ -40,7 +50,7 @@ function internalNames() {
     .flatMap((type) => [type, type.prototype, Object.getPrototypeOf(type.prototype ?? {})])
     .flatMap((object) => (object ? Object.getOwnPropertyNames(object) : []));
   const members =
-    /(?:@internal(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
+    /(?:@internal(?![^*]*Keeps its name)(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
   const marked = [...files(join(root, 'src'), '.ts').join('\n').matchAll(members)].map(([, name]) => name);
   const kept = new Set([...published, ...language, 'export', 'constructor']);
   return [...new Set(marked)].filter((name) => !kept.has(name));
@@ -70,7 +80,11 @@ function buildUmd(minify) {
 function buildExamples() {
   const phys2d = {
     name: 'phys2d',
-    setup: ({ onResolve }) => onResolve({ filter: /^phys2d$/ }, () => ({ path: '../phys2d.js', external: true })),
+    setup: ({ onResolve }) =>
+      onResolve({ filter: /^phys2d(\/\w+)?$/ }, ({ path }) => ({
+        path: `../${path.replace('phys2d/', '')}.js`,
+        external: true,
+      })),
   };
   const entryPoints = readdirSync(join(root, 'examples'))
     .filter((name) => name.endsWith('.ts'))
@@ -78,15 +92,15 @@ function buildExamples() {
   return build({ ...common, entryPoints, outdir: 'dist/examples', format: 'esm', platform: 'node', plugins: [phys2d] });
 }
 
-/** Declarations of the public names: `index.d.ts` and the files it leads to, and `umd.d.cts` for `require`. */
+/** Declarations of the public names: those of the modules and the files they lead to, and `umd.d.cts` for `require`. */
 function buildTypes() {
   const all = join(dist, 'types');
   const options = '--ignoreConfig --target es2022 --lib es2022 --module nodenext --strict --exactOptionalPropertyTypes';
   const output = `--declaration --emitDeclarationOnly --stripInternal --rootDir src --outDir ${relative(root, all)}`;
-  const command = `node_modules/typescript/bin/tsc src/index.ts ${options} ${output}`;
+  const command = `node_modules/typescript/bin/tsc src/index.ts src/debug/index.ts src/runner.ts ${options} ${output}`;
   execFileSync(process.execPath, command.split(' '), { cwd: root, stdio: 'inherit' });
 
-  const wanted = new Set(['index.d.ts']);
+  const wanted = new Set(['index.d.ts', 'debug/index.d.ts', 'runner.d.ts']);
   for (const name of wanted) {
     const text = readFileSync(join(all, name), 'utf8');
     for (const [, target] of text.matchAll(/\b(?:from |import\()'(\.[^']*)\.js'/g)) {
@@ -97,17 +111,29 @@ function buildTypes() {
   }
   rmSync(all, { recursive: true });
 
-  const index = readFileSync(join(dist, 'index.d.ts'), 'utf8');
-  const names = [...index.matchAll(/\{([^}]*)\}/g)].flatMap(([, list]) => list.split(',').map((name) => name.trim()));
-  const types = names.filter((name) => /^[A-Z]\w*[a-z]/.test(name)).sort();
+  const types = (file) =>
+    [
+      ...readFileSync(join(dist, file), 'utf8').matchAll(
+        /export (?:type )?\{([^}]*)\}|export (?:declare )?(?:class|interface) (\w+)/g,
+      ),
+    ]
+      .flatMap(([, list, name]) => (name === undefined ? list.split(',').map((part) => part.trim()) : [name]))
+      .filter((name) => /^[A-Z]\w*[a-z]/.test(name));
+  const aliases = [
+    ...types('index.d.ts').map((name) => `  type ${name} = names.${name};`),
+    ...types('debug/index.d.ts').map((name) => `  type ${name} = debug.${name};`),
+    ...types('runner.d.ts').map((name) => `  type ${name} = runner.${name};`),
+  ];
   writeFileSync(
     join(dist, 'umd.d.cts'),
-    `import type * as names from './index.js' with { 'resolution-mode': 'import' };
+    `import type * as debug from './debug/index.js' with { 'resolution-mode': 'import' };
+import type * as names from './index.js' with { 'resolution-mode': 'import' };
+import type * as runner from './runner.js' with { 'resolution-mode': 'import' };
 
 /** A device that is ready to use, with every public class as a property. */
-declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'>;
+declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'> & typeof debug & typeof runner;
 declare namespace phys2D {
-${types.map((name) => `  type ${name} = names.${name};`).join('\n')}
+${aliases.sort().join('\n')}
 }
 export = phys2D;
 export as namespace phys2D;
@@ -123,6 +149,8 @@ function printSizes() {
   );
   for (const [name, minified] of [
     ['phys2d.js', 'phys2d.min.js'],
+    ['debug.js', 'debug.min.js'],
+    ['runner.js', 'runner.min.js'],
     ['phys2d.umd.cjs', 'phys2d.umd.min.js'],
   ]) {
     console.log(`${name.padEnd(18)}${size(readFileSync(join(dist, name)))}${size(readFileSync(join(dist, minified)))}`);

@@ -65,11 +65,11 @@ export abstract class BodyState {
   inertia = 0;
   /** @internal largest distance of a shape point from the origin; right after `refreshMass` */
   radius = 0;
-  /** @internal motion of the last step */
+  /** @internal motion of the last step. Keeps its name: other bundles read it */
   lastDx = 0;
-  /** @internal */
+  /** @internal Keeps its name. */
   lastDy = 0;
-  /** @internal */
+  /** @internal Keeps its name. */
   lastTurn = 0;
   /** @internal the last step in which the body was not at rest or was woken */
   wakeTime = 0;

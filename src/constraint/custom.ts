@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import type { Physics2DDebugDraw } from '../debug/draw.js';
 import type { NumberSink } from '../math/vectors.js';
 import { callable, integer, options, rangeError, typeError } from '../validate.js';
 import { Constraint } from './constraint.js';
@@ -32,8 +33,8 @@ export interface CustomConstraintParams extends ConstraintParams {
   velocityClamp?: CustomCallback | undefined;
   /** Limits the correction impulse `data[index + d]` of this position iteration, in place. */
   positionClamp?: CustomCallback | undefined;
-  /** Draws the constraint. */
-  debugDraw?: ((this: CustomConstraint, debug: unknown, stiff: boolean) => void) | undefined;
+  /** Draws the constraint, for `Physics2DDebugDraw`. `stiff` is the option of that name. */
+  debugDraw?: ((this: CustomConstraint, debug: Physics2DDebugDraw, stiff: boolean) => void) | undefined;
 }
 
 type CallbackName = 'position' | 'jacobian' | 'velocityClamp' | 'positionClamp';
@@ -68,6 +69,11 @@ export class CustomConstraint extends Constraint {
     this.callbacks = { ...params };
     this.positional = params.position !== undefined;
     this.data = new Float64Array(3 * dimension * bodies.length);
+  }
+
+  /** @internal The name is that of an option, so every bundle keeps it. */
+  get debugDraw(): CustomConstraintParams['debugDraw'] {
+    return this.callbacks.debugDraw;
   }
 
   /** @internal The error is asked for only where it is used: if the constraint is elastic, and in position iterations. */

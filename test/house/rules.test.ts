@@ -19,7 +19,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['events'],
   ['constraint'],
   ['solver'],
-  ['query', 'debug'],
+  ['query', 'debug', 'runner'],
   ['world'],
   ['device'],
   ['index'],

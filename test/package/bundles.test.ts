@@ -7,7 +7,10 @@ import { pathToFileURL } from 'node:url';
 import { type Context, createContext, runInContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import * as debug from '../../src/debug/index.js';
 import * as source from '../../src/index.js';
+import * as runner from '../../src/runner.js';
+import { buildGallery, GALLERY } from '../scenes/gallery.js';
 import { stateHash } from '../scenes/hash.js';
 import { buildPyramid } from '../scenes/pyramid.js';
 import { Tangle } from '../scenes/tangle.js';
@@ -19,16 +22,20 @@ const dist = join(root, 'dist');
 const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
 const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
 const ESM = ['phys2d.js', 'phys2d.min.js'];
-const GZIP_LIMIT = 53_500;
+const GZIP_LIMITS = { 'phys2d.min.js': 53_500, 'debug.min.js': 10_500, 'runner.min.js': 1_200 };
 
-const { default: _, ...names }: Record<string, unknown> = source;
+/** What is imported apart from the engine, so that a game that ships without it pays nothing. */
+const APART = { debug, runner };
+
+const { default: _, ...engine }: Record<string, unknown> = source;
+const names: Record<string, unknown> = { ...engine, ...debug, ...runner };
 
 /** Public classes that a script tag user reaches as `phys2D.World` and so on. */
 const CLASSES = Object.entries(names)
   .filter(([name, value]) => typeof value === 'function' && /^[A-Z]/.test(name))
   .map(([name]) => name);
 
-type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'>;
+type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'> & typeof debug & typeof runner;
 
 const DROP = `
   const world = phys2D.createWorld({ gravity: [0, 10] });
@@ -83,7 +90,7 @@ describe.each(UMD)('%s as a script', (name) => {
 
   it('has every public name', () => {
     const phys2D = runAsScript(name).phys2D as Record<string, unknown>;
-    expect(CLASSES).toContain('Physics2DDevice');
+    expect(CLASSES).toEqual(expect.arrayContaining(['Physics2DDevice', 'Physics2DDebugDraw', 'FixedStepRunner']));
     for (const [key, value] of Object.entries(names)) {
       expect(typeof phys2D[key], key).toBe(typeof value);
     }
@@ -130,6 +137,66 @@ describe.each(ESM)('%s as a module', (name) => {
   });
 });
 
+describe.each(['debug', 'runner'] as const)('%s as a module', (name) => {
+  it.each(['js', 'min.js'])('exports what the source exports (.%s), and has nothing of the engine', async (ending) => {
+    const bundle = (await import(/* @vite-ignore */ pathToFileURL(join(dist, `${name}.${ending}`)).href)) as object;
+    expect(Object.keys(bundle).sort()).toEqual(Object.keys(APART[name]).sort());
+    const map = JSON.parse(read(`${name}.${ending}.map`)) as { sources: string[] };
+    expect(map.sources).toContain(name === 'debug' ? '../src/debug/draw.ts' : '../src/runner.ts');
+    expect(
+      map.sources.filter((file) => /(?:solver|collide|contact|constraint|shape)\/|\/(?:body|world)\.ts/.test(file)),
+    ).toEqual([]);
+  });
+});
+
+it('the engine has nothing of debug drawing and the runner', () => {
+  for (const name of ESM) {
+    const { sources } = JSON.parse(read(`${name}.map`)) as { sources: string[] };
+    expect(sources.filter((file) => /debug|runner|body-pose/.test(file))).toEqual([]);
+  }
+});
+
+describe('one picture', () => {
+  /** The gallery, with all details, between two steps: whatever debug drawing reads of the engine's objects is in it. */
+  function picture(
+    { phys2D }: Pick<typeof source, 'phys2D'>,
+    { Physics2DDebugDraw, SVGDebugDevice }: typeof debug,
+    { FixedStepRunner }: typeof runner,
+  ): string {
+    const world = phys2D.createWorld();
+    buildGallery(phys2D, world);
+    const stepper = FixedStepRunner.create({ world, maxSteps: 30 });
+    stepper.advance(24.7 / 60);
+    const graphicsDevice = SVGDebugDevice.create({ width: 60 * GALLERY[0], height: 60 * GALLERY[1] });
+    const draw = Physics2DDebugDraw.create({ graphicsDevice });
+    draw.showBodyDetail = draw.showShapeDetail = draw.showContacts = draw.showContactImpulses = true;
+    draw.interpolation = stepper.interpolation;
+    draw.begin();
+    draw.drawWorld(world);
+    draw.end();
+    return `${graphicsDevice} ${world.rigidBodies.map((body) => stepper.getPosition(body))}`;
+  }
+  const expected = picture(source, debug, runner);
+
+  it.each([
+    ['phys2d.js', 'debug.js', 'runner.js'],
+    ['phys2d.min.js', 'debug.min.js', 'runner.min.js'],
+    ['phys2d.min.js', 'debug.js', 'runner.js'],
+    ['phys2d.js', 'debug.min.js', 'runner.min.js'],
+  ])('is drawn by %s, %s and %s together', async (engineFile, debugFile, runnerFile) => {
+    const load = (name: string): Promise<unknown> => import(/* @vite-ignore */ pathToFileURL(join(dist, name)).href);
+    const loaded = (await Promise.all([load(engineFile), load(debugFile), load(runnerFile)])) as Parameters<
+      typeof picture
+    >;
+    expect(picture(...loaded)).toBe(expected);
+  });
+
+  it.each(UMD)('is drawn by %s', (name) => {
+    const phys2D = runAsScript(name).phys2D as Phys2D;
+    expect(picture({ phys2D }, phys2D, phys2D)).toBe(expected);
+  });
+});
+
 describe('one simulation', () => {
   const expected = simulate(source.phys2D);
 
@@ -143,10 +210,10 @@ describe('one simulation', () => {
 });
 
 describe('size and maps', () => {
-  it(`phys2d.min.js is at most ${GZIP_LIMIT} bytes gzipped`, () => {
-    const size = gzipSync(read('phys2d.min.js'), { level: 9 }).length;
-    console.log(`phys2d.min.js: ${(size / 1000).toFixed(1)} kB gzipped`);
-    expect(size).toBeLessThanOrEqual(GZIP_LIMIT);
+  it.each(Object.entries(GZIP_LIMITS))('%s is at most %d bytes gzipped', (name, limit) => {
+    const size = gzipSync(read(name), { level: 9 }).length;
+    console.log(`${name}: ${(size / 1000).toFixed(1)} kB gzipped`);
+    expect(size).toBeLessThanOrEqual(limit);
   });
 
   it.each([...UMD, ...ESM])('%s has a source map that holds the sources', (name) => {
@@ -165,7 +232,8 @@ describe('the type declarations', () => {
     expect(files).toContain('index.d.ts');
     expect(read('world.d.ts')).toMatch(/\bstep\(deltaTime: number\): void/);
     for (const name of CLASSES) {
-      expect(read('umd.d.cts'), name).toContain(`type ${name} = names.${name};`);
+      const module = Object.entries(APART).find(([, exported]) => name in exported)?.[0] ?? 'names';
+      expect(read('umd.d.cts'), name).toContain(`type ${name} = ${module}.${name};`);
     }
   });
 
@@ -215,7 +283,7 @@ describe('the package, packed and installed', () => {
         'README.md',
         'LICENSE',
         'package.json',
-        ...[...UMD, ...ESM].map((name) => `dist/${name}`),
+        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'runner.js'].map((name) => `dist/${name}`),
       ]),
     );
     expect(files.filter((name) => /^(src|test|examples|bench)\b|^dist\/examples/.test(name))).toEqual([]);
@@ -235,6 +303,27 @@ describe('the package, packed and installed', () => {
   it('is required by name', () => {
     const code = "const phys2D = require('phys2d'); console.log(phys2D.createWorld() instanceof phys2D.World);";
     expect(node('main.cjs', code)).toBe('true');
+  });
+
+  it('is imported and required in parts', () => {
+    const use = `
+const world = phys2D.createWorld();
+FixedStepRunner.create({ world }).advance(1 / 60);
+const graphicsDevice = SVGDebugDevice.create({ width: 10, height: 10 });
+const debug = Physics2DDebugDraw.create({ graphicsDevice });
+debug.begin();
+debug.drawCircle(0, 0, 0.1, [1, 0, 0, 1]);
+debug.drawWorld(world);
+debug.end();
+console.log(String(graphicsDevice).includes('<path'), world.timeStamp);`;
+    const imports = `import { phys2D } from 'phys2d';
+import { Physics2DDebugDraw, SVGDebugDevice } from 'phys2d/debug';
+import { FixedStepRunner } from 'phys2d/runner';`;
+    const requires = `const { phys2D } = require('phys2d');
+const { Physics2DDebugDraw, SVGDebugDevice } = require('phys2d/debug');
+const { FixedStepRunner } = require('phys2d/runner');`;
+    expect(node('parts.mjs', imports + use)).toBe('true 1');
+    expect(node('parts.cjs', requires + use)).toBe('true 1');
   });
 
   it('type-checks for users of import and of require', () => {
@@ -261,6 +350,54 @@ ${use}export const device: Physics2DDevice = new Physics2DDevice();`,
 ${use.replace('export const used', 'const used')}const device = new phys2D.Physics2DDevice();
 export = [used, device, phys2D.phys2D];`,
       'default.cts': `import phys2D, { type ${names.replaceAll(', ', ', type ')} } from 'phys2d';\n${use}`,
+      'parts.mts': `import { phys2D } from 'phys2d';
+import { CanvasDebugDevice, type DebugGraphicsDevice, type DebugLines, Physics2DDebugDraw } from 'phys2d/debug';
+import { SVGDebugDevice, WebGLDebugDevice } from 'phys2d/debug';
+import { FixedStepRunner } from 'phys2d/runner';
+declare const canvas: HTMLCanvasElement;
+declare const offscreen: OffscreenCanvas;
+CanvasDebugDevice.create({ context: offscreen.getContext('2d')!, lineWidth: 2 });
+WebGLDebugDevice.create({ context: canvas.getContext('webgl2')! });
+WebGLDebugDevice.create({ context: offscreen.getContext('webgl2')! });
+// @ts-expect-error not a 2D context
+CanvasDebugDevice.create({ context: canvas.getContext('webgl2')! });
+// @ts-expect-error not a WebGL 2 context
+WebGLDebugDevice.create({ context: canvas.getContext('2d')! });
+class Recorder implements DebugGraphicsDevice {
+  width = 1;
+  height = 1;
+  drawLines(lines: DebugLines): void {
+    console.log(lines.segmentCount);
+  }
+}
+const graphicsDevice = CanvasDebugDevice.create({ context: canvas.getContext('2d')! });
+const debug: Physics2DDebugDraw = Physics2DDebugDraw.create({ graphicsDevice });
+Physics2DDebugDraw.create({ graphicsDevice: new Recorder() }).showContacts = true;
+debug.constraintColorA = [0, 0, 0, 1];
+// @ts-expect-error read-only
+debug.physics2DToScreen = 1;
+// @ts-expect-error internal member
+debug.lines;
+const runner = FixedStepRunner.create({ world: phys2D.createWorld() });
+debug.interpolation = runner.interpolation;
+phys2D.createCustomConstraint({
+  dimension: 1,
+  bodies: [phys2D.createRigidBody()],
+  jacobian() {},
+  debugDraw(debug, stiff) {
+    debug.drawLine(0, 0, stiff ? 1 : 2, this.dimension, [1, 1, 1, 1]);
+    // @ts-expect-error no such method
+    debug.drawLines();
+  },
+});
+export const text: string = SVGDebugDevice.create({ width: 1, height: 1 }).toString();`,
+      'parts.cts': `import { Physics2DDebugDraw, SVGDebugDevice } from 'phys2d/debug';
+import { FixedStepRunner } from 'phys2d/runner';
+import phys2D = require('phys2d');
+const graphicsDevice: SVGDebugDevice = SVGDebugDevice.create({ width: 1, height: 1 });
+const debug: phys2D.Physics2DDebugDraw = Physics2DDebugDraw.create({ graphicsDevice });
+const same: phys2D.Physics2DDebugDraw = phys2D.Physics2DDebugDraw.create({ graphicsDevice });
+export const used = [debug, same, FixedStepRunner.create({ world: phys2D.createWorld() })];`,
       'script.ts': 'const world: phys2D.World = phys2D.createWorld();\nworld.step(1 / 60);\n',
     };
     for (const [name, code] of Object.entries(files)) {
@@ -277,6 +414,8 @@ export = [used, device, phys2D.phys2D];`,
     };
     expect(tsc('--module', 'nodenext', 'import.mts', 'require.cts', 'default.cts')).toBe('');
     expect(tsc('--module', 'esnext', '--moduleResolution', 'bundler', 'import.mts')).toBe('');
+    expect(tsc('--module', 'nodenext', 'parts.cts')).toBe('');
+    expect(tsc('--module', 'nodenext', '--lib', 'es2022,dom', 'parts.mts')).toBe('');
     expect(
       tsc('--module', 'nodenext', '--moduleDetection', 'legacy', 'script.ts', 'node_modules/phys2d/dist/umd.d.cts'),
     ).toBe('');

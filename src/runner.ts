@@ -1,0 +1,98 @@
+import type { RigidBody } from './body.js';
+import { ANGLE, writePose, X, Y } from './body-pose.js';
+import { type NumberSink, type Vec2, vec2 } from './math/vectors.js';
+import { callable, integer, nonNegative, optional, options, positive, typeError } from './validate.js';
+import type { World } from './world.js';
+
+export interface FixedStepRunnerParams {
+  world: World;
+  /** Length of each step, s, > 0. Default 1/60. */
+  deltaTime?: number | undefined;
+  /** Most steps for one frame, integer >= 1. Default 5. */
+  maxSteps?: number | undefined;
+}
+
+/**
+ * Steps a world at a fixed rate, whatever the frame rate of the screen: a game runs at the same speed at 30, 60 and 144 Hz, and gives the
+ * same bits. Call `advance` once a frame with the time that has passed, and draw bodies where `getPosition` and `getRotation` say: between their
+ * placements before and after the last step, so that they move smoothly, up to one step behind.
+ *
+ * After G. Fiedler, "Fix Your Timestep!", 2004.
+ */
+export class FixedStepRunner {
+  readonly world: World;
+  /** s. */
+  readonly deltaTime: number;
+  readonly maxSteps: number;
+  /** s that have passed and are not simulated yet; less than `deltaTime`. */
+  private waiting = 0;
+
+  /** @internal use `create` */
+  constructor(params: FixedStepRunnerParams) {
+    const where = 'FixedStepRunner.create';
+    const given = options(where, params, true);
+    const { world } = given;
+    if (typeof world?.step !== 'function') {
+      throw typeError(where, 'world', 'a World', world);
+    }
+    this.world = world;
+    this.deltaTime = positive(where, 'deltaTime', optional(given.deltaTime, 1 / 60));
+    this.maxSteps = integer(where, 'maxSteps', optional(given.maxSteps, 5), 1);
+  }
+
+  static create(params: FixedStepRunnerParams): FixedStepRunner {
+    return new FixedStepRunner(params);
+  }
+
+  /** Share of a step, from 0 to less than 1, that has passed since the last one: for `Physics2DDebugDraw.interpolation`, and what you draw. */
+  get interpolation(): number {
+    return this.waiting / this.deltaTime;
+  }
+
+  /**
+   * Makes the steps that are due after `elapsed` seconds (>= 0) more. What is due beyond `maxSteps`, as after a pause, is dropped: the game is late
+   * then, but it does not freeze.
+   *
+   * @param beforeStep called before each step: the place for forces and input.
+   * @returns how many steps were made.
+   */
+  advance(elapsed: number, beforeStep?: (world: World) => void): number {
+    const where = 'FixedStepRunner.advance';
+    nonNegative(where, 'elapsed', elapsed);
+    if (beforeStep !== undefined) {
+      callable(where, 'beforeStep', beforeStep);
+    }
+    const time = this.waiting + elapsed;
+    this.waiting = time % this.deltaTime;
+    const count = Math.min(Math.round((time - this.waiting) / this.deltaTime), this.maxSteps);
+    for (let i = 0; i < count; i += 1) {
+      beforeStep?.(this.world);
+      this.world.step(this.deltaTime);
+    }
+    return count;
+  }
+
+  /** Where to draw the origin of a body, m. */
+  getPosition(body: RigidBody): Vec2;
+  getPosition<T extends NumberSink>(body: RigidBody, dst: T): T;
+  getPosition<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec2 {
+    this.look('FixedStepRunner.getPosition', body);
+    return vec2(pose[X]!, pose[Y]!, dst);
+  }
+
+  /** At which angle to draw a body: clockwise on screen, rad. */
+  getRotation(body: RigidBody): number {
+    this.look('FixedStepRunner.getRotation', body);
+    return pose[ANGLE]!;
+  }
+
+  private look(where: string, body: RigidBody): void {
+    if (typeof body?.getRotation !== 'function') {
+      throw typeError(where, 'body', 'a RigidBody', body);
+    }
+    writePose(body, this.interpolation, pose);
+  }
+}
+
+/** Scratch. */
+const pose = new Float64Array(3);

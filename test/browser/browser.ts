@@ -1,0 +1,68 @@
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
+import { build } from 'esbuild';
+import { type Browser, chromium, type Page } from 'playwright-core';
+
+// Chromium, and pages that load the built package. What runs in a page is in `pages`, as plain modules.
+
+const root = join(import.meta.dirname, '../..');
+
+/** Addresses of this origin are answered from the project, nothing leaves the machine. */
+const ORIGIN = 'http://phys2d.test';
+
+const ARGUMENTS = [
+  '--no-sandbox',
+  '--headless',
+  '--disable-gpu',
+  '--disable-background-networking',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
+
+/** Starts a browser; close it when done. WebGL is computed by the processor, so that it is there on every machine. */
+export async function launch(): Promise<Browser> {
+  const finder = join(import.meta.dirname, 'chromium.mjs');
+  const executablePath = execFileSync(process.execPath, [finder], { encoding: 'utf8' }).trim();
+  return chromium.launch({ executablePath, args: ARGUMENTS });
+}
+
+/**
+ * Opens a page, an empty one or one of `pages`; `/readme.html` is the one that the README shows. It can import `/dist/…` (also as
+ * `/node_modules/phys2d/dist/…`), `/pages/…`, and `/scenes/….js`, which is built from that scene. Errors of the page that nothing catches are put
+ * into `errors`.
+ */
+export async function open(browser: Browser, errors: string[], path = '/'): Promise<Page> {
+  const page = await browser.newPage({ viewport: { width: 1000, height: 700 } });
+  page.on('pageerror', (error) => errors.push(String(error)));
+  await page.route('**/*', async (route) => {
+    const { origin, pathname } = new URL(route.request().url());
+    if (origin !== ORIGIN) {
+      await route.abort();
+    } else if (pathname === '/') {
+      await route.fulfill({
+        contentType: 'text/html',
+        body: '<!doctype html><meta charset="utf-8"><title>phys2d</title>',
+      });
+    } else {
+      const contentType = extname(pathname) === '.html' ? 'text/html' : 'text/javascript';
+      await route.fulfill({ contentType, body: await read(pathname) });
+    }
+  });
+  await page.goto(ORIGIN + path);
+  return page;
+}
+
+async function read(pathname: string): Promise<string> {
+  if (pathname === '/readme.html') {
+    return /```html\n(<canvas[\s\S]*?)```/.exec(readFileSync(join(root, 'README.md'), 'utf8'))![1]!;
+  }
+  const [, folder, ...rest] = pathname.replace('/node_modules/phys2d/', '/').split('/');
+  if (folder === 'scenes') {
+    const entry = join(root, 'test/scenes', rest.join('/').replace(/\.js$/, '.ts'));
+    const { outputFiles } = await build({ entryPoints: [entry], bundle: true, format: 'esm', write: false });
+    return outputFiles[0]!.text;
+  }
+  return readFileSync(join(root, folder === 'dist' ? 'dist' : 'test/browser/pages', ...rest), 'utf8');
+}
