@@ -44,6 +44,8 @@ export class Arbiter {
   began = -1;
   /** @internal the last step in which it bore far more than the bodies weigh */
   strained = -Infinity;
+  /** @internal for so many steps on end it did */
+  strain = 0;
   /** @internal the last step in which the shapes interacted */
   lastInteraction = -1;
   /** @internal the last step in which the broadphase reported the pair */
@@ -259,6 +261,7 @@ export class Arbiter {
     this.sleeping = false;
     this.manifold.reset();
     this.strained = -Infinity;
+    this.strain = 0;
     this.lastInteraction = -1;
     this.seen = -1;
     this.listed = false;

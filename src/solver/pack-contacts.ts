@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { POLYGON } from '../collide/table.js';
@@ -5,12 +6,14 @@ import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   NEW_SHARE,
+  NEW_SPEED,
   NEW_STEPS,
   PUSH_SHARE_CIRCLES,
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_STATIC,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
+  STRAIN_SHARE,
   STRAIN_STEPS,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -56,19 +59,25 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[], stamp:
 }
 
 /**
- * Whether a part of the list is swept over more often: many of its contacts are new, the load of one was just taken away, or one bears far more
- * than its bodies weigh.
+ * Whether a part of the list is swept over more often: many of its contacts are new and slow, the load of one was just taken away, or some bear far
+ * more than their bodies weigh.
  */
 function isHard(solved: readonly Arbiter[], start: number, end: number, stamp: number): boolean {
   let fresh = 0;
+  let loaded = 0;
   for (let i = start; i < end; i += 1) {
-    const { active, began, strained, shapeA, shapeB } = solved[i]!;
-    if (stamp - strained < STRAIN_STEPS || shapeA.owner!.unloaded === stamp || shapeB.owner!.unloaded === stamp) {
+    const { active, began, strained, bodyA, bodyB } = solved[i]!;
+    if (bodyA.unloaded === stamp || bodyB.unloaded === stamp) {
       return true;
     }
-    fresh += active && stamp - began < NEW_STEPS ? 1 : 0;
+    loaded += stamp - strained < STRAIN_STEPS ? 1 : 0;
+    fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
-  return fresh > NEW_SHARE * (end - start);
+  return fresh > NEW_SHARE * (end - start) || loaded > STRAIN_SHARE * (end - start);
+}
+
+function isSlow({ vx, vy }: RigidBody): boolean {
+  return vx * vx + vy * vy < NEW_SPEED * NEW_SPEED;
 }
 
 function packContact(data: SolverData, pair: Arbiter): void {
