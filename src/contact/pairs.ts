@@ -7,6 +7,10 @@ function before(a: Arbiter, b: Arbiter): boolean {
   return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
 }
 
+function byShapes([a, b]: [Shape, Shape], [c, d]: [Shape, Shape]): number {
+  return a.id - c.id || b.id - d.id;
+}
+
 function compare(a: Arbiter, b: Arbiter): number {
   return a.shapeA.id - b.shapeA.id || a.shapeB.id - b.shapeB.id;
 }
@@ -23,6 +27,7 @@ export class Pairs {
 
   private readonly table = new PairTable();
   private readonly arriving: Arbiter[] = [];
+  private readonly reported: [Shape, Shape][] = [];
   private readonly pool: Arbiter[] = [];
   /** Cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before. */
   private cut: Arbiter[] = [];
@@ -43,6 +48,29 @@ export class Pairs {
       this.arrive(pair);
     }
     return pair;
+  }
+
+  /** The broadphase reports two shapes, of which the first has the lower id. */
+  report(shapeA: Shape, shapeB: Shape, stamp: number): void {
+    const pair = this.table.find(shapeA, shapeB);
+    if (pair === null) {
+      this.reported.push([shapeA, shapeB]);
+    } else {
+      pair.seen = stamp;
+      this.arrive(pair);
+    }
+  }
+
+  /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
+  makeReported(stamp: number): void {
+    const { reported } = this;
+    if (reported.length > 1) {
+      reported.sort(byShapes);
+    }
+    for (const [shapeA, shapeB] of reported) {
+      this.obtain(shapeA, shapeB).seen = stamp;
+    }
+    reported.length = 0;
   }
 
   /** Puts a pair among the awake ones, at the next `merge`. */

@@ -3,6 +3,7 @@ import { EDGE_STRIDE } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
 import { convexVertices } from '../geometry/vertices.js';
+import { doubles } from '../math/doubles.js';
 import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { options } from '../validate.js';
 import { Shape, type ShapeParams } from './shape.js';
@@ -43,9 +44,9 @@ export class Polygon extends Shape {
     const vertices = convexVertices(where, 'vertices', given.vertices);
     super(where, given);
     this.vertices = vertices;
-    this.localEdges = new Float64Array(vertices.length * 2);
-    this.edges = new Float64Array(vertices.length * 2);
-    this.offsets = new Float64Array(vertices.length / 2);
+    this.localEdges = doubles(vertices.length * 2);
+    this.edges = doubles(vertices.length * 2);
+    this.offsets = doubles(vertices.length / 2);
     this.refreshEdges();
   }
 
@@ -56,9 +57,9 @@ export class Polygon extends Shape {
       return;
     }
     if (checked.length !== this.vertices.length) {
-      this.localEdges = new Float64Array(checked.length * 2);
-      this.edges = new Float64Array(checked.length * 2);
-      this.offsets = new Float64Array(checked.length / 2);
+      this.localEdges = doubles(checked.length * 2);
+      this.edges = doubles(checked.length * 2);
+      this.offsets = doubles(checked.length / 2);
     }
     this.vertices = checked;
     this.refreshEdges();

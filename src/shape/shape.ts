@@ -5,6 +5,7 @@ import type { Hit } from '../contact/hit.js';
 import type { Outline } from '../geometry/outline.js';
 import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
+import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
@@ -79,7 +80,7 @@ export abstract class Shape {
   /** @internal */
   groundStamp = -1;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
-  readonly bounds = new Float64Array(4);
+  readonly bounds = doubles(4);
 
   /** @internal */
   constructor(where: string, params: Partial<ShapeParams>) {

@@ -36,9 +36,8 @@ function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle):
   const a = first.data as Shape;
   const b = second.data as Shape;
   if (mayInteract(a, b)) {
-    const pair = a.id < b.id ? this.pairs.obtain(a, b) : this.pairs.obtain(b, a);
-    pair.seen = this.timeStamp;
-    this.pairs.arrive(pair);
+    const isInOrder = a.id < b.id;
+    this.pairs.report(isInOrder ? a : b, isInOrder ? b : a, this.timeStamp);
   }
 }
 
@@ -50,6 +49,7 @@ export function findPairs(world: World, dt: number): void {
   const pairs = world.pairs;
   pairs.recycle();
   world.broadphase.perform(report, world);
+  pairs.makeReported(world.timeStamp);
   pairs.merge();
   const sorted = pairs.sorted;
   let kept = 0;
