@@ -144,7 +144,7 @@ export class Pairs {
     pair.listed = false;
     pair.active = false;
     pair.sleeping = false;
-    pair.contacts.length = 0;
+    pair.shown = 0;
     pair.dead = true;
     this.table.remove(pair);
     this.cut.push(pair);
