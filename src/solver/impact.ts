@@ -70,6 +70,9 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
     }
   }
   noteApproach(pair);
+  if (world.profile !== null) {
+    world.profile.impacts += 1;
+  }
   solveImpact(world, pair);
   if (!begins && (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC)) {
     stopComing(pair);
