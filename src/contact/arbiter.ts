@@ -51,7 +51,9 @@ export class Arbiter {
   strain = 0;
   /** @internal the last step in which the shapes interacted */
   lastInteraction = -1;
-  /** @internal the last step in which the broadphase reported the pair */
+  /** @internal where it is in the table of pairs */
+  place = -1;
+  /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
   seen = -1;
   /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
   listed = false;

@@ -50,15 +50,25 @@ export class Pairs {
     return pair;
   }
 
-  /** The broadphase reports two shapes, of which the first has the lower id. */
+  /** The broadphase reports two shapes, of which the first has the lower id. @returns whether it did in the last step, so that they are known. */
+  reportAgain(shapeA: Shape, shapeB: Shape, stamp: number): boolean {
+    return this.table.seeAgain(shapeA.id, shapeB.id, stamp);
+  }
+
+  /** … and they may interact. */
   report(shapeA: Shape, shapeB: Shape, stamp: number): void {
     const pair = this.table.find(shapeA, shapeB);
     if (pair === null) {
       this.reported.push([shapeA, shapeB]);
     } else {
-      pair.seen = stamp;
+      this.table.see(pair, stamp);
       this.arrive(pair);
     }
+  }
+
+  /** Whether the broadphase reported a pair in a step. */
+  isReported(pair: Arbiter, stamp: number): boolean {
+    return this.table.saw(pair, stamp);
   }
 
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
@@ -68,7 +78,7 @@ export class Pairs {
       reported.sort(byShapes);
     }
     for (const [shapeA, shapeB] of reported) {
-      this.obtain(shapeA, shapeB).seen = stamp;
+      this.table.see(this.obtain(shapeA, shapeB), stamp);
     }
     reported.length = 0;
   }

@@ -35,9 +35,11 @@ export function mayInteract(a: Shape, b: Shape): boolean {
 function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): void {
   const a = first.data as Shape;
   const b = second.data as Shape;
-  if (mayInteract(a, b)) {
-    const isInOrder = a.id < b.id;
-    this.pairs.report(isInOrder ? a : b, isInOrder ? b : a, this.timeStamp);
+  const isInOrder = a.id < b.id;
+  const shapeA = isInOrder ? a : b;
+  const shapeB = isInOrder ? b : a;
+  if (!this.pairs.reportAgain(shapeA, shapeB, this.timeStamp) && mayInteract(a, b)) {
+    this.pairs.report(shapeA, shapeB, this.timeStamp);
   }
 }
 
@@ -82,6 +84,9 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   }
   if (world.pairs.isExpired(pair, stamp)) {
     world.pairs.unlist(pair);
+  }
+  if (world.pairs.isReported(pair, stamp) && mayInteract(pair.shapeA, pair.shapeB)) {
+    pair.seen = stamp;
   }
   const isReported = pair.seen === stamp;
   if (isReported && (pair.sensor ? overlap(pair) : touch(pair))) {
