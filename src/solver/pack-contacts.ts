@@ -1,5 +1,4 @@
 import type { RigidBody } from '../body.js';
-import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { POLYGON } from '../collide/table.js';
 import {
@@ -18,6 +17,7 @@ import {
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import type { Circle } from '../shape/circle.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -179,8 +179,10 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.TANGENT_SUM2] = 0;
   const elasticity = n[c.ELASTICITY]!;
   if (elasticity > 0) {
-    data.bounces.add(true, at, 0, elasticity);
-    data.bounces.add(true, at, d.SECOND, elasticity);
+    const first = data.bounces.add(true, at, 0);
+    const second = data.bounces.add(true, at, d.SECOND);
+    data.bounces.elasticity[first] = elasticity;
+    data.bounces.elasticity[second] = elasticity;
   }
 }
 
@@ -212,8 +214,16 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.RT_A1] = rtA;
   r[at + d.RT_B1] = rtB;
   const separation = n[g.S0 + g.POINT * which]!;
-  r[at + d.PIVOT_A] = rtA - roundness(pair.shapeA, separation);
-  r[at + d.PIVOT_B] = rtB + roundness(pair.shapeB, separation);
+  // As `roundness`, which called from here would have to box its numbers.
+  const { shapeA, shapeB } = pair;
+  r[at + d.PIVOT_A] = rtA;
+  r[at + d.PIVOT_B] = rtB;
+  if (shapeA.kind !== POLYGON) {
+    r[at + d.PIVOT_A] = rtA - (shapeA as Circle).radius - 0.5 * separation;
+  }
+  if (shapeB.kind !== POLYGON) {
+    r[at + d.PIVOT_B] = rtB + (shapeB as Circle).radius + 0.5 * separation;
+  }
 
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
@@ -241,7 +251,8 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.ROLL_SUM] = 0;
   const elasticity = n[c.ELASTICITY]!;
   if (elasticity > 0) {
-    data.bounces.add(false, at, 0, elasticity);
+    const bounce = data.bounces.add(false, at, 0);
+    data.bounces.elasticity[bounce] = elasticity;
   }
 }
 
