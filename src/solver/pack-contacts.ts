@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { POLYGON } from '../collide/table.js';
 import {
@@ -276,4 +277,15 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   data.drive[a + d.TOUCHED] = 1;
   data.drive[b + d.TOUCHED] = 1;
+  // What is carried or driven along, however slowly, is not to be brought to rest.
+  if (bodyA.kind !== DYNAMIC && isMoving(bodyA)) {
+    data.drive[b + d.REST_RADIUS] = -1;
+  }
+  if (bodyB.kind !== DYNAMIC && isMoving(bodyB)) {
+    data.drive[a + d.REST_RADIUS] = -1;
+  }
+}
+
+function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {
+  return vx !== 0 || vy !== 0 || w !== 0 || surfaceX !== 0 || surfaceY !== 0;
 }
