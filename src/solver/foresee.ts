@@ -1,8 +1,8 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC, STATIC } from '../body-kind.js';
+import { STATIC } from '../body-kind.js';
 import { roundness, visibleTurn } from '../collide/along.js';
 import * as g from '../collide/layout.js';
-import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
+import { FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
@@ -12,7 +12,8 @@ import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { canGiveWay, noteApproach } from './find-pairs.js';
-import { comesBefore, findMeetings, isSensed, type Meeting } from './meetings.js';
+import type { Meeting } from './meeting-queue.js';
+import { findMeetings } from './meetings.js';
 import { goesFar, type Mover } from './movers.js';
 import { smoothMeeting } from './seams.js';
 
@@ -40,8 +41,12 @@ export function foresee(world: World, dt: number): void {
     }
   }
   if (movers.count > 0) {
-    for (const meeting of firstOfEach(world, findMeetings(world, FORESIGHT_DEPTH))) {
-      open(world, meeting);
+    findMeetings(world, FORESIGHT_DEPTH);
+    const { meetings } = movers;
+    for (let next = meetings.takeFirst(); next !== null; next = meetings.takeFirst()) {
+      if (isFirst(world, next)) {
+        open(world, next);
+      }
     }
     for (let i = 0; i < world.closing.length; i += 1) {
       if (!world.closing[i]!.near) {
@@ -87,22 +92,14 @@ function alongContacts(body: RigidBody, vx: number, vy: number): [number, number
 }
 
 /**
- * The first meetings of each dynamic body, and those with what is near it already: what lies behind the first, such as the next tile of a floor,
- * it may never come to.
+ * Of the meetings, as they come, the first of each dynamic body counts, and those with what is near it already: what lies behind the first,
+ * such as the next tile of a floor, it may never come to.
  */
-function firstOfEach(world: World, meetings: Meeting[]): Meeting[] {
-  const first = new Map<RigidBody, number>();
-  return meetings
-    .filter(({ a, b }) => !isSensed(a, b))
-    .sort((one, two) => (comesBefore(one, two) ? -1 : 1))
-    .filter(({ a, b, time }) => {
-      const bodies = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC);
-      const comes = isClose(world, a, b) || bodies.every((body) => time <= (first.get(body) ?? time) + SAME_TIME);
-      for (const body of bodies) {
-        first.set(body, first.get(body) ?? time);
-      }
-      return comes && bodies.every(canGiveWay);
-    });
+function isFirst(world: World, { a, b, time }: Meeting): boolean {
+  const { movers } = world;
+  const isFirstOfA = movers.of(a.owner!).comesFirst(time);
+  const isFirstOfB = movers.of(b.owner!).comesFirst(time);
+  return ((isFirstOfA && isFirstOfB) || isClose(world, a, b)) && canGiveWay(a.owner!) && canGiveWay(b.owner!);
 }
 
 /** Found within the margin in this step. */

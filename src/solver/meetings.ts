@@ -8,15 +8,9 @@ import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
+import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { shapesWithin } from './nearby.js';
-
-/** Two shapes that meet on their ways, and when: 0 where the step began, 1 where it ended. */
-export interface Meeting {
-  readonly a: Shape;
-  readonly b: Shape;
-  readonly time: number;
-}
 
 const sweep = new Sweep();
 sweep.patience = 1000;
@@ -28,23 +22,10 @@ export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
 }
 
-/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes. */
-export function comesBefore(one: Meeting, two: Meeting): boolean {
-  const [k, l] = [isKinematic(one), isKinematic(two)];
-  if (one.time !== two.time || k !== l) {
-    return one.time !== two.time ? one.time < two.time : k;
-  }
-  return one.a.id !== two.a.id ? one.a.id < two.a.id : one.b.id < two.b.id;
-}
-
-function isKinematic({ a, b }: Meeting): boolean {
-  return a.owner!.kind === KINEMATIC || b.owner!.kind === KINEMATIC;
-}
-
 /** Everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
-export function findMeetings(world: World, depth: number): Meeting[] {
+export function findMeetings(world: World, depth: number): void {
   const { movers } = world;
-  const found: Meeting[] = [];
+  movers.meetings.clear();
   const sweeping = movers.count;
   for (const body of world.liveKinematics) {
     movers.of(body);
@@ -63,13 +44,12 @@ export function findMeetings(world: World, depth: number): Meeting[] {
       setShapeBounds(mover, shape);
       for (const other of shapesWithin(world, bounds, meetsMovers(mover) || shape.sensor)) {
         if (other.owner!.mover < 0 || other.owner!.mover >= count) {
-          note(world, shape, other, depth, found);
+          note(world, shape, other, depth);
         }
       }
     }
   }
-  pairMovers(world, sweeping, count, depth, found);
-  return found;
+  pairMovers(world, sweeping, count, depth);
 }
 
 /**
@@ -93,7 +73,7 @@ function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
 }
 
 /** Kinematic bodies and fast bullets with everything that sweeps, and what sweeps with every kinematic body. */
-function pairMovers(world: World, sweeping: number, count: number, depth: number, found: Meeting[]): void {
+function pairMovers(world: World, sweeping: number, count: number, depth: number): void {
   const { movers } = world;
   let bounded = false;
   for (let i = 0; i < count; i += 1) {
@@ -109,7 +89,7 @@ function pairMovers(world: World, sweeping: number, count: number, depth: number
       const other = movers.all[j]!;
       const once = j > i || !meetsMovers(other);
       if (once && j !== i && (i < sweeping || j < sweeping) && overlap(mover.bounds, other.bounds)) {
-        pairUp(world, mover, other, depth, found);
+        pairUp(world, mover, other, depth);
       }
     }
   }
@@ -149,7 +129,7 @@ function isSwept(one: Mover, two: Mover): boolean {
   return meetsMovers(one) || meetsMovers(two);
 }
 
-function pairUp(world: World, one: Mover, two: Mover, depth: number, found: Meeting[]): void {
+function pairUp(world: World, one: Mover, two: Mover, depth: number): void {
   for (const a of one.body.shapes) {
     setShapeBounds(one, a);
     if (overlap(bounds, two.bounds)) {
@@ -157,7 +137,7 @@ function pairUp(world: World, one: Mover, two: Mover, depth: number, found: Meet
       for (const b of two.body.shapes) {
         setShapeBounds(two, b);
         if (overlap(around, bounds)) {
-          note(world, a, b, depth, found);
+          note(world, a, b, depth);
         }
       }
     }
@@ -165,7 +145,7 @@ function pairUp(world: World, one: Mover, two: Mover, depth: number, found: Meet
 }
 
 /** Notes two shapes that may interact, do not yet in this step, and meet. */
-function note(world: World, one: Shape, two: Shape, depth: number, found: Meeting[]): void {
+function note(world: World, one: Shape, two: Shape, depth: number): void {
   const a = one.id < two.id ? one : two;
   const b = one.id < two.id ? two : one;
   const { movers, pairs } = world;
@@ -176,36 +156,34 @@ function note(world: World, one: Shape, two: Shape, depth: number, found: Meetin
   if (isKnown(pair, movers, depth) || !(isSensed(a, b) || canPush(a.owner!) || canPush(b.owner!))) {
     return;
   }
+  const meeting = movers.meetings.draft(a, b);
   if (pair?.foreseen) {
-    recheck(world, a, b, depth, found);
-    return;
+    recheck(world, meeting, depth);
+  } else if (meets(world, meeting, depth, 0)) {
+    add(world, meeting);
   }
-  const time = meetingTime(world, a, b, depth, 0);
-  if (time >= 0) {
-    found.push({ a, b, time });
-  }
+}
+
+function add({ movers }: World, meeting: Meeting): void {
+  const { a, b } = meeting;
+  movers.meetings.add(meeting, movers.of(a.owner!), movers.of(b.owner!), !isSensed(a, b));
 }
 
 /**
  * A contact that was foreseen and solved may not have held, as where a sliver is hit at its tip and whirls round. The true way had a bend where
  * they met, from where on they turned otherwise: so the straight one is looked at as if what was added to the turn had been there from the start.
  */
-function recheck(world: World, a: Shape, b: Shape, depth: number, found: Meeting[]): void {
-  const movers = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC).map((body) => world.movers.of(body));
-  const added = movers.map(({ turn, body }) => turn - body.turnAhead);
-  movers.forEach((mover, i) => {
-    mover.angle += added[i]!;
-    mover.turn -= added[i]!;
-  });
-  const time = meetingTime(world, a, b, depth, 0);
-  if (time >= 0) {
-    found.push({ a, b, time });
-    return;
+function recheck(world: World, meeting: Meeting, depth: number): void {
+  const one = world.movers.of(meeting.a.owner!);
+  const two = world.movers.of(meeting.b.owner!);
+  one.unbend();
+  two.unbend();
+  if (meets(world, meeting, depth, 0)) {
+    add(world, meeting);
+  } else {
+    one.bend();
+    two.bend();
   }
-  movers.forEach((mover, i) => {
-    mover.angle -= added[i]!;
-    mover.turn += added[i]!;
-  });
 }
 
 /**
@@ -241,26 +219,29 @@ function canPush(body: RigidBody): boolean {
 }
 
 /**
- * When two shapes first touch, not before `from`; −1 if they do not, or will not get deeper than contacts leave: what slides over the joint of
+ * Finds when two shapes first touch, not before `from`, if they do, and will get deeper than contacts leave: what slides over the joint of
  * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
  * are put back: when they are that deep.
  */
-export function meetingTime(world: World, a: Shape, b: Shape, depth: number, from: number): number {
+export function meets(world: World, meeting: Meeting, depth: number, from: number): boolean {
+  const { a, b } = meeting;
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
   const { x, y } = one;
   one.follow(sweep.a, a, x, y);
   two.follow(sweep.b, b, x, y);
   if (isSensed(a, b)) {
-    return timeOfImpact(sweep, 0, SWEEP_TOLERANCE, from, 1);
+    meeting.time = timeOfImpact(sweep, 0, SWEEP_TOLERANCE, from, 1);
+    return meeting.time >= 0;
   }
   const least = leastDepth(a, b, depth);
   const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, from, 1);
   if (time < 0) {
-    return -1;
+    return false;
   }
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
   const deeper = sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least);
   const deep = timeOfImpact(sweep, Math.min(-least, deeper), SWEEP_TOLERANCE, time, 1);
-  return deep >= 0 && time > from && !isJointed(a, b) ? time : deep;
+  meeting.time = deep >= 0 && time > from && !isJointed(a, b) ? time : deep;
+  return deep >= 0;
 }

@@ -1,7 +1,9 @@
 import type { RigidBody } from '../body.js';
-import { SPECULATIVE_MARGIN } from '../config.js';
+import { DYNAMIC } from '../body-kind.js';
+import { SAME_TIME, SPECULATIVE_MARGIN } from '../config.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
+import { type Meeting, MeetingQueue } from './meeting-queue.js';
 
 /** Whole turns within a step change nothing. */
 const TURN = 2 * Math.PI;
@@ -16,6 +18,8 @@ export class Mover {
   body!: RigidBody;
   /** Moved so far that it may have passed something. */
   sweeps = false;
+  /** Something met it on its way. */
+  met = false;
   /** An impact ended its way. */
   stopped = false;
   /** Velocities at the start of the step. */
@@ -32,6 +36,8 @@ export class Mover {
   turn = 0;
   /** How far it turns in the step, with whole turns. */
   spin = 0;
+  /** By how much it turned more than foreseen. */
+  added = 0;
   /** Where it was at time 0. */
   startX = 0;
   startY = 0;
@@ -39,13 +45,20 @@ export class Mover {
   endX = 0;
   endY = 0;
   endAngle = 0;
+  /** What it meets, if it is dynamic: the first of a list. */
+  meetings: Meeting | null = null;
+  /** When it first met something. */
+  first = Infinity;
   /** Bounds of all shapes on their way. */
   readonly bounds = new Float64Array(4);
 
   private begin(body: RigidBody, sweeps: boolean): void {
     this.body = body;
     this.sweeps = sweeps;
+    this.met = false;
     this.stopped = false;
+    this.meetings = null;
+    this.first = Infinity;
     this.vx = body.vx;
     this.vy = body.vy;
     this.w = body.w;
@@ -122,6 +135,29 @@ export class Mover {
     body.w += left * (bounced ? gainW : body.w - this.w);
   }
 
+  /** Whether nothing met the body before that time, as far as was asked; static and kinematic bodies do not mind. */
+  comesFirst(time: number): boolean {
+    this.first = Math.min(this.first, time);
+    return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
+  }
+
+  /** Looks at the way as if what was added to the turn that was foreseen had been there from the start. A static or kinematic body keeps its way. */
+  unbend(): void {
+    if (this.body.kind === DYNAMIC) {
+      this.added = this.turn - this.body.turnAhead;
+      this.angle += this.added;
+      this.turn -= this.added;
+    }
+  }
+
+  /** Takes that back. */
+  bend(): void {
+    if (this.body.kind === DYNAMIC) {
+      this.angle -= this.added;
+      this.turn += this.added;
+    }
+  }
+
   /** Puts the body to where it is at a time, not before `from`. */
   putAt(time: number): void {
     const rest = 1 - this.from;
@@ -188,6 +224,7 @@ export class Movers {
   /** What lies beyond the count is for later. */
   readonly all: Mover[] = [];
   count = 0;
+  readonly meetings = new MeetingQueue();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
 
