@@ -10,7 +10,8 @@ import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
-import { shapesWithin } from './nearby.js';
+import { findNearby, nearby } from './nearby.js';
+import { isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = new Sweep();
 sweep.patience = 1000;
@@ -22,34 +23,50 @@ export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
 }
 
-/** Everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
+/** Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
 export function findMeetings(world: World, depth: number): void {
   const { movers } = world;
-  movers.meetings.clear();
   const sweeping = movers.count;
-  for (const body of world.liveKinematics) {
-    movers.of(body);
+  for (let i = 0; i < world.liveKinematics.length; i += 1) {
+    movers.of(world.liveKinematics[i]!);
   }
   const count = movers.count;
-  let alone = count === sweeping;
-  for (let i = 0; i < sweeping; i += 1) {
-    alone &&= !meetsMovers(movers.all[i]!);
-  }
+  movers.meetings.clear();
+  const alone = listWays(movers);
   for (let i = 0; i < sweeping; i += 1) {
     const mover = movers.all[i]!;
-    if (alone && movers.ahead > 0 && isClear(world, mover)) {
-      continue;
-    }
-    for (const shape of mover.body.shapes) {
-      setShapeBounds(mover, shape);
-      for (const other of shapesWithin(world, bounds, meetsMovers(mover) || shape.sensor)) {
-        if (other.owner!.mover < 0 || other.owner!.mover >= count) {
-          note(world, shape, other, depth);
-        }
-      }
+    mover.clear = alone && movers.ahead > 0 && mover.body.kind === DYNAMIC && isClear(world, mover);
+    if (!mover.clear) {
+      meetStill(world, mover, count, depth);
     }
   }
-  pairMovers(world, sweeping, count, depth);
+  for (let i = 0; i < count && movers.ways.count > 0; i += 1) {
+    if (!movers.all[i]!.clear) {
+      meetWays(world, i, sweeping, depth);
+    }
+  }
+}
+
+/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. @returns whether there are no such bullets. */
+function listWays(movers: Movers): boolean {
+  const { ways } = movers;
+  let alone = true;
+  ways.clear();
+  for (let i = 0; i < movers.count; i += 1) {
+    const mover = movers.all[i]!;
+    mover.clear = false;
+    if (!meetsMovers(mover)) {
+      continue;
+    }
+    alone &&= mover.body.kind !== DYNAMIC;
+    const { shapes } = mover.body;
+    for (let k = 0; k < shapes.length; k += 1) {
+      sweepBounds(mover, shapes[k]!, bounds);
+      ways.add(shapes[k]!, i, bounds);
+    }
+  }
+  ways.sort();
+  return alone;
 }
 
 /**
@@ -58,13 +75,13 @@ export function findMeetings(world: World, depth: number): void {
  */
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
-  for (const shape of body.shapes) {
-    const { bounds: start } = shape;
+  for (let i = 0; i < body.shapes.length; i += 1) {
+    const { bounds: start, sensor } = body.shapes[i]!;
     bounds[0] = start[0]! - reach;
     bounds[1] = start[1]! - reach;
     bounds[2] = start[2]! + reach;
     bounds[3] = start[3]! + reach;
-    if (shape.sensor || shapesWithin(world, bounds, false).length > 0) {
+    if (sensor || comesNear(world.movers) || findNearby(world, bounds, false) > 0) {
       return false;
     }
   }
@@ -72,52 +89,61 @@ function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   return true;
 }
 
-/** Kinematic bodies and fast bullets with everything that sweeps, and what sweeps with every kinematic body. */
-function pairMovers(world: World, sweeping: number, count: number, depth: number): void {
-  const { movers } = world;
-  let bounded = false;
-  for (let i = 0; i < count; i += 1) {
-    const mover = movers.all[i]!;
-    if (!meetsMovers(mover)) {
-      continue;
+/** Whether a kinematic shape may come into `bounds` on its way. */
+function comesNear({ all, ways }: Movers): boolean {
+  const size = ways.find(bounds);
+  for (let i = 0; i < size; i += 1) {
+    const way = ways.found[i]!;
+    if (!isBeyondEdge(all[ways.movers[way]!]!, ways.shapes[way]!, bounds)) {
+      return true;
     }
-    for (let j = 0; j < count && !bounded; j += 1) {
-      setBounds(movers.all[j]!);
-    }
-    bounded = true;
-    for (let j = 0; j < count; j += 1) {
-      const other = movers.all[j]!;
-      const once = j > i || !meetsMovers(other);
-      if (once && j !== i && (i < sweeping || j < sweeping) && overlap(mover.bounds, other.bounds)) {
-        pairUp(world, mover, other, depth);
+  }
+  return false;
+}
+
+/** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
+function meetStill(world: World, mover: Mover, count: number, depth: number): void {
+  const { shapes, kind } = mover.body;
+  for (let i = 0; i < shapes.length; i += 1) {
+    const shape = shapes[i]!;
+    sweepBounds(mover, shape, bounds);
+    const size = findNearby(world, bounds, meetsMovers(mover) || shape.sensor);
+    for (let k = 0; k < size; k += 1) {
+      const other = nearby[k]!;
+      const { mover: index } = other.owner!;
+      if ((index < 0 || index >= count) && (kind === DYNAMIC || !isPassed(world, mover, shape, other))) {
+        note(world, shape, other, depth);
       }
     }
   }
 }
 
-/** Bounds of all places that a shape can have on the way of its body. */
-function setShapeBounds({ body, dx, dy, turn }: Mover, { bounds: start }: Shape): void {
-  const swing = Math.abs(turn) * body.radius;
-  bounds[0] = start[0]! + Math.min(dx, 0) - swing;
-  bounds[1] = start[1]! + Math.min(dy, 0) - swing;
-  bounds[2] = start[2]! + Math.max(dx, 0) + swing;
-  bounds[3] = start[3]! + Math.max(dy, 0) + swing;
+/** Whether a kinematic shape certainly misses one that was not looked at. */
+function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): boolean {
+  widenBounds(other, movers.ahead > 0, around);
+  return isBeyondEdge(mover, shape, around);
 }
 
-function setBounds(mover: Mover): void {
-  const all = mover.bounds;
-  all.set([Infinity, Infinity, -Infinity, -Infinity]);
-  for (const shape of mover.body.shapes) {
-    setShapeBounds(mover, shape);
-    all[0] = Math.min(all[0]!, bounds[0]!);
-    all[1] = Math.min(all[1]!, bounds[1]!);
-    all[2] = Math.max(all[2]!, bounds[2]!);
-    all[3] = Math.max(all[3]!, bounds[3]!);
+/** A mover with all ways that were listed; one of both sweeps. */
+function meetWays(world: World, index: number, sweeping: number, depth: number): void {
+  const { movers } = world;
+  const { ways } = movers;
+  const mover = movers.all[index]!;
+  const isListed = meetsMovers(mover);
+  const { shapes } = mover.body;
+  for (let i = 0; i < shapes.length; i += 1) {
+    sweepBounds(mover, shapes[i]!, bounds);
+    const size = ways.find(bounds);
+    for (let k = 0; k < size; k += 1) {
+      const way = ways.found[k]!;
+      const other = ways.movers[way]!;
+      const isOnce = other < index || !isListed;
+      const isFar = movers.ahead > 0 && isBeyondEdge(movers.all[other]!, ways.shapes[way]!, bounds);
+      if (isOnce && !isFar && (other < sweeping || index < sweeping)) {
+        note(world, ways.shapes[way]!, shapes[i]!, depth);
+      }
+    }
   }
-}
-
-function overlap(a: Float64Array, b: Float64Array): boolean {
-  return a[0]! <= b[2]! && a[2]! >= b[0]! && a[1]! <= b[3]! && a[3]! >= b[1]!;
 }
 
 /** Is swept against dynamic bodies: a bullet that is fast, or kinematic. */
@@ -129,27 +155,17 @@ function isSwept(one: Mover, two: Mover): boolean {
   return meetsMovers(one) || meetsMovers(two);
 }
 
-function pairUp(world: World, one: Mover, two: Mover, depth: number): void {
-  for (const a of one.body.shapes) {
-    setShapeBounds(one, a);
-    if (overlap(bounds, two.bounds)) {
-      around.set(bounds);
-      for (const b of two.body.shapes) {
-        setShapeBounds(two, b);
-        if (overlap(around, bounds)) {
-          note(world, a, b, depth);
-        }
-      }
-    }
-  }
-}
-
 /** Notes two shapes that may interact, do not yet in this step, and meet. */
 function note(world: World, one: Shape, two: Shape, depth: number): void {
   const a = one.id < two.id ? one : two;
   const b = one.id < two.id ? two : one;
   const { movers, pairs } = world;
-  if (!mayInteract(a, b) || !isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
+  if ((movers.ahead > 0 && isSensed(a, b)) || !mayInteract(a, b)) {
+    return;
+  }
+  const moverA = movers.of(a.owner!);
+  const moverB = movers.of(b.owner!);
+  if (!isSwept(moverA, moverB)) {
     return;
   }
   const pair = pairs.find(a, b);
@@ -159,7 +175,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
   const meeting = movers.meetings.draft(a, b);
   if (pair?.foreseen) {
     recheck(world, meeting, depth);
-  } else if (meets(world, meeting, depth, 0)) {
+  } else if (mayMeet(moverA, a, moverB, b) && meets(world, meeting, depth, 0)) {
     add(world, meeting);
   }
 }

@@ -4,6 +4,7 @@ import { SAME_TIME, SPECULATIVE_MARGIN } from '../config.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
+import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */
 const TURN = 2 * Math.PI;
@@ -18,6 +19,8 @@ export class Mover {
   body!: RigidBody;
   /** Moved so far that it may have passed something. */
   sweeps = false;
+  /** Nothing is near that it could meet. */
+  clear = false;
   /** Something met it on its way. */
   met = false;
   /** An impact ended its way. */
@@ -49,8 +52,6 @@ export class Mover {
   meetings: Meeting | null = null;
   /** When it first met something. */
   first = Infinity;
-  /** Bounds of all shapes on their way. */
-  readonly bounds = new Float64Array(4);
 
   private begin(body: RigidBody, sweeps: boolean): void {
     this.body = body;
@@ -225,6 +226,7 @@ export class Movers {
   readonly all: Mover[] = [];
   count = 0;
   readonly meetings = new MeetingQueue();
+  readonly ways = new Ways();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
 
