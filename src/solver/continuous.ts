@@ -7,7 +7,7 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { beginSensing, strike } from './impact.js';
 import { findMeetings, isSensed, meets } from './meetings.js';
-import type { Mover } from './movers.js';
+import type { Mover, Movers } from './movers.js';
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -42,17 +42,17 @@ function settle(world: World, dt: number): void {
   const { movers } = world;
   const { meetings } = movers;
   for (let next = meetings.takeFirst(); next !== null; next = meetings.takeFirst()) {
-    const { a, b, time } = next;
-    const one = movers.of(a.owner!);
-    const two = movers.of(b.owner!);
-    come(one, time);
-    come(two, time);
-    const pair = strike(world, a, b, time);
+    movers.now = next.time;
+    const one = movers.of(next.a.owner!);
+    const two = movers.of(next.b.owner!);
+    come(one, movers);
+    come(two, movers);
+    const pair = strike(world, next);
     if (pair !== null) {
-      halt(one, two, pair, time, dt);
-      halt(two, one, pair, time, dt);
-      lookAgain(world, one, time);
-      lookAgain(world, two, time);
+      halt(one, two, pair, dt);
+      halt(two, one, pair, dt);
+      lookAgain(world, one);
+      lookAgain(world, two);
     }
   }
   for (let i = 0; i < movers.count; i += 1) {
@@ -63,19 +63,19 @@ function settle(world: World, dt: number): void {
 }
 
 /** Puts a body, unless it is static, to where it is when something meets it. */
-function come(mover: Mover, time: number): void {
+function come(mover: Mover, { now }: Movers): void {
   if (mover.body.kind !== STATIC) {
-    mover.putAt(time);
+    mover.putAt(now);
     mover.met = true;
   }
 }
 
 /** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along. */
-function halt(mover: Mover, partner: Mover, pair: Arbiter, time: number, dt: number): void {
+function halt(mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
   if (mover.body.kind !== DYNAMIC) {
     return;
   }
-  mover.stop(time);
+  mover.stop();
   if (partner.body.kind === KINEMATIC) {
     mover.ride(partner);
   }
@@ -109,13 +109,13 @@ function slide(mover: Mover, under: Mover, { manifold: m, bodyA }: Arbiter, dt: 
 }
 
 /** Of the meetings of a body that has stopped some come at another time now, and some not at all. */
-function lookAgain(world: World, mover: Mover, from: number): void {
+function lookAgain(world: World, mover: Mover): void {
   const { meetings } = world.movers;
   for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
     if (meeting.slot < 0) {
       continue;
     }
-    if (meets(world, meeting, IMPACT_DEPTH, from)) {
+    if (meets(world, meeting, IMPACT_DEPTH)) {
       meetings.move(meeting);
     } else {
       meetings.remove(meeting);

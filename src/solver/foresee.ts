@@ -24,20 +24,21 @@ import { smoothMeeting } from './seams.js';
  */
 export function foresee(world: World, dt: number): void {
   const { movers } = world;
-  movers.ahead = dt;
   const average = (world.substeps + 1) / (2 * world.substeps);
+  movers.ahead = dt;
+  movers.gain = average * dt;
   const pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
     const body = world.liveDynamics[i]!;
     const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
     if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
-      foreseeFalling(world, body, dt, average * dt);
+      foreseeFalling(world, body);
     }
   }
   for (let i = 0; i < world.liveKinematics.length; i += 1) {
     const body = world.liveKinematics[i]!;
     if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
-      movers.add(body).foresee(body, dt, body.vx, body.vy, body.w);
+      movers.add(body).aim(body, movers);
     }
   }
   if (movers.count > 0) {
@@ -60,35 +61,44 @@ export function foresee(world: World, dt: number): void {
 }
 
 /** Of a dynamic body, with what forces add on the average of the step. */
-function foreseeFalling(world: World, body: RigidBody, dt: number, gain: number): void {
-  const mass = body.inverseMass();
+function foreseeFalling(world: World, body: RigidBody): void {
+  const { movers } = world;
+  const { ahead, gain } = movers;
+  body.refreshMass();
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box their results, and as `goesFar`.
+  const mass = body.mass > 0 ? 1 / body.mass : 0;
+  const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
   const vx = body.vx + (mass > 0 ? world.gravityX + body.fx * mass : 0) * gain;
   const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
-  const w = body.w + body.appliedTorque * body.inverseInertia() * gain;
-  if (goesFar(body, vx * dt, vy * dt, w * dt)) {
-    const [x, y] = alongContacts(body, vx, vy);
-    world.movers.add(body).foresee(body, dt, x, y, w);
+  const w = body.w + body.appliedTorque * inertia * gain;
+  if (Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius > SPECULATIVE_MARGIN / 2) {
+    const mover = movers.add(body);
+    mover.dx = vx;
+    mover.dy = vy;
+    mover.turn = w;
+    goAlongContacts(mover, body);
+    mover.foresee(body, movers);
   }
 }
 
-/** A velocity without what goes into the static bodies that the body touches. */
-function alongContacts(body: RigidBody, vx: number, vy: number): [number, number] {
-  let x = vx;
-  let y = vy;
-  for (const shape of body.shapes) {
-    for (const pair of shape.arbiters) {
-      const first = pair.shapeA === shape;
-      if (pair.isSolid() && (first ? pair.bodyB : pair.bodyA).kind === STATIC) {
+/** Takes from the velocity of a mover what goes into the static bodies that it touches. */
+function goAlongContacts(mover: Mover, { shapes }: RigidBody): void {
+  for (let i = 0; i < shapes.length; i += 1) {
+    const shape = shapes[i]!;
+    for (let k = 0; k < shape.arbiters.length; k += 1) {
+      const pair = shape.arbiters[k]!;
+      const isFirst = pair.shapeA === shape;
+      if (pair.isSolid() && (isFirst ? pair.bodyB : pair.bodyA).kind === STATIC) {
         const { numbers: n } = pair.manifold;
-        const into = (first ? 1 : -1) * (x * n[g.NX]! + y * n[g.NY]!);
+        const sign = isFirst ? 1 : -1;
+        const into = sign * (mover.dx * n[g.NX]! + mover.dy * n[g.NY]!);
         if (into > 0) {
-          x -= (first ? 1 : -1) * into * n[g.NX]!;
-          y -= (first ? 1 : -1) * into * n[g.NY]!;
+          mover.dx -= sign * into * n[g.NX]!;
+          mover.dy -= sign * into * n[g.NY]!;
         }
       }
     }
   }
-  return [x, y];
 }
 
 /**

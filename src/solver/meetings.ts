@@ -31,6 +31,7 @@ export function findMeetings(world: World, depth: number): void {
     movers.of(world.liveKinematics[i]!);
   }
   const count = movers.count;
+  movers.now = 0;
   movers.meetings.clear();
   const alone = listWays(movers);
   for (let i = 0; i < sweeping; i += 1) {
@@ -175,7 +176,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
   const meeting = movers.meetings.draft(a, b);
   if (pair?.foreseen) {
     recheck(world, meeting, depth);
-  } else if (mayMeet(moverA, a, moverB, b) && meets(world, meeting, depth, 0)) {
+  } else if (mayMeet(moverA, a, moverB, b) && meets(world, meeting, depth)) {
     add(world, meeting);
   }
 }
@@ -194,7 +195,7 @@ function recheck(world: World, meeting: Meeting, depth: number): void {
   const two = world.movers.of(meeting.b.owner!);
   one.unbend();
   two.unbend();
-  if (meets(world, meeting, depth, 0)) {
+  if (meets(world, meeting, depth)) {
     add(world, meeting);
   } else {
     one.bend();
@@ -235,29 +236,30 @@ function canPush(body: RigidBody): boolean {
 }
 
 /**
- * Finds when two shapes first touch, not before `from`, if they do, and will get deeper than contacts leave: what slides over the joint of
+ * Finds when two shapes first touch, not before now, if they do, and will get deeper than contacts leave: what slides over the joint of
  * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
  * are put back: when they are that deep.
  */
-export function meets(world: World, meeting: Meeting, depth: number, from: number): boolean {
+export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const { a, b } = meeting;
+  const { now } = world.movers;
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
   const { x, y } = one;
   one.follow(sweep.a, a, x, y);
   two.follow(sweep.b, b, x, y);
   if (isSensed(a, b)) {
-    meeting.time = timeOfImpact(sweep, 0, SWEEP_TOLERANCE, from, 1);
+    meeting.time = timeOfImpact(sweep, 0, SWEEP_TOLERANCE, now, 1);
     return meeting.time >= 0;
   }
   const least = leastDepth(a, b, depth);
-  const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, from, 1);
+  const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, now, 1);
   if (time < 0) {
     return false;
   }
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
   const deeper = sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least);
   const deep = timeOfImpact(sweep, Math.min(-least, deeper), SWEEP_TOLERANCE, time, 1);
-  meeting.time = deep >= 0 && time > from && !isJointed(a, b) ? time : deep;
+  meeting.time = deep >= 0 && time > now && !isJointed(a, b) ? time : deep;
   return deep >= 0;
 }

@@ -111,7 +111,9 @@ class Trial {
     const [x, y] = [a.vx - b.vx, a.vy - b.vy];
     a.place(0);
     b.place(0);
-    return Math.sqrt(x * x + y * y) + Math.abs(a.w) * a.reach() + Math.abs(b.w) * b.reach();
+    a.measureReach();
+    b.measureReach();
+    return Math.sqrt(x * x + y * y) + Math.abs(a.w) * a.reach + Math.abs(b.w) * b.reach;
   }
 
   /**
