@@ -6,9 +6,9 @@ import { Outline } from './outline.js';
 /** Angle, cosine, sine: scratch. */
 const turned = new Float64Array(3);
 
-/** What can be swept: writes its outline for a placement of its origin. */
+/** What can be swept: writes its outline where that was put. */
 export interface Swept {
-  outline(into: Outline, x: number, y: number, cos: number, sin: number): void;
+  outline(into: Outline): void;
 }
 
 interface Placement {
@@ -67,12 +67,16 @@ export class Travel {
   }
 
   private placeOutline(): void {
-    const { at } = this;
+    const { at, outline } = this;
     turned[0] = this.angle + this.w * at;
     cosSin(turned);
     this.atX = this.x + this.vx * at;
     this.atY = this.y + this.vy * at;
-    this.shape!.outline(this.outline, this.atX, this.atY, turned[1]!, turned[2]!);
+    outline.x = this.atX;
+    outline.y = this.atY;
+    outline.cos = turned[1]!;
+    outline.sin = turned[2]!;
+    this.shape!.outline(outline);
   }
 
   measureReach(): void {
@@ -186,7 +190,8 @@ export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, fr
   return findImpact(sweep) ? sweep.time : -1;
 }
 
-function findImpact(sweep: Sweep): boolean {
+/** The same of what the fields of the sweep say; the time is left there too. @returns whether that comes. */
+export function findImpact(sweep: Sweep): boolean {
   const { a, b, distance, most } = sweep;
   const enough = sweep.target + sweep.tolerance;
   let t = sweep.from;

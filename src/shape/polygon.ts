@@ -35,6 +35,8 @@ export class Polygon extends Shape {
 
   /** @internal grows with every change of the geometry */
   geometryStamp = 0;
+  /** @internal half of the least width; −1 if it has to be found */
+  halfWidth = -1;
 
   /** @internal use `createPolygonShape` */
   constructor(params: PolygonParams) {
@@ -122,8 +124,8 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
-  override outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
-    into.setPolygon(this.localEdges, this.offsets, x, y, cos, sin);
+  override outline(into: Outline): void {
+    into.setPolygon(this.localEdges, this.offsets);
   }
 
   /** @internal */
@@ -139,6 +141,13 @@ export class Polygon extends Shape {
 
   /** @internal */
   override thickness(): number {
+    if (this.halfWidth < 0) {
+      this.halfWidth = this.leastWidth() / 2;
+    }
+    return this.halfWidth;
+  }
+
+  private leastWidth(): number {
     const { localEdges, offsets } = this;
     let width = Infinity;
     for (let i = 0; i < offsets.length; i += 1) {
@@ -150,7 +159,7 @@ export class Polygon extends Shape {
       }
       width = Math.min(width, depth);
     }
-    return width / 2;
+    return width;
   }
 
   /** @internal */
@@ -172,6 +181,7 @@ export class Polygon extends Shape {
 
   private refreshEdges(): void {
     this.geometryStamp += 1;
+    this.halfWidth = -1;
     const vertices = this.vertices;
     const length = vertices.length;
     for (let i = 0; i < length; i += 2) {

@@ -4,7 +4,9 @@ import { visibleTurn } from '../collide/along.js';
 import { impactDepth } from '../collide/gap.js';
 import { CLEARANCE, DEEPER_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { Sweep, timeOfImpact } from '../geometry/sweep.js';
+import * as c from '../contact/layout.js';
+import { findImpact, Sweep } from '../geometry/sweep.js';
+import { mixElasticity } from '../material.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
@@ -16,6 +18,8 @@ import { isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.
 const sweep = new Sweep();
 sweep.patience = 1000;
 sweep.cautious = true;
+sweep.tolerance = SWEEP_TOLERANCE;
+sweep.most = 1;
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
 
@@ -46,6 +50,7 @@ export function findMeetings(world: World, depth: number): void {
       meetWays(world, i, sweeping, depth);
     }
   }
+  lookAtBouncing(world, depth);
 }
 
 /** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. @returns whether there are no such bullets. */
@@ -164,20 +169,50 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
   if ((movers.ahead > 0 && isSensed(a, b)) || !mayInteract(a, b)) {
     return;
   }
-  const moverA = movers.of(a.owner!);
-  const moverB = movers.of(b.owner!);
-  if (!isSwept(moverA, moverB)) {
+  if (!isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
     return;
   }
   const pair = pairs.find(a, b);
   if (isKnown(pair, movers, depth) || !(isSensed(a, b) || canPush(a.owner!) || canPush(b.owner!))) {
     return;
   }
-  const meeting = movers.meetings.draft(a, b);
   if (pair?.foreseen) {
-    recheck(world, meeting, depth);
-  } else if (mayMeet(moverA, a, moverB, b) && meets(world, meeting, depth)) {
-    add(world, meeting);
+    recheck(world, movers.meetings.draft(a, b), depth);
+  } else if (movers.ahead > 0 && bounces(pair, a, b)) {
+    movers.meetings.postpone(a, b);
+  } else {
+    look(world, a, b, depth);
+  }
+}
+
+function look(world: World, a: Shape, b: Shape, depth: number): void {
+  const { movers } = world;
+  if (mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b)) {
+    const meeting = movers.meetings.draft(a, b);
+    if (meets(world, meeting, depth)) {
+      add(world, meeting);
+    }
+  }
+}
+
+function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
+  if (pair === null) {
+    return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
+  }
+  pair.mixMaterials();
+  return pair.manifold.numbers[c.ELASTICITY]! > 0;
+}
+
+/** What will bounce is not foreseen. It only matters if it comes before something else that the same body meets. */
+function lookAtBouncing(world: World, depth: number): void {
+  const { movers } = world;
+  const { postponed, postponedCount } = movers.meetings;
+  for (let i = 0; i < postponedCount; i += 2) {
+    const a = postponed[i]!;
+    const b = postponed[i + 1]!;
+    if (movers.of(a.owner!).meetings !== null || movers.of(b.owner!).meetings !== null) {
+      look(world, a, b, depth);
+    }
   }
 }
 
@@ -248,18 +283,23 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const { x, y } = one;
   one.follow(sweep.a, a, x, y);
   two.follow(sweep.b, b, x, y);
+  sweep.from = now;
   if (isSensed(a, b)) {
-    meeting.time = timeOfImpact(sweep, 0, SWEEP_TOLERANCE, now, 1);
-    return meeting.time >= 0;
+    sweep.target = 0;
+    const isMet = findImpact(sweep);
+    meeting.time = sweep.time;
+    return isMet;
   }
   const least = leastDepth(a, b, depth);
-  const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, now, 1);
-  if (time < 0) {
+  sweep.target = -Math.min(TOUCH_DEPTH, least / 2);
+  if (!findImpact(sweep)) {
     return false;
   }
+  const { time } = sweep;
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
-  const deeper = sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least);
-  const deep = timeOfImpact(sweep, Math.min(-least, deeper), SWEEP_TOLERANCE, time, 1);
-  meeting.time = deep >= 0 && time > now && !isJointed(a, b) ? time : deep;
-  return deep >= 0;
+  sweep.target = Math.min(-least, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least));
+  sweep.from = time;
+  const isDeep = findImpact(sweep);
+  meeting.time = time > now && !isJointed(a, b) ? time : sweep.time;
+  return isDeep;
 }

@@ -92,7 +92,9 @@ export class Mover {
     this.dx *= ahead;
     this.dy *= ahead;
     this.setTurn(this.turn * ahead);
-    this.begin(body, body.liveIndex >= 0 && goesFar(body, this.dx, this.dy, this.spin));
+    const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
+    // As `goesFar`, which called from here would have to box its numbers.
+    this.begin(body, body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2);
     this.setStart(body.x, body.y, body.angle);
   }
 
