@@ -36,6 +36,8 @@ export class Polygon extends Shape {
 
   /** @internal grows with every change of the geometry */
   geometryStamp = 0;
+  /** @internal half of the least width; −1 if it has to be found */
+  halfWidth = -1;
 
   /** @internal use `createPolygonShape` */
   constructor(params: PolygonParams) {
@@ -123,8 +125,8 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
-  override outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
-    into.setPolygon(this.localEdges, this.offsets, x, y, cos, sin);
+  override outline(into: Outline): void {
+    into.setPolygon(this.localEdges, this.offsets);
   }
 
   /** @internal */
@@ -140,6 +142,13 @@ export class Polygon extends Shape {
 
   /** @internal */
   override thickness(): number {
+    if (this.halfWidth < 0) {
+      this.halfWidth = this.leastWidth() / 2;
+    }
+    return this.halfWidth;
+  }
+
+  private leastWidth(): number {
     const { localEdges, offsets } = this;
     let width = Infinity;
     for (let i = 0; i < offsets.length; i += 1) {
@@ -151,7 +160,7 @@ export class Polygon extends Shape {
       }
       width = Math.min(width, depth);
     }
-    return width / 2;
+    return width;
   }
 
   /** @internal */
@@ -173,6 +182,7 @@ export class Polygon extends Shape {
 
   private refreshEdges(): void {
     this.geometryStamp += 1;
+    this.halfWidth = -1;
     const vertices = this.vertices;
     const length = vertices.length;
     for (let i = 0; i < length; i += 2) {

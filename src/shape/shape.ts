@@ -253,8 +253,8 @@ export abstract class Shape {
   /** @internal turns the geometry with the body and sets the bounds */
   abstract place(body: RigidBody): void;
 
-  /** @internal writes the outline of the shape of a body placed at `(x, y)`, turned by an angle */
-  abstract outline(into: Outline, x: number, y: number, cos: number, sin: number): void;
+  /** @internal writes the outline of the shape of a body that is where the outline was put */
+  abstract outline(into: Outline): void;
 
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;
