@@ -13,7 +13,7 @@ function overlap(a: Float64Array, b: Float64Array): boolean {
 
 describe('ways', () => {
   const kinds: Record<string, (random: () => number) => number> = {
-    'spread evenly': (random) => 30 * random(),
+    'spread evenly': (random) => 20 * random(),
     'at few places, so that they coincide and touch': (random) => Math.floor(4 * random()),
     'of which some are everywhere or nowhere': (random) =>
       random() < 0.1 ? Infinity * (random() - 0.5) : 10 * random(),
