@@ -83,7 +83,7 @@ export function fuzz(engine: Engine, seed: number, length: number, isKnown = (_k
 export function testOf({ seed, message, program }: Failure): string {
   const lines = program.map((statement, i) => `  stage.next(${i});\n  ${textOf(statement)}`);
   return `// @ts-nocheck: ${message.replaceAll('\n', ' ')}
-import { it } from 'vitest';
+import { expect, it } from 'vitest';
 import { validate } from '../../src/audit/index.js';
 import { phys2D as device } from '../../src/index.js';
 import { Stage } from './stage.js';
@@ -93,6 +93,7 @@ it('fuzz, seed ${seed}', () => {
   const ${NAMES} = stage;
 ${lines.join('\n')}
   stage.next(${program.length});
+  expect(stage.at).toBe(${program.length});
 });
 `;
 }
