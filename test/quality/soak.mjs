@@ -7,16 +7,16 @@ import { validate } from '../../dist/validate.js';
 
 /** Steps per simulated minute. */
 const MINUTE = 3600;
-/** Bytes per simulated minute that count as noise. */
-const SLOPE = 2000;
+/** Standard errors that the slope of the heap may be above 0. */
+const NOISE = 2;
 /** Of the step time that all but a hundredth of the steps keep, last quarter to first. */
 const SLOWER = 1.1;
 const BODIES = 150;
 
 const { values } = parseArgs({ options: { minutes: { type: 'string', default: '60' } } });
 const minutes = Number(values.minutes);
-if (globalThis.gc === undefined || !(minutes >= 4)) {
-  throw new Error('soak: needs node --expose-gc, and at least 4 minutes');
+if (globalThis.gc === undefined || !(minutes >= 8)) {
+  throw new Error('soak: needs node --expose-gc, and at least 8 minutes');
 }
 
 /** mulberry32. */
@@ -153,14 +153,15 @@ for (let minute = 0; minute < minutes; minute += 1) {
   pools.push(worlds.reduce((sum, world) => sum + poolsOf(world), 0));
 }
 
-/** Slope of the line through the last three quarters of a list (least squares). */
+/** Slope of the line through the second half of a list, and its standard error (least squares). */
 function slope(list) {
-  const from = Math.floor(list.length / 4);
-  const tail = list.slice(from);
+  const tail = list.slice(Math.floor(list.length / 2));
   const middle = (tail.length - 1) / 2;
   const mean = tail.reduce((sum, value) => sum + value, 0) / tail.length;
-  const over = tail.reduce((sum, value, i) => sum + (i - middle) * (value - mean), 0);
-  return over / tail.reduce((sum, _, i) => sum + (i - middle) ** 2, 0);
+  const spread = tail.reduce((sum, _, i) => sum + (i - middle) ** 2, 0);
+  const growth = tail.reduce((sum, value, i) => sum + (i - middle) * (value - mean), 0) / spread;
+  const noise = tail.reduce((sum, value, i) => sum + (value - mean - growth * (i - middle)) ** 2, 0);
+  return [growth, Math.sqrt(noise / (tail.length - 2) / spread)];
 }
 
 /** How much a list grows from its second quarter to its last. */
@@ -170,8 +171,9 @@ function growth(list) {
 }
 
 const p99 = quarters.map((times) => times.sort()[Math.floor(0.99 * times.length)]);
+const [heapSlope, error] = slope(heaps);
 const results = [
-  ['heap, bytes a simulated minute', slope(heaps), slope(heaps) <= SLOPE],
+  [`heap, bytes a simulated minute (± ${Math.round(error)})`, heapSlope, heapSlope <= NOISE * error],
   ['pools, last quarter to second', growth(pools), growth(pools) <= SLOWER],
   ['p99 of the step time, last quarter to first', p99[3] / p99[0], p99[3] / p99[0] <= SLOWER],
   ['dropped worlds not collected', dropped - collected, collected === dropped],
