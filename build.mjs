@@ -15,9 +15,17 @@ rmSync(dist, { recursive: true, force: true });
 buildTypes();
 const internal = internalNames();
 // What a game that ships without it does not pay for is a module of its own.
-const modules = { phys2d: 'src/index.ts', debug: 'src/debug/index.ts', runner: 'src/runner.ts' };
+const modules = {
+  phys2d: 'src/index.ts',
+  debug: 'src/debug/index.ts',
+  runner: 'src/runner.ts',
+  validate: 'src/audit/index.ts',
+};
+// Reads nearly everything of a world: its minified bundle has the short names of the engine's.
+const { mangleCache } = await buildEsm('phys2d', true);
 await Promise.all([
-  ...Object.keys(modules).flatMap((name) => [buildEsm(name, false), buildEsm(name, true)]),
+  buildEsm('phys2d', false),
+  ...['debug', 'runner', 'validate'].flatMap((name) => [buildEsm(name, false), buildEsm(name, true, mangleCache)]),
   buildUmd(false),
   buildUmd(true),
   buildExamples(),
@@ -25,14 +33,14 @@ await Promise.all([
 copyFileSync(join(dist, 'phys2d.umd.cjs'), join(dist, 'phys2d.umd.js'));
 printSizes();
 
-function buildEsm(name, minify) {
+function buildEsm(name, minify, mangleCache = {}) {
   const outfile = minify ? `dist/${name}.min.js` : `dist/${name}.js`;
-  return build({ ...common, entryPoints: [modules[name]], outfile, format: 'esm', ...minified(minify) });
+  return build({ ...common, entryPoints: [modules[name]], outfile, format: 'esm', ...minified(minify, mangleCache) });
 }
 
 /** Minified bundles have short names for internal members too. */
-function minified(minify) {
-  return minify ? { minify, mangleProps: new RegExp(`^(${internal.join('|')})$`) } : {};
+function minified(minify, mangleCache) {
+  return minify ? { minify, mangleProps: new RegExp(`^(${internal.join('|')})$`), mangleCache } : {};
 }
 
 /**
@@ -72,7 +80,7 @@ function buildUmd(minify) {
     globalName: 'bundle',
     banner: { js: minify ? head.replace(/\s*\n\s*/g, ' ') : head },
     footer: { js: 'return bundle.default;\n});' },
-    ...minified(minify),
+    ...minified(minify, {}),
   });
 }
 
@@ -97,10 +105,10 @@ function buildTypes() {
   const all = join(dist, 'types');
   const options = '--ignoreConfig --target es2022 --lib es2022 --module nodenext --strict --exactOptionalPropertyTypes';
   const output = `--declaration --emitDeclarationOnly --stripInternal --rootDir src --outDir ${relative(root, all)}`;
-  const command = `node_modules/typescript/bin/tsc src/index.ts src/debug/index.ts src/runner.ts ${options} ${output}`;
+  const command = `node_modules/typescript/bin/tsc src/index.ts src/debug/index.ts src/runner.ts src/audit/index.ts ${options} ${output}`;
   execFileSync(process.execPath, command.split(' '), { cwd: root, stdio: 'inherit' });
 
-  const wanted = new Set(['index.d.ts', 'debug/index.d.ts', 'runner.d.ts']);
+  const wanted = new Set(['index.d.ts', 'debug/index.d.ts', 'runner.d.ts', 'audit/index.d.ts']);
   for (const name of wanted) {
     const text = readFileSync(join(all, name), 'utf8');
     for (const [, target] of text.matchAll(/\b(?:from |import\()'(\.[^']*)\.js'/g)) {
@@ -129,9 +137,10 @@ function buildTypes() {
     `import type * as debug from './debug/index.js' with { 'resolution-mode': 'import' };
 import type * as names from './index.js' with { 'resolution-mode': 'import' };
 import type * as runner from './runner.js' with { 'resolution-mode': 'import' };
+import type * as audit from './audit/index.js' with { 'resolution-mode': 'import' };
 
 /** A device that is ready to use, with every public class as a property. */
-declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'> & typeof debug & typeof runner;
+declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'> & typeof debug & typeof runner & typeof audit;
 declare namespace phys2D {
 ${aliases.sort().join('\n')}
 }
@@ -151,6 +160,7 @@ function printSizes() {
     ['phys2d.js', 'phys2d.min.js'],
     ['debug.js', 'debug.min.js'],
     ['runner.js', 'runner.min.js'],
+    ['validate.js', 'validate.min.js'],
     ['phys2d.umd.cjs', 'phys2d.umd.min.js'],
   ]) {
     console.log(`${name.padEnd(18)}${size(readFileSync(join(dist, name)))}${size(readFileSync(join(dist, minified)))}`);

@@ -1,3 +1,4 @@
+import * as audit from './audit/index.js';
 import * as debug from './debug/index.js';
 import * as names from './index.js';
 import { Physics2DDevice } from './index.js';
@@ -6,4 +7,4 @@ import * as runner from './runner.js';
 const { default: phys2D, ...classes } = names;
 
 /** The one global of the script tag: a device with every public name as a property. */
-export default Object.assign(Physics2DDevice.create(), classes, debug, runner, { phys2D });
+export default Object.assign(Physics2DDevice.create(), classes, debug, runner, audit, { phys2D });

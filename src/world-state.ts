@@ -170,7 +170,7 @@ export abstract class WorldState {
       callable('World', 'clock', value);
     }
     this.timepiece = value;
-    this.measured = value === null ? null : new Profile(value);
+    this.measured = value === null ? null : new Profile(() => this.readClock(value));
   }
 
   /** Where the time of the latest step went; `null` without a `clock`. The same object in each step. */
@@ -187,6 +187,16 @@ export abstract class WorldState {
     if (boolean('World', 'allowSleeping', value) !== this.mayRest) {
       this.mayRest = value;
       this.wakeAll();
+    }
+  }
+
+  /** What a clock throws waits until the step is over, so that it cannot leave one half done. */
+  private readClock(clock: Clock): number {
+    try {
+      return clock();
+    } catch (error) {
+      this.events.fail(error);
+      return NaN;
     }
   }
 

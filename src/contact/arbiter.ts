@@ -182,11 +182,12 @@ export class Arbiter {
   }
 
   /**
-   * Fixes the combined elasticity for the life of the arbiter, which ends 30 steps after the shapes parted, or until `setElasticityFromShapes`.
+   * Fixes the combined elasticity, any number (±Infinity: as of a material), for the life of the arbiter, which ends 30 steps after the shapes parted, or until `setElasticityFromShapes`.
    * Outside a step wakes both bodies silently.
    */
   setElasticity(elasticity: number): void {
-    this.fix(FIXED_ELASTICITY, c.ELASTICITY, notNaN('Arbiter.setElasticity', 'elasticity', elasticity));
+    const given = notNaN('Arbiter.setElasticity', 'elasticity', elasticity);
+    this.fix(FIXED_ELASTICITY, c.ELASTICITY, Number.isFinite(given) ? given : mixElasticity(given, given));
   }
 
   /** As `setElasticity`, >= 0. */

@@ -21,10 +21,12 @@ const FREE = -1;
  * broadphase reports all pairs in each step in an order of its own, and would have to wait for each arbiter otherwise.
  */
 export class PairTable {
-  private arbiters: (Arbiter | null)[] = new Array(64).fill(null);
+  /** @internal */
+  arbiters: (Arbiter | null)[] = new Array(64).fill(null);
   private places = new Int32Array(64 * PLACE).fill(FREE);
   private mask = 63;
-  private size = 0;
+  /** @internal how many there are */
+  size = 0;
 
   find({ id: idA }: Shape, { id: idB }: Shape): Arbiter | null {
     const at = this.placeOf(idA, idB);

@@ -25,13 +25,18 @@ function compare(a: Arbiter, b: Arbiter): number {
 export class Pairs {
   readonly sorted: Arbiter[] = [];
 
-  private readonly table = new PairTable();
-  private readonly arriving: Arbiter[] = [];
-  private readonly reported: [Shape, Shape][] = [];
-  private readonly pool: Arbiter[] = [];
-  /** Cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before. */
-  private cut: Arbiter[] = [];
-  private cutBefore: Arbiter[] = [];
+  /** @internal */
+  readonly table = new PairTable();
+  /** @internal */
+  readonly arriving: Arbiter[] = [];
+  /** @internal */
+  readonly reported: [Shape, Shape][] = [];
+  /** @internal */
+  readonly pool: Arbiter[] = [];
+  /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
+  cut: Arbiter[] = [];
+  /** @internal */
+  cutBefore: Arbiter[] = [];
 
   /** The pair of two shapes, if there is one. */
   find(shapeA: Shape, shapeB: Shape): Arbiter | null {

@@ -36,8 +36,8 @@ export class EventQueue {
   private readonly hits: Hit[] = [];
   /** Of them hits of this step; by their arbiters. */
   private readonly struck: Arbiter[] = [];
-  /** Bodies and constraints that woke since this was last looked at. */
-  private readonly woken: (RigidBody | Constraint)[] = [];
+  /** @internal bodies and constraints that woke since this was last looked at */
+  readonly woken: (RigidBody | Constraint)[] = [];
   private failure: { readonly error: unknown } | null = null;
 
   /** Notes an event of an interaction: its type as a bit, and when it was found. */

@@ -19,7 +19,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['events', 'profile'],
   ['constraint'],
   ['solver'],
-  ['query', 'debug', 'runner'],
+  ['query', 'debug', 'runner', 'audit'],
   ['world'],
   ['device'],
   ['index'],

@@ -7,6 +7,7 @@ import { pathToFileURL } from 'node:url';
 import { type Context, createContext, runInContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import * as validate from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as source from '../../src/index.js';
 import * as runner from '../../src/runner.js';
@@ -22,20 +23,25 @@ const dist = join(root, 'dist');
 const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
 const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
 const ESM = ['phys2d.js', 'phys2d.min.js'];
-const GZIP_LIMITS = { 'phys2d.min.js': 57_500, 'debug.min.js': 10_500, 'runner.min.js': 1_200 };
+const GZIP_LIMITS = {
+  'phys2d.min.js': 57_500,
+  'debug.min.js': 10_500,
+  'runner.min.js': 1_200,
+  'validate.min.js': 4_200,
+};
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */
-const APART = { debug, runner };
+const APART = { debug, runner, validate };
 
 const { default: _, ...engine }: Record<string, unknown> = source;
-const names: Record<string, unknown> = { ...engine, ...debug, ...runner };
+const names: Record<string, unknown> = { ...engine, ...debug, ...runner, ...validate };
 
 /** Public classes that a script tag user reaches as `phys2D.World` and so on. */
 const CLASSES = Object.entries(names)
   .filter(([name, value]) => typeof value === 'function' && /^[A-Z]/.test(name))
   .map(([name]) => name);
 
-type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'> & typeof debug & typeof runner;
+type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'> & typeof debug & typeof runner & typeof validate;
 
 const DROP = `
   const world = phys2D.createWorld({ gravity: [0, 10] });
@@ -137,22 +143,24 @@ describe.each(ESM)('%s as a module', (name) => {
   });
 });
 
-describe.each(['debug', 'runner'] as const)('%s as a module', (name) => {
+describe.each(['debug', 'runner', 'validate'] as const)('%s as a module', (name) => {
   it.each(['js', 'min.js'])('exports what the source exports (.%s), and has nothing of the engine', async (ending) => {
     const bundle = (await import(/* @vite-ignore */ pathToFileURL(join(dist, `${name}.${ending}`)).href)) as object;
     expect(Object.keys(bundle).sort()).toEqual(Object.keys(APART[name]).sort());
     const map = JSON.parse(read(`${name}.${ending}.map`)) as { sources: string[] };
-    expect(map.sources).toContain(name === 'debug' ? '../src/debug/draw.ts' : '../src/runner.ts');
+    expect(map.sources).toContain(
+      { debug: '../src/debug/draw.ts', runner: '../src/runner.ts', validate: '../src/audit/index.ts' }[name],
+    );
     expect(
       map.sources.filter((file) => /(?:solver|collide|contact|constraint|shape)\/|\/(?:body|world)\.ts/.test(file)),
     ).toEqual([]);
   });
 });
 
-it('the engine has nothing of debug drawing and the runner', () => {
+it('the engine has nothing of debug drawing, the runner and validation', () => {
   for (const name of ESM) {
     const { sources } = JSON.parse(read(`${name}.map`)) as { sources: string[] };
-    expect(sources.filter((file) => /debug|runner|body-pose/.test(file))).toEqual([]);
+    expect(sources.filter((file) => /debug|runner|body-pose|audit/.test(file))).toEqual([]);
   }
 });
 
@@ -194,6 +202,42 @@ describe('one picture', () => {
   it.each(UMD)('is drawn by %s', (name) => {
     const phys2D = runAsScript(name).phys2D as Phys2D;
     expect(picture({ phys2D }, phys2D, phys2D)).toBe(expected);
+  });
+});
+
+describe('validate', () => {
+  const load = async (ending: string): Promise<typeof source & typeof validate> => {
+    const [engine, apart] = await Promise.all(
+      ['phys2d', 'validate'].map(
+        (name) => import(/* @vite-ignore */ pathToFileURL(join(dist, `${name}.${ending}`)).href),
+      ),
+    );
+    return { ...engine, validate: apart.validate };
+  };
+  const check = (phys2D: source.Physics2DDevice, judge: typeof validate.validate): void => {
+    const { world } = new Tangle(phys2D, phys2D.createWorld(), 3, 30, 40);
+    for (let i = 0; i < 10; i += 1) {
+      world.step(1 / 60);
+      judge(world);
+    }
+    world.rigidBodies.reverse();
+    expect(() => judge(world)).toThrow('validate: world.rigidBodies[0]: index must be 0');
+  };
+
+  it.each(['js', 'min.js'])('works with the engine of the same kind (.%s)', async (ending) => {
+    const bundle = await load(ending);
+    check(bundle.phys2D, bundle.validate);
+  });
+
+  it.each(UMD)('works in %s', (name) => {
+    const phys2D = runAsScript(name).phys2D as Phys2D;
+    check(phys2D, phys2D.validate);
+  });
+
+  it('refuses the world of another kind', async () => {
+    const [full, short] = [await load('js'), await load('min.js')];
+    expect(() => full.validate(short.phys2D.createWorld())).toThrow('validate: world must be a World of the same kind');
+    expect(() => short.validate(full.phys2D.createWorld())).toThrow('validate: world must be a World of the same kind');
   });
 });
 
@@ -354,6 +398,8 @@ export = [used, device, phys2D.phys2D];`,
 import { CanvasDebugDevice, type DebugGraphicsDevice, type DebugLines, Physics2DDebugDraw } from 'phys2d/debug';
 import { SVGDebugDevice, WebGLDebugDevice } from 'phys2d/debug';
 import { FixedStepRunner } from 'phys2d/runner';
+import { validate } from 'phys2d/validate';
+validate(phys2D.createWorld());
 declare const canvas: HTMLCanvasElement;
 declare const offscreen: OffscreenCanvas;
 CanvasDebugDevice.create({ context: offscreen.getContext('2d')!, lineWidth: 2 });

@@ -2,6 +2,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type * as audit from '../../src/audit/index.js';
 import type * as source from '../../src/index.js';
 import { OPERATIONS, type Operation, Program } from './program.js';
 
@@ -14,9 +15,10 @@ const STEPS = 24;
 /** ms. Ends the search for a shorter program that fails too. */
 const TIME_LIMIT = 60_000;
 
-const { phys2D } = (await import(
-  /* @vite-ignore */ pathToFileURL(join(import.meta.dirname, '../../dist/phys2d.js')).href
-)) as typeof source;
+const load = (name: string): Promise<unknown> =>
+  import(/* @vite-ignore */ pathToFileURL(join(import.meta.dirname, '../../dist', name)).href);
+const { phys2D } = (await load('phys2d.js')) as typeof source;
+const { validate } = (await load('validate.js')) as typeof audit;
 
 const operation: fc.Arbitrary<Operation> = fc.record({
   op: fc.nat(OPERATIONS + STEPS - 1),
@@ -33,7 +35,7 @@ describe('random programs', () => {
         fc.property(
           fc.nat(1000),
           fc.array(operation, { minLength: LENGTH, maxLength: LENGTH, size: 'max' }),
-          (seed, operations) => new Program(phys2D, seed).run(operations),
+          (seed, operations) => new Program(phys2D, validate, seed).run(operations),
         ),
         { numRuns: PROGRAMS, seed: 1, interruptAfterTimeLimit: TIME_LIMIT, markInterruptAsFailure: true },
       );
@@ -42,6 +44,6 @@ describe('random programs', () => {
   );
 
   it('knows all its operations', () => {
-    expect(new Program(phys2D, 1).count).toBe(OPERATIONS);
+    expect(new Program(phys2D, validate, 1).count).toBe(OPERATIONS);
   });
 });

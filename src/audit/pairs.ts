@@ -1,0 +1,153 @@
+import { DYNAMIC } from '../body-kind.js';
+import * as g from '../collide/layout.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import * as c from '../contact/layout.js';
+import type { Shape } from '../shape/shape.js';
+import type { Audit } from './audit.js';
+
+/** Arbiters, the table of pairs, the list of awake ones, and the pools. */
+export function auditPairs(audit: Audit): void {
+  const { world } = audit;
+  auditSorted(audit);
+  auditTable(audit);
+  auditPools(audit);
+  for (const body of world.rigidBodies) {
+    for (const shape of body.shapes) {
+      shape.arbiters.forEach((pair, i) => {
+        const index = pair.shapeA === shape ? pair.indexA : pair.shapeB === shape ? pair.indexB : -1;
+        audit.demand(index === i, pair, `its index in the arbiters of shape ${shape.id} must be ${i}, got ${index}`);
+        auditListed(audit, pair);
+      });
+    }
+  }
+  for (const list of [world.dynamicArbiters, world.staticArbiters]) {
+    list.forEach((pair, i) => {
+      audit.demand(
+        pair.listed && !pair.sleeping,
+        pair,
+        'is in a list of the world, but asleep or in none of its shapes',
+      );
+      const belongs = list === listOf(audit, pair);
+      audit.demand(belongs, pair, 'is in a list of the world that it does not belong to');
+      audit.demand(pair.listIndex === i, pair, `listIndex must be ${i}, got ${pair.listIndex}`);
+    });
+  }
+}
+
+/** The world's list that a pair is in, unless it sleeps. */
+function listOf({ world }: Audit, { bodyA, bodyB }: Arbiter): readonly Arbiter[] {
+  return bodyA?.kind === DYNAMIC && bodyB?.kind === DYNAMIC ? world.dynamicArbiters : world.staticArbiters;
+}
+
+/** The rules for a pair that its shapes list. */
+function auditListed(audit: Audit, pair: Arbiter): void {
+  const { world } = audit;
+  const { shapeA, shapeB, bodyA, bodyB } = pair;
+  audit.demand(pair.listed && !pair.dead, pair, 'is listed by a shape, but not as it is');
+  audit.demand(shapeA.id < shapeB.id && bodyA !== bodyB, pair, 'must be of two bodies, the shape of lower id first');
+  audit.demand(bodyA?.owner === world && bodyB?.owner === world, pair, 'must be of bodies in the world');
+  const isListed = shapeA.arbiters[pair.indexA] === pair && shapeB.arbiters[pair.indexB] === pair;
+  audit.demand(isListed, pair, 'must be listed by both shapes');
+  audit.demand(pair.sensor === (shapeA.sensor || shapeB.sensor), pair, 'must know whether one is a sensor');
+  audit.demand(!(pair.active && pair.sleeping), pair, 'cannot be both active and asleep');
+  audit.demand(world.pairs.find(shapeA, shapeB) === pair, pair, 'must be in the table of pairs');
+  if (pair.sleeping) {
+    audit.demand(bodyA.asleep && bodyB.asleep, pair, 'is asleep, but a body of it is not');
+  } else {
+    const isThere = listOf(audit, pair)[pair.listIndex] === pair;
+    audit.demand(isThere, pair, 'must be in the list of the world that it belongs to');
+    audit.demand(pair.awake, pair, 'is not asleep, but not among the awake pairs either');
+  }
+  auditContacts(audit, pair);
+}
+
+function auditContacts(audit: Audit, pair: Arbiter): void {
+  const { manifold, shown, sensor } = pair;
+  const { numbers: n } = manifold;
+  audit.demand(shown >= 0 && shown <= 2 && !(sensor && shown > 0), pair, `cannot have ${shown} contacts`);
+  if (sensor || !pair.active) {
+    return;
+  }
+  const length = n[g.NX]! * n[g.NX]! + n[g.NY]! * n[g.NY]!;
+  audit.demand(manifold.count === 0 || Math.abs(length - 1) < 1e-9, pair, 'normal must be a unit vector');
+  for (let i = 0; i < manifold.count; i += 1) {
+    audit.finite(pair, `x of contact ${i}`, n[g.X0 + g.POINT * i]!);
+    audit.finite(pair, `y of contact ${i}`, n[g.Y0 + g.POINT * i]!);
+    audit.finite(pair, `separation of contact ${i}`, n[g.S0 + g.POINT * i]!);
+  }
+  for (const at of [0, c.IMPULSES]) {
+    audit.nonNegative(pair, 'normal impulse', n[c.STEP_NORMAL + at]!);
+    for (const of of [c.NORMAL, c.TANGENT, c.STEP_NORMAL, c.STEP_TANGENT]) {
+      audit.finite(pair, 'impulse', n[of + at]!);
+    }
+  }
+  audit.finite(pair, 'rolling impulse', n[c.STEP_ROLL]!);
+  audit.demand(!Number.isNaN(n[c.ELASTICITY]), pair, 'elasticity must be a number');
+  audit.nonNegative(pair, 'static friction', n[c.STATIC_FRICTION]!);
+  audit.nonNegative(pair, 'dynamic friction', n[c.DYNAMIC_FRICTION]!);
+  audit.nonNegative(pair, 'rolling friction', n[c.ROLLING_FRICTION]!);
+}
+
+/** Awake pairs are in order, each once; those that were cut off wait there to be dropped. */
+function auditSorted(audit: Audit): void {
+  const { world } = audit;
+  const { sorted, arriving, table, reported } = world.pairs;
+  audit.demand(reported.length === 0, world, 'reported pairs must be made within the step');
+  audit.distinct([...sorted, ...arriving], world, 'the list of awake pairs');
+  let before: Arbiter | null = null;
+  for (const pair of sorted) {
+    if (pair.dead) {
+      continue;
+    }
+    const isLater =
+      before === null ||
+      pair.shapeA.id > before.shapeA.id ||
+      (pair.shapeA.id === before.shapeA.id && pair.shapeB.id > before.shapeB.id);
+    audit.demand(isLater, pair, 'awake pairs must be in the order of their shapes');
+    before = pair;
+  }
+  for (const pair of [...sorted, ...arriving]) {
+    audit.demand(pair.awake, pair, 'is in the list of awake pairs, and must know it');
+    audit.demand(pair.dead || table.find(pair.shapeA, pair.shapeB) === pair, pair, 'must be in the table of pairs');
+  }
+}
+
+function auditTable(audit: Audit): void {
+  const { world } = audit;
+  const { table } = world.pairs;
+  let count = 0;
+  table.arbiters.forEach((pair, place) => {
+    if (pair !== null) {
+      count += 1;
+      audit.demand(pair.place === place && !pair.dead, pair, `place in the table must be ${place}, got ${pair.place}`);
+      audit.demand(table.find(pair.shapeA, pair.shapeB) === pair, pair, 'must be found in the table of pairs');
+      audit.demand(pair.awake || pair.sleeping, pair, 'is in the table, but neither awake nor asleep');
+      const isListed = pair.shapeA.arbiters[pair.indexA] === pair && pair.shapeB.arbiters[pair.indexB] === pair;
+      audit.demand(!pair.listed || isListed, pair, 'must be listed by both shapes');
+    }
+  });
+  audit.demand(table.size === count, world, `the table of pairs must count ${count}, got ${table.size}`);
+}
+
+/** What waits to be used again is used by nothing. */
+function auditPools(audit: Audit): void {
+  const { world } = audit;
+  const { pool, cut, cutBefore, table } = world.pairs;
+  const waiting = [...pool, ...cut, ...cutBefore];
+  audit.distinct(waiting, world, 'the pools of arbiters');
+  for (const pair of waiting) {
+    audit.demand(table.arbiters[pair.place] !== pair, pair, 'is in a pool and in the table of pairs');
+    audit.demand(
+      !isIn(pair.shapeA, pair.indexA, pair) && !isIn(pair.shapeB, pair.indexB, pair),
+      pair,
+      'is in use and in a pool',
+    );
+  }
+  for (const pair of pool) {
+    audit.demand(!pair.awake, pair, 'is in the pool and among the awake pairs');
+  }
+}
+
+function isIn(shape: Shape, index: number, pair: Arbiter): boolean {
+  return shape.arbiters[index] === pair;
+}
