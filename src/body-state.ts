@@ -83,6 +83,8 @@ export abstract class BodyState {
   woken = false;
   /** @internal */
   owner: World | null = null;
+  /** @internal when it was added to its world; grows with each body, shape and constraint */
+  order = 0;
   /** @internal index in the world's list of bodies */
   index = -1;
   /** @internal index in the live list of its type, −1 while in none */

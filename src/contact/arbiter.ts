@@ -258,6 +258,7 @@ export class Arbiter {
     this.active = false;
     this.sleeping = false;
     this.manifold.reset();
+    this.began = -1;
     this.strained = -Infinity;
     this.lastInteraction = -1;
     this.seen = -1;
@@ -266,6 +267,7 @@ export class Arbiter {
     this.awake = false;
     this.near = false;
     this.foreseen = false;
+    this.before = null;
     this.forget();
   }
 

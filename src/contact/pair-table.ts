@@ -58,6 +58,16 @@ export class PairTable {
     this.size = 0;
   }
 
+  /** Moves all arbiters to the end of a list. */
+  drainTo(list: Arbiter[]): void {
+    for (const entry of this.slots) {
+      if (entry !== null) {
+        list.push(entry);
+      }
+    }
+    this.clear();
+  }
+
   private place(arbiter: Arbiter): void {
     const { slots, mask } = this;
     let i = hash(arbiter.shapeA.id, arbiter.shapeB.id) & mask;

@@ -19,7 +19,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['events'],
   ['constraint'],
   ['solver'],
-  ['query', 'debug', 'runner'],
+  ['query', 'debug', 'runner', 'state'],
   ['world'],
   ['device'],
   ['index'],
