@@ -412,6 +412,7 @@ export class World extends WorldState {
 
   private enter(shape: Shape): void {
     shape.order = this.nextOrder;
+    shape.entered = this.stamp;
     this.nextOrder += 1;
     shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep);
   }

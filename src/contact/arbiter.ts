@@ -319,7 +319,7 @@ export class Arbiter {
     const to = c.NORMAL + c.IMPULSES * which;
     const from = c.NORMAL + c.IMPULSES * (1 - which);
     this.manifold.numbers.copyWithin(to, from, from + c.IMPULSES);
-    this.usedPoints = which === 0 ? this.usedPoints >> 1 : this.usedPoints << 1;
+    this.usedPoints = which === 0 ? this.usedPoints >> 1 : (this.usedPoints << 1) & 2;
     this.dropPoint(which === 0 ? 1 : 0);
   }
 

@@ -74,6 +74,8 @@ export abstract class Shape {
   listeners: Listeners<HitHandler> = NO_LISTENERS;
   /** @internal when it came into its world; grows with each body, shape and constraint */
   order = 0;
+  /** @internal the last step before it came into its world */
+  entered = -1;
   /** @internal its place while the state of the world is walked over */
   stateIndex = 0;
   /** @internal */

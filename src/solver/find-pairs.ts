@@ -37,6 +37,12 @@ function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle):
   const b = second.data as Shape;
   if (mayInteract(a, b)) {
     const pair = a.id < b.id ? this.pairs.obtain(a, b) : this.pairs.obtain(b, a);
+    if (!pair.listed && pair.seen <= Math.max(a.entered, b.entered)) {
+      // A shape left and came back within a step: nothing is remembered of before.
+      const { awake } = pair;
+      pair.reuse(pair.shapeA, pair.shapeB);
+      pair.awake = awake;
+    }
     pair.seen = this.timeStamp;
     this.pairs.arrive(pair);
   }

@@ -70,6 +70,7 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
   tape.begins(SHAPE);
   shape.group = tape.number(shape.group);
   shape.mask = tape.number(shape.mask);
+  shape.entered = tape.number(shape.entered);
   return shape.kind === 0 ? keepCircle(tape, shape as Circle) : keepPolygon(tape, shape as Polygon);
 }
 
@@ -113,6 +114,7 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
   pair.fixed = tape.integer(pair.fixed, 0, 15);
   pair.usedPoints = tape.integer(pair.usedPoints, 0, 3);
   pair.freshPoints = tape.integer(pair.freshPoints, 0, 3);
+  pair.seen = tape.number(pair.seen);
   pair.began = tape.number(pair.began);
   pair.strained = tape.number(pair.strained);
   pair.lastInteraction = tape.number(pair.lastInteraction);

@@ -24,7 +24,7 @@ export interface Objects {
 export interface Scene extends Objects {
   /** How many shapes are in the world. */
   attached: number;
-  /** Awake ones in the order of their shapes' ids, then sleeping ones, then those that were cut off and are named by an event. */
+  /** Without those of shapes that left, which the next step drops. Awake ones in the order of their shapes' ids, then sleeping ones, then those that were cut off and are named by an event. */
   readonly pairs: Arbiter[];
   readonly islands: Island[];
 }
@@ -94,7 +94,7 @@ function gatherPairs(world: World, scene: Scene): void {
   const { pairs, shapes } = scene;
   world.pairs.merge();
   for (const pair of world.pairs.sorted) {
-    if (!pair.dead) {
+    if (!pair.dead && pair.shapeA.handle !== null && pair.shapeB.handle !== null) {
       pairs.push(pair);
     }
   }

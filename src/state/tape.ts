@@ -71,8 +71,10 @@ export class Tape {
   /** The next field of the row, and the byte that tells about it and its neighbours. */
   private field = 0;
   private mask = 0;
-  private readonly last = Array.from({ length: ROWS }, () => new Float64Array(FIELDS));
-  private row = this.last[0]!;
+  private readonly lastNumbers = Array.from({ length: ROWS }, () => new Float64Array(FIELDS));
+  private readonly lastIntegers = Array.from({ length: ROWS }, () => new Int32Array(FIELDS));
+  private row = this.lastNumbers[0]!;
+  private integerRow = this.lastIntegers[0]!;
   private place = 0;
   private before: Float64Array | null = null;
   private readonly digest = new Digest();
@@ -102,7 +104,7 @@ export class Tape {
     this.atByte = 0;
     this.place = 0;
     this.before = null;
-    for (const row of this.last) {
+    for (const row of [...this.lastNumbers, ...this.lastIntegers]) {
       row.fill(0);
     }
   }
@@ -212,7 +214,8 @@ export class Tape {
 
   /** Starts a row. */
   begins(kind: number): void {
-    this.row = this.last[kind]!;
+    this.row = this.lastNumbers[kind]!;
+    this.integerRow = this.lastIntegers[kind]!;
     this.field = 0;
   }
 
@@ -257,7 +260,7 @@ export class Tape {
   /** An integer of at most 32 bits, within bounds. */
   integer(value: number, least: number, most: number): number {
     const i = this.next();
-    const { row } = this;
+    const { integerRow: row } = this;
     if (this.mode === WRITE) {
       if (value !== row[i]) {
         this.note(i);
