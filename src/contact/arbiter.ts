@@ -273,7 +273,9 @@ export class Arbiter {
 
   /** @internal drops what is only kept while an interaction runs or is cached */
   forget(): void {
-    this.contacts.length = 0;
+    while (this.contacts.length > 0) {
+      this.contacts.pop();
+    }
     this.dropPoints();
     this.accepted = !this.sensor;
     this.persistent = false;

@@ -1,38 +1,61 @@
-/** Items that are each at a place of one of several lists; the places of a list have to be 0, 1, 2 … */
+/** Items that are each at a place of one of several lists; the places of a list have to be 0, 1, 2 … Used again and again. */
 export class Order {
-  private readonly lists: number[] = [];
-  private readonly places: number[] = [];
-  private readonly items: number[] = [];
+  private entries = new Int32Array(192);
+  private count = 0;
+  private starts = new Int32Array(64);
+  private sorted = new Int32Array(64);
 
-  add(list: number, place: number, item: number): void {
-    this.lists.push(list);
-    this.places.push(place);
-    this.items.push(item);
+  clear(): void {
+    this.count = 0;
   }
 
-  /** Calls back for each list and item in order. @returns whether the places are right; if not, calls nothing. */
-  visit(listCount: number, action: ((list: number, item: number) => void) | null): boolean {
-    const { lists, places, items } = this;
-    const starts = new Int32Array(listCount + 1);
-    for (const list of lists) {
-      starts[list + 1]! += 1;
+  add(list: number, place: number, item: number): void {
+    const at = 3 * this.count;
+    if (at === this.entries.length) {
+      const wider = new Int32Array(2 * at);
+      wider.set(this.entries);
+      this.entries = wider;
+    }
+    this.entries[at] = list;
+    this.entries[at + 1] = place;
+    this.entries[at + 2] = item;
+    this.count += 1;
+  }
+
+  /** Sorts the items. @returns whether their places are right. */
+  sort(listCount: number): boolean {
+    const { entries, count } = this;
+    if (this.starts.length <= listCount) {
+      this.starts = new Int32Array(2 * listCount + 2);
+    }
+    if (this.sorted.length < count) {
+      this.sorted = new Int32Array(2 * count);
+    }
+    const { starts, sorted } = this;
+    starts.fill(0, 0, listCount + 1);
+    sorted.fill(-1, 0, count);
+    for (let at = 0; at < 3 * count; at += 3) {
+      starts[entries[at]! + 1]! += 1;
     }
     for (let list = 0; list < listCount; list += 1) {
       starts[list + 1]! += starts[list]!;
     }
-    const sorted = new Int32Array(lists.length).fill(-1);
-    for (let i = 0; i < lists.length; i += 1) {
-      const at = starts[lists[i]!]! + places[i]!;
-      if (places[i]! < 0 || at >= starts[lists[i]! + 1]! || sorted[at] !== -1) {
+    for (let at = 0; at < 3 * count; at += 3) {
+      const to = starts[entries[at]!]! + entries[at + 1]!;
+      if (entries[at + 1]! < 0 || to >= starts[entries[at]! + 1]! || sorted[to] !== -1) {
         return false;
       }
-      sorted[at] = items[i]!;
-    }
-    for (let list = 0; list < listCount && action !== null; list += 1) {
-      for (let at = starts[list]!; at < starts[list + 1]!; at += 1) {
-        action(list, sorted[at]!);
-      }
+      sorted[to] = entries[at + 2]!;
     }
     return true;
+  }
+
+  /** Of sorted items: where those of a list begin. */
+  start(list: number): number {
+    return this.starts[list]!;
+  }
+
+  item(at: number): number {
+    return this.sorted[at]!;
   }
 }

@@ -123,28 +123,21 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
   for (let i = c.ELASTICITY; i <= c.ROLLING_FRICTION && isKnown; i += 1) {
     n[i] = tape.number(n[i]!);
   }
-  keepNumbers(tape, n, c.NORMAL, c.STEP_ROLL);
-  if (m.face >= 0) {
-    keepNumbers(tape, n, g.FACE_DX, g.FACE_ANGLE_B);
-  }
-  if (isKnown) {
-    keepNumbers(tape, n, g.DX, m.count > 0 ? g.ANGLE_B : -1);
-    keepNumbers(tape, n, g.NX, m.count === 2 ? g.S1 : m.count === 1 ? g.S0 : g.NY);
-  }
   keepMetAgain(tape, pair);
-}
-
-function keepNumbers(tape: Tape, n: Float64Array, from: number, to: number): void {
-  for (let i = from; i <= to; i += 1) {
-    n[i] = tape.sparse(n[i]!);
+  // The numbers lie side by side: those of the points, of which there may be none, for what the edges were chosen, and impulses.
+  if (isKnown) {
+    tape.span(n, m.count > 0 ? g.DX : g.NX, m.count === 2 ? g.FACE_DX : m.count === 1 ? g.X1 : g.X0);
   }
+  tape.span(n, m.face >= 0 ? g.FACE_DX : c.NORMAL, c.ELASTICITY);
 }
 
 function keepContacts(tape: Tape, { contacts, points }: Arbiter): void {
   const count = tape.integer(contacts.length, 0, 2);
-  if (count !== contacts.length) {
-    contacts.length = 0;
-    contacts.push(...points.slice(0, count));
+  while (contacts.length > count) {
+    contacts.pop();
+  }
+  while (contacts.length < count) {
+    contacts.push(points[contacts.length]!);
   }
 }
 

@@ -70,12 +70,16 @@ function replace<T>(list: T[], by: readonly T[]): void {
 export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
   instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer');
   tape.load(where, buffer);
-  const found = known.get(buffer) ?? null;
+  const found = known.get(buffer);
+  const own = found?.checksum === tape.checksum ? found : null;
   const ids = tape.integers([]);
-  const there = resolve(tape, world, ids, found?.checksum === tape.checksum ? found : null, held);
-  walk(tape, world, there);
-  walkGroups(tape, world);
-  tape.accept();
+  const there = resolve(tape, world, ids, own, held);
+  if (own === null) {
+    walk(tape, world, there);
+    walkGroups(tape, world);
+    tape.finish();
+  }
+  tape.read();
   tape.integers([]);
   empty(world, there);
   assemble(world, there, ids);
@@ -133,7 +137,7 @@ function empty(world: World, { bodies, inside }: Scene): void {
     world.dynamicArbiters,
     world.staticArbiters,
   ]) {
-    list.length = 0;
+    drop(list);
   }
 }
 
@@ -163,7 +167,7 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
   }
   for (let i = 0; i < shapes.length; i += 1, at += 3) {
     shapes[i]!.order = ids[at]!;
-    shapes[i]!.arbiters.length = 0;
+    drop(shapes[i]!.arbiters);
     shapes[i]!.grounds = null;
     shapes[i]!.groundStamp = -1;
   }
@@ -222,4 +226,11 @@ function place(world: World, { bodies, inside }: Scene): void {
     }
   }
   world.staleCount = 0;
+}
+
+/** Empties a list that will soon be as long again: setting its length would give its memory back. */
+function drop(list: unknown[]): void {
+  while (list.length > 0) {
+    list.pop();
+  }
 }

@@ -185,9 +185,13 @@ export class Tape {
     this.begin(CHECK);
   }
 
-  /** Ends a check, and begins to read. */
-  accept(): void {
+  /** Ends a check. */
+  finish(): void {
     this.require(this.atNumber === this.endNumber && this.atByte === this.endByte, 'something is left over');
+  }
+
+  /** Begins to read what is right. */
+  read(): void {
     this.begin(READ);
   }
 
@@ -298,12 +302,49 @@ export class Tape {
     return this.takes ? stored : value;
   }
 
-  /** Numbers of an array, as `sparse`. Ends the row. */
+  /** All numbers of an array, as `sparse`. */
   list(values: Float64Array): void {
-    for (let i = 0; i < values.length; i += 1) {
-      this.field = i & 7;
-      values[i] = this.sparse(values[i]!);
+    this.span(values, 0, values.length);
+  }
+
+  /** The numbers of an array from one index up to another, as `sparse`; straight-line, as most of what there is passes here. */
+  span(values: Float64Array, from: number, to: number): void {
+    const { mode, takes } = this;
+    if (mode === HASH) {
+      for (let i = from; i < to; i += 1) {
+        this.mix(values[i]!);
+      }
+      return;
     }
+    for (let start = from; start < to; start += 8) {
+      this.field = 0;
+      this.next();
+      const { mask, numbers, bytes } = this;
+      const end = start + 8 < to ? start + 8 : to;
+      let noted = mode === WRITE ? 0 : bytes[mask]!;
+      let at = this.atNumber;
+      for (let i = start; i < end; i += 1) {
+        const bit = 1 << (i - start);
+        if (mode === WRITE) {
+          const value = values[i]!;
+          if (value !== 0 || 1 / value < 0) {
+            noted |= bit;
+            numbers[at] = value;
+            at += 1;
+          }
+        } else if ((noted & bit) === 0) {
+          values[i] = takes ? 0 : values[i]!;
+        } else {
+          values[i] = takes ? numbers[at]! : values[i]!;
+          this.require(mode !== CHECK || !Number.isNaN(numbers[at]), 'a number is none');
+          at += 1;
+        }
+      }
+      bytes[mask] = noted;
+      this.atNumber = at;
+      this.require(mode !== CHECK || at <= this.endNumber, 'it ends too early');
+    }
+    this.field = 0;
   }
 
   /**
@@ -326,18 +367,14 @@ export class Tape {
     this.require(length <= 8 * (this.endByte - this.atByte), 'it ends too early');
     let stored = before!;
     if (length > 0) {
+      const { takes } = this;
       stored = new Float64Array(length);
-      this.read(stored);
+      this.takes = true;
+      this.list(stored);
+      this.takes = takes;
     }
     this.before = stored;
     return !this.takes || areEqual(values, stored) ? values : stored.slice();
-  }
-
-  private read(into: Float64Array): void {
-    for (let i = 0; i < into.length; i += 1) {
-      this.field = i & 7;
-      into[i] = this.isNoted(this.next()) ? this.takeNumber() : 0;
-    }
   }
 
   /** How many there are of something. @returns what is stored, also on a check. */

@@ -8,10 +8,13 @@ import type { Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
 /** Where the pairs are: in the lists of their shapes, and in those of the world. */
-class Places {
-  readonly ofShapes = new Order();
-  readonly ofWorld = new Order();
+interface Places {
+  readonly ofShapes: Order;
+  readonly ofWorld: Order;
 }
+
+/** Scratch. */
+const places: Places = { ofShapes: new Order(), ofWorld: new Order() };
 
 /** All pairs: awake ones in order, sleeping ones, then those that only events name. */
 export function walkPairs(tape: Tape, world: World, scene: Scene): void {
@@ -22,7 +25,8 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
   const cut = tape.count(tape.holds ? 0 : world.events.ended.count);
   const count = tape.count(pairs.length);
   tape.require(awake + cut <= count && (count === 0 || shapes.length > 1), 'it has more pairs than there can be');
-  const places = new Places();
+  places.ofShapes.clear();
+  places.ofWorld.clear();
   const scratch = tape.checks && count > 0 ? new Arbiter(shapes[0]!, shapes[1]!) : null;
   tape.checksOnto(true);
   for (let i = 0; i < count; i += 1) {
@@ -92,14 +96,21 @@ function walkPlaces(tape: Tape, world: World, pair: Arbiter, a: number, b: numbe
 
 /** Puts the pairs into their lists. */
 function link(tape: Tape, world: World, { pairs, shapes, attached }: Scene, { ofShapes, ofWorld }: Places): void {
-  const toShape = (shape: number, i: number): void => {
-    shapes[shape]!.arbiters.push(pairs[i]!);
-  };
-  const toWorld = (list: number, i: number): void => {
-    const pair = pairs[i]!;
-    pair.listIndex = (list === 0 ? world.dynamicArbiters : world.staticArbiters).push(pair) - 1;
-  };
-  const areRight =
-    ofShapes.visit(attached, tape.reads ? toShape : null) && ofWorld.visit(2, tape.reads ? toWorld : null);
-  tape.require(areRight, 'pairs have no place in a list');
+  tape.require(ofShapes.sort(attached) && ofWorld.sort(2), 'pairs have no place in a list');
+  if (!tape.reads) {
+    return;
+  }
+  for (let shape = 0; shape < attached; shape += 1) {
+    const { arbiters } = shapes[shape]!;
+    for (let at = ofShapes.start(shape); at < ofShapes.start(shape + 1); at += 1) {
+      arbiters.push(pairs[ofShapes.item(at)]!);
+    }
+  }
+  for (let list = 0; list < 2; list += 1) {
+    const arbiters = list === 0 ? world.dynamicArbiters : world.staticArbiters;
+    for (let at = ofWorld.start(list); at < ofWorld.start(list + 1); at += 1) {
+      const pair = pairs[ofWorld.item(at)]!;
+      pair.listIndex = arbiters.push(pair) - 1;
+    }
+  }
 }

@@ -36,45 +36,65 @@ it('there are 360 hashes, all different', () => {
 });
 
 describe('golden hashes', () => {
-  it('in V8 (Node)', () => {
-    expect(JSON.parse(runInNewContext(`${script}; JSON.stringify(golden.runAll())`) as string)).toEqual(golden);
-  }, MINUTES);
+  it(
+    'in V8 (Node)',
+    () => {
+      expect(JSON.parse(runInNewContext(`${script}; JSON.stringify(golden.runAll())`) as string)).toEqual(golden);
+    },
+    MINUTES,
+  );
 
-  it('in V8 (Chromium)', async () => {
-    const browser = await launch();
-    try {
-      const page = await open(browser, []);
-      await page.addScriptTag({ content: script });
-      expect(await page.evaluate('golden.runAll()')).toEqual(golden);
-    } finally {
-      await browser.close();
-    }
-  }, MINUTES);
+  it(
+    'in V8 (Chromium)',
+    async () => {
+      const browser = await launch();
+      try {
+        const page = await open(browser, []);
+        await page.addScriptTag({ content: script });
+        expect(await page.evaluate('golden.runAll()')).toEqual(golden);
+      } finally {
+        await browser.close();
+      }
+    },
+    MINUTES,
+  );
 
-  it('in SpiderMonkey (Firefox)', async () => {
-    expect(await runInFirefox()).toEqual(golden);
-  }, 2 * MINUTES);
+  it(
+    'in SpiderMonkey (Firefox)',
+    async () => {
+      expect(await runInFirefox()).toEqual(golden);
+    },
+    2 * MINUTES,
+  );
 
-  it('in JavaScriptCore (jsc)', async () => {
-    const file = join(folder, 'golden.js');
-    writeFileSync(file, `${script}; print(JSON.stringify(golden.runAll()));`);
-    const { stdout } = await promisify(execFile)(find('jsc'), [file], { maxBuffer: 1e6 });
-    expect(JSON.parse(stdout)).toEqual(golden);
-  }, MINUTES);
+  it(
+    'in JavaScriptCore (jsc)',
+    async () => {
+      const file = join(folder, 'golden.js');
+      writeFileSync(file, `${script}; print(JSON.stringify(golden.runAll()));`);
+      const { stdout } = await promisify(execFile)(find('jsc'), [file], { maxBuffer: 1e6 });
+      expect(JSON.parse(stdout)).toEqual(golden);
+    },
+    MINUTES,
+  );
 
-  it('in QuickJS', async () => {
-    const quickJS = await getQuickJS();
-    const context = quickJS.newContext();
-    context.unwrapResult(context.evalCode(script)).dispose();
-    const found: Hashes = {};
-    for (const name of Object.keys(golden)) {
-      const result = context.unwrapResult(context.evalCode(`golden.run(${JSON.stringify(name)})`));
-      found[name] = context.dump(result) as string[];
-      result.dispose();
-    }
-    context.dispose();
-    expect(found).toEqual(golden);
-  }, 10 * MINUTES);
+  it(
+    'in QuickJS',
+    async () => {
+      const quickJS = await getQuickJS();
+      const context = quickJS.newContext();
+      context.unwrapResult(context.evalCode(script)).dispose();
+      const found: Hashes = {};
+      for (const name of Object.keys(golden)) {
+        const result = context.unwrapResult(context.evalCode(`golden.run(${JSON.stringify(name)})`));
+        found[name] = context.dump(result) as string[];
+        result.dispose();
+      }
+      context.dispose();
+      expect(found).toEqual(golden);
+    },
+    10 * MINUTES,
+  );
 });
 
 /** Firefox has no driver here: it opens a page, which posts what it found. */
