@@ -25,15 +25,15 @@ export abstract class BodyState {
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
   kind: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   x: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   y: number;
   /** @internal */
   angle: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   cos: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   sin: number;
   /** @internal */
   vx: number;
@@ -83,7 +83,7 @@ export abstract class BodyState {
   woken = false;
   /** @internal */
   owner: World | null = null;
-  /** @internal when it was added to its world; grows with each body, shape and constraint */
+  /** @internal when it was added to its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal index in the world's list of bodies */
   index = -1;

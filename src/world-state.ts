@@ -48,6 +48,8 @@ export abstract class WorldState {
   /** Awake interactions, running or cached, with a static or kinematic body. */
   readonly staticArbiters: Arbiter[] = [];
   readonly broadphase: Broadphase;
+  /** Told at the end of each step where bodies are, before events; `null` for none. A `PoseBuffer`, or anything with such a method. */
+  poses: { update(): void } | null = null;
 
   /** @internal */
   gravityX: number;

@@ -55,6 +55,7 @@ export class World extends WorldState {
     } finally {
       this.stepping = false;
     }
+    this.poses?.update();
     this.delivering = true;
     try {
       this.events.deliver();

@@ -77,7 +77,7 @@ export abstract class Constraint {
   index = -1;
   /** @internal index in the world's list of live ones, −1 while not in it */
   liveIndex = -1;
-  /** @internal grows with each adding to a world: decides between equals */
+  /** @internal grows with each adding to a world: decides between equals. Keeps its name */
   order = 0;
   /** @internal those it fell asleep with */
   island: Island | null = null;

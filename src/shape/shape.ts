@@ -72,7 +72,7 @@ export abstract class Shape {
   owner: RigidBody | null = null;
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
-  /** @internal when it came into its world; grows with each body, shape and constraint */
+  /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
   entered = -1;

@@ -1,5 +1,8 @@
 import { RigidBody } from '../body.js';
 import { Constraint } from '../constraint/constraint.js';
+import { createBoxVertices } from '../geometry/vertices.js';
+import { Circle } from '../shape/circle.js';
+import { Polygon } from '../shape/polygon.js';
 import { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { emptyScene, type Objects, type Scene } from './scene.js';
@@ -72,10 +75,13 @@ export function resolve(
   tape.require(count === attached, 'the numbers of shapes do not fit');
   const ranked: Shape[] = [];
   for (let i = 0; i < attached + loose; i += 1, at += 3) {
-    const shape = known?.shapes[i] ?? finder.find(ids[at]!, Shape, 'a shape');
+    const isGone = known === null && i >= attached;
+    const shape = isGone ? standIn(ids[at + 1]!) : (known?.shapes[i] ?? finder.find(ids[at]!, Shape, 'a shape'));
     tape.require(shape.kind === ids[at + 1], 'a shape is of another kind');
     shapes.push(shape);
-    ranked[ids[at + 2]!] = shape;
+    if (i < attached) {
+      ranked[ids[at + 2]!] = shape;
+    }
   }
   for (let i = 0; i < ties; i += 1, at += 1) {
     constraints.push(known?.constraints[i] ?? finder.find(ids[at]!, Constraint, 'a constraint'));
@@ -85,25 +91,22 @@ export function resolve(
     tape.require(body !== undefined, 'a constraint has another number of bodies');
     bodies.push(body!);
   }
-  tape.require(
-    ranked.length === shapes.length && areAscending(ranked),
-    'its shapes were created in another order than those here',
-  );
+  tape.require(areAscending(ranked, attached), 'its shapes were created in another order than those here');
   scene.materials.push(...(known?.materials ?? []));
   finder.refuseOthers(scene);
   return scene;
 }
 
+/** A shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
+function standIn(kind: number): Shape {
+  const vertices = createBoxVertices(1, 1);
+  return kind === 0 ? new Circle({ radius: 1 }) : new Polygon({ vertices });
+}
+
 /** No shape is missing, and each has a higher id than the one before. */
-function areAscending(shapes: readonly (Shape | undefined)[]): boolean {
-  let last = -1;
-  for (const shape of shapes) {
-    if (shape === undefined || shape.id <= last) {
-      return false;
-    }
-    last = shape.id;
-  }
-  return true;
+function areAscending(ranked: Shape[], count: number): boolean {
+  const shapes = Object.values(ranked);
+  return shapes.length === count && shapes.every(({ id }, i) => i === 0 || id > shapes[i - 1]!.id);
 }
 
 /** Looks objects up by their `order`. */

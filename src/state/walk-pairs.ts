@@ -36,7 +36,7 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
     const b = tape.index(tape.holds ? 0 : pairs[i]!.shapeB.stateIndex, limit);
     const shapeA = shapes[a]!;
     const shapeB = shapes[b]!;
-    tape.require(shapeA.id < shapeB.id, 'the shapes of a pair are not in order');
+    tape.require(isCut || shapeA.id < shapeB.id, 'the shapes of a pair are not in order');
     if (tape.reads) {
       pairs[i] = isCut ? world.pairs.restoreCut(shapeA, shapeB) : world.pairs.restore(shapeA, shapeB);
     } else if (scratch !== null) {

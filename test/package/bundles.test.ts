@@ -10,6 +10,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import * as debug from '../../src/debug/index.js';
 import * as source from '../../src/index.js';
 import * as runner from '../../src/runner.js';
+import * as state from '../../src/state/index.js';
 import { buildGallery, GALLERY } from '../scenes/gallery.js';
 import { stateHash } from '../scenes/hash.js';
 import { buildPyramid } from '../scenes/pyramid.js';
@@ -22,20 +23,20 @@ const dist = join(root, 'dist');
 const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
 const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
 const ESM = ['phys2d.js', 'phys2d.min.js'];
-const GZIP_LIMITS = { 'phys2d.min.js': 53_500, 'debug.min.js': 10_500, 'runner.min.js': 1_200 };
+const GZIP_LIMITS = { 'phys2d.min.js': 61_500, 'debug.min.js': 10_500, 'runner.min.js': 1_200, 'state.min.js': 4_500 };
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */
-const APART = { debug, runner };
+const APART = { debug, runner, state };
 
 const { default: _, ...engine }: Record<string, unknown> = source;
-const names: Record<string, unknown> = { ...engine, ...debug, ...runner };
+const names: Record<string, unknown> = { ...engine, ...debug, ...runner, ...state };
 
 /** Public classes that a script tag user reaches as `phys2D.World` and so on. */
 const CLASSES = Object.entries(names)
   .filter(([name, value]) => typeof value === 'function' && /^[A-Z]/.test(name))
   .map(([name]) => name);
 
-type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'> & typeof debug & typeof runner;
+type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'> & typeof debug & typeof runner & typeof state;
 
 const DROP = `
   const world = phys2D.createWorld({ gravity: [0, 10] });
@@ -137,12 +138,14 @@ describe.each(ESM)('%s as a module', (name) => {
   });
 });
 
-describe.each(['debug', 'runner'] as const)('%s as a module', (name) => {
+describe.each(['debug', 'runner', 'state'] as const)('%s as a module', (name) => {
   it.each(['js', 'min.js'])('exports what the source exports (.%s), and has nothing of the engine', async (ending) => {
     const bundle = (await import(/* @vite-ignore */ pathToFileURL(join(dist, `${name}.${ending}`)).href)) as object;
     expect(Object.keys(bundle).sort()).toEqual(Object.keys(APART[name]).sort());
     const map = JSON.parse(read(`${name}.${ending}.map`)) as { sources: string[] };
-    expect(map.sources).toContain(name === 'debug' ? '../src/debug/draw.ts' : '../src/runner.ts');
+    expect(map.sources).toContain(
+      { debug: '../src/debug/draw.ts', runner: '../src/runner.ts', state: '../src/state/serialize.ts' }[name],
+    );
     expect(
       map.sources.filter((file) => /(?:solver|collide|contact|constraint|shape)\/|\/(?:body|world)\.ts/.test(file)),
     ).toEqual([]);
@@ -283,7 +286,9 @@ describe('the package, packed and installed', () => {
         'README.md',
         'LICENSE',
         'package.json',
-        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'runner.js'].map((name) => `dist/${name}`),
+        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'runner.js', 'state.js'].map(
+          (name) => `dist/${name}`,
+        ),
       ]),
     );
     expect(files.filter((name) => /^(src|test|examples|bench)\b|^dist\/examples/.test(name))).toEqual([]);
