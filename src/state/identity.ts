@@ -64,7 +64,7 @@ export function resolve(
     ids.length === HEAD + 2 * inside + 3 * (attached + loose) + ties + 2 * outside;
   tape.require(isWhole, 'the list of its objects is too short');
   const finder = new Finder(tape, world, held);
-  const scene: Scene = { ...emptyScene(), inside, attached };
+  const scene: Scene = { ...emptyScene(), inside, attached, isCopy: known === null };
   const { bodies, shapes, counts, constraints } = scene;
   let at = HEAD;
   for (let i = 0; i < inside; i += 1, at += 2) {

@@ -12,7 +12,11 @@ interface Call {
   readonly object: Recorded;
   readonly method: string;
   readonly args: readonly unknown[];
+  /** Of a call that added something, which may be in another state by now: the hash before it, and the state after it. */
+  readonly added: { readonly before: string; readonly after: ArrayBuffer } | null;
 }
+
+const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
 
 /** A snapshot, and what was called from then on, step by step. */
 export interface Recording {
@@ -60,8 +64,10 @@ export class Recorder {
       );
     }
     const kept = args.map((argument) => (Array.isArray(argument) ? [...argument] : argument));
+    const before = ADDING.includes(method) ? this.world.hash() : null;
     const result = (made as (...args: unknown[]) => unknown).apply(object, args);
-    this.calls.push({ object, method, args: kept });
+    const added = before === null ? null : { before, after: this.world.snapshot() };
+    this.calls.push({ object, method, args: kept, added });
     return result as never;
   }
 
@@ -89,14 +95,25 @@ export function replay(world: World, recording: Recording): number {
   }
   world.restore(recording.snapshot);
   return recording.frames.findIndex(({ calls, deltaTime, hash }) => {
-    for (const { object, method, args } of calls) {
-      const made = object[method as keyof Recorded] as unknown as (...args: unknown[]) => unknown;
-      made.apply(
-        object,
-        args.map((argument) => (Array.isArray(argument) ? [...argument] : argument)),
-      );
+    if (!calls.every((call) => repeat(world, call))) {
+      return true;
     }
     world.step(deltaTime);
     return world.hash() !== hash;
   });
+}
+
+/** @returns whether all is as it was then. */
+function repeat(world: World, { object, method, args, added }: Call): boolean {
+  if (added !== null) {
+    const isRight = world.hash() === added.before;
+    world.restore(added.after);
+    return isRight;
+  }
+  const made = object[method as keyof Recorded] as unknown as (...args: unknown[]) => unknown;
+  made.apply(
+    object,
+    args.map((argument) => (Array.isArray(argument) ? [...argument] : argument)),
+  );
+  return true;
 }

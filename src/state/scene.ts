@@ -24,6 +24,8 @@ export interface Objects {
 export interface Scene extends Objects {
   /** How many shapes are in the world. */
   attached: number;
+  /** The objects were found by what the bytes of a snapshot say of them. */
+  isCopy: boolean;
   /** Without those of shapes that left, which the next step drops. Awake ones in the order of their shapes' ids, then sleeping ones, then those that were cut off and are named by an event. */
   readonly pairs: Arbiter[];
   readonly islands: Island[];
@@ -35,6 +37,7 @@ export function emptyScene(): Scene {
     inside: 0,
     shapes: [],
     attached: 0,
+    isCopy: false,
     counts: [],
     constraints: [],
     materials: [],

@@ -144,9 +144,7 @@ export class Tape {
     const bytes = new Uint8Array(buffer, 4 * HEADER + 8 * atNumber, length - 4 * HEADER - 8 * atNumber);
     bytes.set(this.bytes.subarray(0, atByte));
     bytes.fill(0, atByte);
-    sum(buffer, length, digest);
-    header[CHECKSUM] = digest.low;
-    header[CHECKSUM + 1] = digest.high;
+    seal(buffer, digest);
     return buffer;
   }
 
@@ -522,6 +520,14 @@ function areEqual(a: Float64Array, b: Float64Array): boolean {
 
 function hex(word: number): string {
   return (word >>> 0).toString(16).padStart(8, '0');
+}
+
+/** Writes the checksum of a snapshot into it. */
+export function seal(buffer: ArrayBuffer, digest: Digest = new Digest()): void {
+  const header = new Int32Array(buffer, 0, HEADER);
+  sum(buffer, header[LENGTH]!, digest);
+  header[CHECKSUM] = digest.low;
+  header[CHECKSUM + 1] = digest.high;
 }
 
 /** The checksum of a snapshot: of all but itself. */

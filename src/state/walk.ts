@@ -12,7 +12,9 @@ import { walkPairs } from './walk-pairs.js';
 export function walk(tape: Tape, world: World, scene: Scene): void {
   tape.begins(rows.WORLD);
   world.keep(tape);
-  walkMaterials(tape, scene);
+  if (!tape.hashes) {
+    walkMaterials(tape, scene);
+  }
   const { bodies, shapes, counts, constraints, inside } = scene;
   let first = 0;
   for (let i = 0; i < bodies.length; i += 1) {
@@ -80,11 +82,16 @@ function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount
 }
 
 /** @returns whether it is another shape now, or of another material. */
-function walkShape(tape: Tape, { shapes, materials }: Scene, i: number): boolean {
+function walkShape(tape: Tape, { shapes, materials, isCopy }: Scene, i: number): boolean {
   const shape = shapes[i]!;
   const { material } = shape;
+  if (tape.hashes) {
+    tape.list(rows.materialNumbers(material));
+    return rows.keepShape(tape, shape);
+  }
   const which = tape.index(tape.holds ? 0 : materials.indexOf(material), materials.length);
-  if (tape.reads) {
+  // Materials of the same numbers are told apart by a copy only in so far as the shapes have them already.
+  if (tape.reads && !(isCopy && isMadeOf(material, rows.materialNumbers(materials[which]!)))) {
     shape.material = materials[which]!;
   }
   return rows.keepShape(tape, shape) || material !== shape.material;

@@ -118,18 +118,66 @@ describe('refuses', () => {
       'data.bodies must be an array, got an object',
     ],
     ['a body that is none', (data) => void Object.assign(data.bodies, [7]), 'data.bodies[0] must be an object, got 7'],
-    ['a bad position', (data) => void (data.bodies[0]!.position = [1]), 'data.bodies[0]: createRigidBody: position'],
-    ['a bad material', (data) => void (data.materials[0]!.density = -1), 'data.materials[0]: createMaterial: density'],
-    ['no such material', (data) => void (data.bodies[0]!.shapes[0]!.material = 4), 'data.bodies[0].shapes[0].material'],
-    ['a bad polygon', (data) => void (data.bodies[0]!.shapes[0]!.vertices = []), 'shapes[0]: createPolygonShape'],
+    [
+      'a bad position',
+      (data) => {
+        data.bodies[0]!.position = [1];
+      },
+      'data.bodies[0]: createRigidBody: position',
+    ],
+    [
+      'a bad material',
+      (data) => {
+        data.materials[0]!.density = -1;
+      },
+      'data.materials[0]: createMaterial: density',
+    ],
+    [
+      'no such material',
+      (data) => {
+        data.bodies[0]!.shapes[0]!.material = 4;
+      },
+      'data.bodies[0].shapes[0].material',
+    ],
+    [
+      'a bad polygon',
+      (data) => {
+        data.bodies[0]!.shapes[0]!.vertices = [];
+      },
+      'shapes[0]: createPolygonShape',
+    ],
     ['another shape', (data) => void Object.assign(data.bodies[0]!.shapes[0]!, { type: 'BLOB' }), 'CIRCLE or POLYGON'],
-    ['no such body', (data) => void (data.constraints[0]!.bodies = [0, 9]), 'data.constraints[0].bodies must be'],
+    [
+      'no such body',
+      (data) => {
+        data.constraints[0]!.bodies = [0, 9];
+      },
+      'data.constraints[0].bodies must be',
+    ],
     ['another kind', (data) => void Object.assign(data.constraints[0]!, { type: 'GLUE' }), 'a kind of constraint'],
-    ['a bad state', (data) => void (data.state = '?'), 'data.state must be a text in base64'],
-    ['a state cut short', (data) => void (data.state = data.state.slice(0, 40)), 'snapshot'],
+    [
+      'a bad state',
+      (data) => {
+        data.state = '?';
+      },
+      'data.state must be a text in base64',
+    ],
+    [
+      'a state cut short',
+      (data) => {
+        data.state = data.state.slice(0, 40);
+      },
+      'snapshot',
+    ],
     ['a missing body', (data) => void data.bodies.pop(), 'data.constraints[0].bodies'],
     ['a missing constraint', (data) => void data.constraints.pop(), 'is neither in the world nor'],
-    ['another order', (data) => void (data.bodies[0]!.order = 77), 'is neither in the world nor'],
+    [
+      'another order',
+      (data) => {
+        data.bodies[0]!.order = 77;
+      },
+      'is neither in the world nor',
+    ],
   ])('%s', (_, change, message) => {
     expect(spoil(change)).toThrow(message);
   });
