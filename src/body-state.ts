@@ -193,6 +193,22 @@ export abstract class BodyState {
     }
   }
 
+  /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
+  leave(): void {
+    this.owner = null;
+    this.asleep = false;
+    this.woken = false;
+    this.index = -1;
+    this.liveIndex = -1;
+    this.slot = 0;
+    this.unloaded = -1;
+    this.island = null;
+    this.placeStale = true;
+    for (const shape of this.shapes) {
+      shape.leave();
+    }
+  }
+
   /** @internal after a change of `angle` */
   refreshTurn(): void {
     turn[0] = this.angle;

@@ -459,22 +459,6 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
-  leave(): void {
-    this.owner = null;
-    this.asleep = false;
-    this.woken = false;
-    this.index = -1;
-    this.liveIndex = -1;
-    this.slot = 0;
-    this.unloaded = -1;
-    this.island = null;
-    this.placeStale = true;
-    for (const shape of this.shapes) {
-      shape.leave();
-    }
-  }
-
   /** @internal */
   override attach(shape: Shape): void {
     shape.owner = this;

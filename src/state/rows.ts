@@ -22,6 +22,8 @@ export const GROUP = 5;
 export const LISTED = 6;
 
 const MOST = 0x3fffffff;
+/** m, rad. Nothing is farther away; beyond, bounds could not be told. */
+const FAR = 1e150;
 /** Numbers that name features of shapes. */
 const FEATURES = 0xffffff;
 
@@ -39,11 +41,11 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   b.woken = tape.flag(b.woken);
   b.bullet = tape.flag(b.bullet);
   b.kind = tape.integer(b.kind, 0, 2);
-  b.x = tape.number(b.x);
-  b.y = tape.number(b.y);
-  b.angle = tape.number(b.angle);
-  b.cos = tape.number(b.cos);
-  b.sin = tape.number(b.sin);
+  b.x = tape.number(b.x, -FAR, FAR);
+  b.y = tape.number(b.y, -FAR, FAR);
+  b.angle = tape.number(b.angle, -FAR, FAR);
+  b.cos = tape.number(b.cos, -1, 1);
+  b.sin = tape.number(b.sin, -1, 1);
   b.vx = tape.sparse(b.vx);
   b.vy = tape.sparse(b.vy);
   b.w = tape.sparse(b.w);
@@ -76,16 +78,16 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
 
 function keepCircle(tape: Tape, circle: Circle): boolean {
   const { radius, originX, originY } = circle;
-  circle.radius = tape.number(radius);
-  circle.originX = tape.number(originX);
-  circle.originY = tape.number(originY);
+  circle.radius = tape.number(radius, Number.MIN_VALUE, FAR);
+  circle.originX = tape.number(originX, -FAR, FAR);
+  circle.originY = tape.number(originY, -FAR, FAR);
   return radius !== circle.radius || originX !== circle.originX || originY !== circle.originY;
 }
 
 function keepPolygon(tape: Tape, polygon: Polygon): boolean {
   const { vertices, geometryStamp } = polygon;
   const stamp = tape.integer(geometryStamp, 1, MOST);
-  const stored = tape.shared(vertices);
+  const stored = tape.shared(vertices, FAR);
   tape.require(stored.length >= 6 && stored.length % 2 === 0, 'a polygon has no corners');
   if (stored !== vertices) {
     polygon.takeVertices(stored);

@@ -1,3 +1,6 @@
+import { Digest, hex } from './digest.js';
+import { BYTES, CHECKSUM, HEADER, LENGTH, MAGIC, NUMBERS, seal, sum, VERSION } from './format.js';
+
 /** What a tape is for at the moment. */
 const WRITE = 0;
 const READ = 1;
@@ -7,47 +10,6 @@ const HASH = 3;
 /** Kinds of rows; a field that is the same as in the last row of its kind takes one bit. */
 const ROWS = 8;
 const FIELDS = 64;
-
-/** Int32 words before the numbers. */
-const HEADER = 8;
-const MAGIC = 0x32643270;
-const VERSION = 1;
-const LENGTH = 2;
-const NUMBERS = 3;
-const BYTES = 4;
-const CHECKSUM = 6;
-
-const scratch = new Float64Array(1);
-const words = new Int32Array(scratch.buffer);
-
-/** A digest of 64 bits of what is given to it, 64 bits at a time; mixed as by MurmurHash3 (Appleby 2011). */
-class Digest {
-  low = 0;
-  high = 0;
-
-  begin(): void {
-    this.low = 0x2f0b4a27;
-    this.high = 0x51ed270b;
-  }
-
-  add(low: number, high: number): void {
-    const a = this.low ^ Math.imul(low, 0xcc9e2d51);
-    const b = this.high ^ Math.imul(high ^ (a >>> 15), 0x1b873593);
-    this.low = (Math.imul((a << 13) | (a >>> 19), 5) + b) | 0;
-    this.high = (Math.imul((b << 17) | (b >>> 15), 5) + 0x38b34ae5) | 0;
-  }
-
-  end(): void {
-    this.low = finish(this.low ^ this.high);
-    this.high = finish(this.high ^ this.low);
-  }
-}
-
-function finish(word: number): number {
-  let h = Math.imul(word ^ (word >>> 16), 0x85ebca6b);
-  h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
-  return h ^ (h >>> 16);
-}
 
 /**
  * The state of a world passes over a tape, field by field: each is replaced by what the tape makes of it. So one list of the fields of a class,
@@ -221,8 +183,8 @@ export class Tape {
     this.field = 0;
   }
 
-  /** A number, infinite or not. */
-  number(value: number): number {
+  /** A number within bounds. */
+  number(value: number, least: number = -Infinity, most: number = Infinity): number {
     const i = this.next();
     const { row } = this;
     if (this.mode === WRITE) {
@@ -233,11 +195,14 @@ export class Tape {
       return value;
     }
     if (this.mode === HASH) {
-      this.mix(value);
+      this.digest.addNumber(value);
       return value;
     }
     if (this.isNoted(i)) {
       row[i] = this.takeNumber();
+    }
+    if (this.mode === CHECK) {
+      this.require(row[i]! >= least && row[i]! <= most, 'a number is out of its range');
     }
     return this.takes ? row[i]! : value;
   }
@@ -252,7 +217,7 @@ export class Tape {
       return value;
     }
     if (this.mode === HASH) {
-      this.mix(value);
+      this.digest.addNumber(value);
       return value;
     }
     const stored = this.isNoted(i) ? this.takeNumber() : 0;
@@ -310,7 +275,7 @@ export class Tape {
     const { mode, takes } = this;
     if (mode === HASH) {
       for (let i = from; i < to; i += 1) {
-        this.mix(values[i]!);
+        this.digest.addNumber(values[i]!);
       }
       return;
     }
@@ -346,10 +311,10 @@ export class Tape {
   }
 
   /**
-   * Numbers of which there may have been another count, and which the last such array may have in common with this one. @returns this one, or one with
-   * what is stored.
+   * Numbers within ±`most` of which there may have been another count, and which the last such array may have in common with this one. @returns this one,
+   * or one with what is stored.
    */
-  shared(values: Float64Array): Float64Array {
+  shared(values: Float64Array, most: number): Float64Array {
     const { before } = this;
     if (!this.holds) {
       const isSame = before !== null && this.mode === WRITE && areEqual(values, before);
@@ -372,6 +337,10 @@ export class Tape {
       this.takes = takes;
     }
     this.before = stored;
+    this.require(
+      this.mode !== CHECK || stored.every((value) => Math.abs(value) <= most),
+      'a number is out of its range',
+    );
     return !this.takes || areEqual(values, stored) ? values : stored.slice();
   }
 
@@ -494,11 +463,6 @@ export class Tape {
     return (value >>> 1) ^ -(value & 1);
   }
 
-  private mix(value: number): void {
-    scratch[0] = value;
-    this.digest.add(words[0]!, words[1]!);
-  }
-
   private roomFor(numbers: number, bytes: number): void {
     if (numbers > this.numbers.length) {
       const wider = new Float64Array(2 * numbers);
@@ -516,28 +480,4 @@ export class Tape {
 /** To the bit. */
 function areEqual(a: Float64Array, b: Float64Array): boolean {
   return a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
-}
-
-function hex(word: number): string {
-  return (word >>> 0).toString(16).padStart(8, '0');
-}
-
-/** Writes the checksum of a snapshot into it. */
-export function seal(buffer: ArrayBuffer, digest: Digest = new Digest()): void {
-  const header = new Int32Array(buffer, 0, HEADER);
-  sum(buffer, header[LENGTH]!, digest);
-  header[CHECKSUM] = digest.low;
-  header[CHECKSUM + 1] = digest.high;
-}
-
-/** The checksum of a snapshot: of all but itself. */
-function sum(buffer: ArrayBuffer, length: number, digest: Digest): void {
-  const all = new Int32Array(buffer, 0, length >> 2);
-  digest.begin();
-  for (let i = 0; i < all.length; i += 2) {
-    if (i !== CHECKSUM) {
-      digest.add(all[i]!, all[i + 1]!);
-    }
-  }
-  digest.end();
 }

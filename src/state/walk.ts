@@ -45,7 +45,7 @@ function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
   tape.checksOnto(true);
   for (let i = 0; i < count; i += 1) {
     const own = materials[i] === undefined ? new Float64Array(5) : rows.materialNumbers(materials[i]!);
-    const stored = tape.shared(own);
+    const stored = tape.shared(own, Infinity);
     tape.require(stored.length === 5, 'a material is none');
     if (tape.checks && (materials[i] === undefined || stored !== own)) {
       materials[i] = shapes.find(({ material }) => isMadeOf(material, stored))?.material ?? makeMaterial(stored);

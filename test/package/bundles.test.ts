@@ -159,6 +159,37 @@ it('the engine has nothing of debug drawing and the runner', () => {
   }
 });
 
+describe('the state', () => {
+  it.each([
+    ['phys2d.js', 'state.js'],
+    ['phys2d.min.js', 'state.min.js'],
+    ['phys2d.min.js', 'state.js'],
+    ['phys2d.js', 'state.min.js'],
+  ])('is kept by %s and %s together', async (engineFile, stateFile) => {
+    const load = async (name: string): Promise<unknown> =>
+      import(/* @vite-ignore */ pathToFileURL(join(dist, name)).href);
+    const { phys2D } = (await load(engineFile)) as typeof source;
+    const { deserialize, PoseBuffer, Recorder, replay, serialize } = (await load(stateFile)) as typeof state;
+    const world = phys2D.createWorld();
+    buildPyramid(phys2D, world, 5);
+    const poses = PoseBuffer.create({ capacity: 20 });
+    const top = world.rigidBodies[15]!;
+    const index = poses.track(top);
+    world.poses = poses;
+    const recorder = Recorder.create(world);
+    recorder.call(top, 'setVelocity', [3, -2]);
+    for (let i = 0; i < 30; i += 1) {
+      recorder.step(1 / 60);
+    }
+    const [x] = top.getPosition();
+    expect(poses.poses[4 * index]).toBe(Math.fround(x));
+    const copy = deserialize(phys2D, JSON.parse(JSON.stringify(serialize(world))) as state.PlainWorld);
+    expect(copy.hash()).toBe(world.hash());
+    expect(replay(world, recorder.recording)).toBe(-1);
+    expect(world.hash()).toBe(copy.hash());
+  });
+});
+
 describe('one picture', () => {
   /** The gallery, with all details, between two steps: whatever debug drawing reads of the engine's objects is in it. */
   function picture(
