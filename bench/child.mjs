@@ -67,9 +67,23 @@ async function speed({ engine, scene, base, seconds, most = Number.POSITIVE_INFI
     isCut,
     quality: run.quality(),
     factors: run.factors?.(),
-    // Not every version of phys2d has a profile of its last step.
-    profile: device.isPeer ? undefined : run.world.profile,
+    profile: device.isPeer ? undefined : profileOf(run, warm + times.length),
   };
+}
+
+/** Where the time of a step goes, in phys2d's own words: means of some more steps. */
+function profileOf({ world, before }, done) {
+  const STEPS = 10;
+  world.clock = () => performance.now();
+  const sums = {};
+  for (let i = 0; i < STEPS; i += 1) {
+    before?.(done + i);
+    world.step(DT);
+    for (const [name, value] of Object.entries(world.profile)) {
+      sums[name] = (sums[name] ?? 0) + value / STEPS;
+    }
+  }
+  return Object.fromEntries(Object.entries(sums).filter(([name]) => name !== 'last' && name !== 'clock'));
 }
 
 /** Milliseconds of each of `steps` steps of a scene, or of fewer if they take longer than `limit` together. */

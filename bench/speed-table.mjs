@@ -2,6 +2,9 @@
 import { engines } from './engines.mjs';
 import { align, grid, number } from './quality-table.mjs';
 
+/** Names of the times in a `World.profile`; the others are counts. */
+const PHASES = ['pairs', 'foresight', 'islands', 'prepare', 'velocities', 'positions', 'store', 'continuous', 'events'];
+
 const titleOf = (engine) => engines[engine].title ?? engine;
 
 function time(value) {
@@ -38,7 +41,20 @@ export function printScene({ name, title, figure, cells, targets }) {
         : [titleOf(engine), cell.failure, '', '', ''],
     ),
   ]);
+  printProfile(cells.phys2d?.profile);
   printMarks(targets);
+}
+
+/** One line of times, largest first, and one of counts. */
+function printProfile(profile) {
+  if (profile === undefined) {
+    return;
+  }
+  const entries = Object.entries(profile);
+  const times = entries.filter(([name]) => PHASES.includes(name)).sort(([, a], [, b]) => b - a);
+  const counts = entries.filter(([name]) => !PHASES.includes(name));
+  console.log(`  phys2d, ms: ${times.map(([name, value]) => `${name} ${value.toPrecision(2)}`).join(', ')}`);
+  console.log(`  ${counts.map(([name, value]) => `${name} ${Math.round(value)}`).join(', ')}`);
 }
 
 export function printPart({ name, title, rows, targets }) {

@@ -220,14 +220,26 @@ export const CONTACT_SWEEPS = 1.5;
  */
 export const HARD_SWEEPS = 4;
 
-/** A part is hard if more than this share of its contacts is new: what just lies there since, not a heap that is falling. */
+/** A part is hard if more than this share of its contacts is new and slow: what was just put there, not a heap that is falling. */
 export const NEW_SHARE = 0.5;
 
 /** Steps for which a contact is new: its impulses are far off at first. */
 export const NEW_STEPS = 8;
 
-/** m/s. It is hard, too, if the impulse of a contact would give its bodies as much in a sub-step: if it carries some fifty times their weight. */
-export const STRAIN_SPEED = 4;
+/** m/s. Both its bodies are slower. */
+export const NEW_SPEED = 1;
+
+/** It is hard, too, if more than this share of its contacts is strained. With 0.2 a heavy top falls that stands among 100 other boxes. */
+export const STRAIN_SHARE = 0.08;
+
+/**
+ * m/s. A contact is strained if its impulse would give its bodies as much in a sub-step: if it carries more than a hundred times their weight. With 4
+ * the lower half of a pyramid of base 100 was, and with 20 towers of 12 under heavy tops buckle.
+ */
+export const STRAIN_SPEED = 10;
+
+/** Steps on end for which it does: an impact is over before. With 20 towers buckle. */
+export const STRAIN_DELAY = 8;
 
 /** Steps for which a contact then counts as strained; else sweeps that come and go would shake what they hold. */
 export const STRAIN_STEPS = 60;

@@ -36,6 +36,7 @@ export { createBoxVertices, createRectangleVertices, createRegularPolygonVertice
 export type { MaterialParams } from './material.js';
 export { Material } from './material.js';
 export type { Matrix23Like, NumberSink, Ray, Rect, RectLike, Vec2, Vec2Like, Vec3, Vec3Like } from './math/vectors.js';
+export type { Clock, Phase, Profile } from './profile.js';
 export type { CastResult } from './query/casts.js';
 export type { CircleParams } from './shape/circle.js';
 export { Circle } from './shape/circle.js';

@@ -7,13 +7,14 @@ import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
 import type { Vec2Like } from './math/vectors.js';
+import { type Clock, Profile } from './profile.js';
 import type { Shape } from './shape/shape.js';
 import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joint-data.js';
 import { Movers } from './solver/movers.js';
 import type { Tape } from './state/tape.js';
-import { boolean, integer, optional, options, typeError, vector } from './validate.js';
+import { boolean, callable, integer, optional, options, typeError, vector } from './validate.js';
 
 /** Options of `createWorld`. */
 export interface WorldParams {
@@ -94,6 +95,8 @@ export abstract class WorldState {
   private positionTotal: number;
   private parts: number;
   private mayRest: boolean;
+  private timepiece: Clock | null = null;
+  private measured: Profile | null = null;
 
   /** @internal use `createWorld` */
   constructor(params?: WorldParams) {
@@ -155,6 +158,27 @@ export abstract class WorldState {
 
   set substeps(value: number) {
     this.parts = integer('World', 'substeps', value, 1);
+  }
+
+  /**
+   * Times the phases of each step for `profile`, such as `() => performance.now()`; `null`, the default, costs nothing. The engine has no clock of its
+   * own, so that nothing it does can depend on one.
+   */
+  get clock(): Clock | null {
+    return this.timepiece;
+  }
+
+  set clock(value: Clock | null) {
+    if (value !== null) {
+      callable('World', 'clock', value);
+    }
+    this.timepiece = value;
+    this.measured = value === null ? null : new Profile(value);
+  }
+
+  /** Where the time of the latest step went; `null` without a `clock`. The same object in each step. */
+  get profile(): Profile | null {
+    return this.measured;
   }
 
   /** Whether bodies at rest fall asleep by themselves. Setting it wakes everything: their delay begins anew. */

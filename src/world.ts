@@ -61,6 +61,7 @@ export class World extends WorldState {
       this.events.deliver();
     } finally {
       this.delivering = false;
+      this.profile?.lap('events');
     }
     this.events.rethrow();
   }

@@ -33,6 +33,10 @@ export class PackedTree<T> {
   private stack = new Int32Array(64);
   /** For the next cast; `null` during one. */
   private castStack: Int32Array | null = null;
+  /** The best exchange that was found: what it saves, whose child is given, and which one is kept. */
+  private saved = 0.5;
+  private high = NONE;
+  private keep = NONE;
   /** The box that is being inserted. */
   private readonly box = new Float64Array(BOX);
 
@@ -390,48 +394,45 @@ export class PackedTree<T> {
   /** Of the exchanges of a child for a grandchild below the other one, does that which saves most perimeter, if any does. */
   private tighten(node: number): void {
     const { left, right } = this;
-    let saved = 0;
-    let high = NONE;
-    let keep = NONE;
-    for (let side = 0; side < 2; side += 1) {
-      const child = side === 0 ? left[node]! : right[node]!;
-      const low = side === 0 ? right[node]! : left[node]!;
-      const first = left[child]!;
-      if (first === NONE) {
-        continue;
-      }
-      const second = right[child]!;
-      const withFirst = this.saving(child, first, second, low);
-      if (withFirst > saved) {
-        saved = withFirst;
-        high = child;
-        keep = first;
-      }
-      const withSecond = this.saving(child, second, first, low);
-      if (withSecond > saved) {
-        saved = withSecond;
-        high = child;
-        keep = second;
-      }
-    }
-    if (high !== NONE) {
-      this.exchange(node, high, keep);
+    const a = left[node]!;
+    const b = right[node]!;
+    this.saved = 0;
+    this.high = NONE;
+    this.weighExchanges(a, b);
+    this.weighExchanges(b, a);
+    if (this.high !== NONE) {
+      this.exchange(node, this.high, this.keep);
     }
   }
 
-  /** What the box of `high` loses in perimeter if its child `keep` stays and `give` is exchanged for `low`; 0 if the tree would lean too much. */
-  private saving(high: number, keep: number, give: number, low: number): number {
+  /** Remembers an exchange of `low` for a child of `high`, if it saves more than what was found so far. */
+  private weighExchanges(high: number, low: number): void {
+    const first = this.left[high]!;
+    if (first !== NONE) {
+      const second = this.right[high]!;
+      this.weigh(high, first, second, low);
+      this.weigh(high, second, first, low);
+    }
+  }
+
+  /** What counts is what the box of `high` loses in perimeter if its child `keep` stays and `give` is exchanged for `low`. The tree must not lean too much. */
+  private weigh(high: number, keep: number, give: number, low: number): void {
     const { boxes, level } = this;
     const a = level[keep]!;
     const b = level[low]!;
     if (Math.abs(a - b) > MAX_LEAN || Math.abs(1 + Math.max(a, b) - level[give]!) > MAX_LEAN) {
-      return 0;
+      return;
     }
     const i = BOX * keep;
     const j = BOX * low;
     const x = Math.max(boxes[i + 2]!, boxes[j + 2]!) - Math.min(boxes[i]!, boxes[j]!);
     const y = Math.max(boxes[i + 3]!, boxes[j + 3]!) - Math.min(boxes[i + 1]!, boxes[j + 1]!);
-    return this.perimeter(high) - (x + y);
+    const saving = this.perimeter(high) - (x + y);
+    if (saving > this.saved) {
+      this.saved = saving;
+      this.high = high;
+      this.keep = keep;
+    }
   }
 
   /** node: (high: (keep, give), low)  →  node: (give, high: (keep, low)) */

@@ -11,8 +11,8 @@ const distance = new Distance();
 export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   const a = shapeA.owner!;
   const b = shapeB.owner!;
-  shapeA.outline(outlineA, 0, 0, a.cos, a.sin);
-  shapeB.outline(outlineB, b.x - a.x, b.y - a.y, b.cos, b.sin);
+  shapeA.outline(outlineA.put(0, 0, a.cos, a.sin));
+  shapeB.outline(outlineB.put(b.x - a.x, b.y - a.y, b.cos, b.sin));
   measureDistance(outlineA, outlineB, distance);
   return distance;
 }

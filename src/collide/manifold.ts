@@ -1,4 +1,5 @@
 import { FACE_MOTION, FACE_TURN } from '../config.js';
+import { doubles } from '../math/doubles.js';
 import * as g from './layout.js';
 
 /**
@@ -8,7 +9,7 @@ import * as g from './layout.js';
  */
 export class Manifold {
   /** See `layout.ts`. */
-  readonly numbers = new Float64Array(g.PAIR_NUMBERS);
+  readonly numbers = doubles(g.PAIR_NUMBERS);
   /** Number of points, 0 to 2. With two, the first lies lower along the tangent (−ny, nx). */
   count = 0;
   /** The corner that limits the overlap at this end: 2 · index, + 1 for a corner of B. */

@@ -14,6 +14,9 @@ const FIXED_STATIC = 2;
 const FIXED_DYNAMIC = 4;
 const FIXED_ROLLING = 8;
 
+/** Long before the first step. */
+const NEVER = -1e6;
+
 /**
  * What two shapes have to do with each other: contacts, impulses, combined material. Made by the engine and recycled: read it
  * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
@@ -33,20 +36,24 @@ export class Arbiter {
   sleeping = false;
   /** One of the shapes is a sensor: no contacts, no physics. */
   sensor = false;
-  /** None, one or two points. Skip those that are not `active`. */
-  readonly contacts: Contact[] = [];
-
   /** @internal */
   readonly manifold = new Manifold();
-  /** @internal the objects `contacts` is filled with; B's end of two comes second */
-  readonly points: readonly [Contact, Contact] = [new Contact(this, 0), new Contact(this, 1)];
+  /** @internal how many points `contacts` lists */
+  shown = 0;
+  /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
+  private list: Contact[] | null = null;
+  private points: readonly Contact[] | null = null;
   /** @internal the step in which the present interaction began, or the last one */
   began = -1;
   /** @internal the last step in which it bore far more than the bodies weigh */
-  strained = -Infinity;
+  strained = NEVER;
+  /** @internal for so many steps on end it did */
+  strain = 0;
   /** @internal the last step in which the shapes interacted */
   lastInteraction = -1;
-  /** @internal the last step in which the broadphase reported the pair */
+  /** @internal where it is in the table of pairs */
+  place = -1;
+  /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
   seen = -1;
   /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
   listed = false;
@@ -95,6 +102,20 @@ export class Arbiter {
   /** Of `shapeB`; likewise. */
   get bodyB(): RigidBody {
     return this.shapeB.owner as RigidBody;
+  }
+
+  /** None, one or two points, B's end of two second. Skip those that are not `active`. */
+  get contacts(): Contact[] {
+    this.list ??= [];
+    const { list, shown } = this;
+    if (list.length !== shown) {
+      this.points ??= [new Contact(this, 0), new Contact(this, 1)];
+      list.length = 0;
+      for (let i = 0; i < shown; i += 1) {
+        list.push(this.points[i]!);
+      }
+    }
+    return list;
   }
 
   /** Unit vector from `shapeA` towards `shapeB`; `[0, 0]` for a sensor. */
@@ -259,7 +280,8 @@ export class Arbiter {
     this.sleeping = false;
     this.manifold.reset();
     this.began = -1;
-    this.strained = -Infinity;
+    this.strained = NEVER;
+    this.strain = 0;
     this.lastInteraction = -1;
     this.seen = -1;
     this.listed = false;
@@ -273,9 +295,7 @@ export class Arbiter {
 
   /** @internal drops what is only kept while an interaction runs or is cached */
   forget(): void {
-    while (this.contacts.length > 0) {
-      this.contacts.pop();
-    }
+    this.shown = 0;
     this.dropPoints();
     this.accepted = !this.sensor;
     this.persistent = false;
@@ -298,8 +318,7 @@ export class Arbiter {
   /** @internal lists the points that the manifold has, as new ones */
   showPoints(): void {
     this.dropPoints();
-    this.contacts.length = 0;
-    this.contacts.push(...this.points.slice(0, this.manifold.count));
+    this.shown = this.manifold.count;
   }
 
   /** @internal new points: nothing is kept of the impulses of old ones */

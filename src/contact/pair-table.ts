@@ -7,22 +7,28 @@ function hash(idA: number, idB: number): number {
   return h ^ (h >>> 15);
 }
 
-/** Arbiters by their two shapes: open addressing, linear probing, no tombstones, at most half full. */
+/** Numbers of a place: the ids of both shapes, and the last step in which the broadphase reported them. */
+const ID_A = 0;
+const ID_B = 1;
+const SEEN = 2;
+const PLACE = 3;
+
+/** What marks a place without an arbiter: no shape has it as its id. */
+const FREE = -1;
+
+/**
+ * Arbiters by their two shapes: open addressing, linear probing, no tombstones, at most half full. What a lookup needs lies in one array of integers: the
+ * broadphase reports all pairs in each step in an order of its own, and would have to wait for each arbiter otherwise.
+ */
 export class PairTable {
-  private slots: (Arbiter | null)[] = new Array(64).fill(null);
+  private arbiters: (Arbiter | null)[] = new Array(64).fill(null);
+  private places = new Int32Array(64 * PLACE).fill(FREE);
   private mask = 63;
   private size = 0;
 
-  find(shapeA: Shape, shapeB: Shape): Arbiter | null {
-    const { slots, mask } = this;
-    let i = hash(shapeA.id, shapeB.id) & mask;
-    for (let entry = slots[i]!; entry !== null; entry = slots[i]!) {
-      if (entry.shapeA === shapeA && entry.shapeB === shapeB) {
-        return entry;
-      }
-      i = (i + 1) & mask;
-    }
-    return null;
+  find({ id: idA }: Shape, { id: idB }: Shape): Arbiter | null {
+    const at = this.placeOf(idA, idB);
+    return at < 0 ? null : this.arbiters[at]!;
   }
 
   /** Adds an arbiter that is not in the table. */
@@ -30,60 +36,102 @@ export class PairTable {
     if (2 * (this.size + 1) > this.mask) {
       this.grow();
     }
-    this.place(arbiter);
+    this.put(arbiter, FREE);
     this.size += 1;
   }
 
-  /** Removes an arbiter that is in the table, and moves up those that had to probe past it. */
-  remove(arbiter: Arbiter): void {
-    const { slots, mask } = this;
-    let hole = hash(arbiter.shapeA.id, arbiter.shapeB.id) & mask;
-    while (slots[hole] !== arbiter) {
-      hole = (hole + 1) & mask;
+  /** Notes that a pair is reported in a step, if it was in the one before, too. */
+  seeAgain(idA: number, idB: number, stamp: number): boolean {
+    const at = this.placeOf(idA, idB);
+    const isKnown = at >= 0 && this.places[at * PLACE + SEEN] === stamp - 1;
+    if (isKnown) {
+      this.places[at * PLACE + SEEN] = stamp;
     }
-    for (let i = (hole + 1) & mask; slots[i] !== null; i = (i + 1) & mask) {
-      const entry = slots[i]!;
-      const home = hash(entry.shapeA.id, entry.shapeB.id) & mask;
+    return isKnown;
+  }
+
+  /** Notes that a pair in the table is reported. */
+  see({ place }: Arbiter, stamp: number): void {
+    this.places[place * PLACE + SEEN] = stamp;
+  }
+
+  /** Whether a pair in the table was reported in a step. */
+  saw({ place }: Arbiter, stamp: number): boolean {
+    return this.places[place * PLACE + SEEN] === stamp;
+  }
+
+  /** Removes an arbiter that is in the table, and moves up those that had to probe past it. */
+  remove({ place }: Arbiter): void {
+    const { arbiters, places, mask } = this;
+    let hole = place;
+    for (let i = (place + 1) & mask; arbiters[i] !== null; i = (i + 1) & mask) {
+      const from = i * PLACE;
+      const home = hash(places[from + ID_A]!, places[from + ID_B]!) & mask;
       if (((i - home) & mask) >= ((i - hole) & mask)) {
-        slots[hole] = entry;
+        const moved = arbiters[i]!;
+        arbiters[hole] = moved;
+        moved.place = hole;
+        places.copyWithin(hole * PLACE, from, from + PLACE);
         hole = i;
       }
     }
-    slots[hole] = null;
+    arbiters[hole] = null;
+    places.fill(FREE, hole * PLACE, hole * PLACE + PLACE);
     this.size -= 1;
   }
 
   clear(): void {
-    this.slots.fill(null);
+    this.arbiters.fill(null);
+    this.places.fill(FREE);
     this.size = 0;
   }
 
   /** Moves all arbiters to the end of a list. */
   drainTo(list: Arbiter[]): void {
-    for (const entry of this.slots) {
-      if (entry !== null) {
-        list.push(entry);
+    for (const arbiter of this.arbiters) {
+      if (arbiter !== null) {
+        list.push(arbiter);
       }
     }
     this.clear();
   }
 
-  private place(arbiter: Arbiter): void {
-    const { slots, mask } = this;
-    let i = hash(arbiter.shapeA.id, arbiter.shapeB.id) & mask;
-    while (slots[i] !== null) {
+  private placeOf(idA: number, idB: number): number {
+    const { places, mask } = this;
+    let i = hash(idA, idB) & mask;
+    for (let id = places[i * PLACE + ID_A]!; id !== FREE; id = places[i * PLACE + ID_A]!) {
+      if (id === idA && places[i * PLACE + ID_B] === idB) {
+        return i;
+      }
       i = (i + 1) & mask;
     }
-    slots[i] = arbiter;
+    return -1;
+  }
+
+  private put(arbiter: Arbiter, seen: number): void {
+    const { arbiters, places, mask } = this;
+    const idA = arbiter.shapeA.id;
+    const idB = arbiter.shapeB.id;
+    let i = hash(idA, idB) & mask;
+    while (arbiters[i] !== null) {
+      i = (i + 1) & mask;
+    }
+    arbiters[i] = arbiter;
+    arbiter.place = i;
+    places[i * PLACE + ID_A] = idA;
+    places[i * PLACE + ID_B] = idB;
+    places[i * PLACE + SEEN] = seen;
   }
 
   private grow(): void {
-    const old = this.slots;
-    this.slots = new Array(old.length * 2).fill(null);
-    this.mask = this.slots.length - 1;
-    for (const entry of old) {
-      if (entry !== null) {
-        this.place(entry);
+    const { arbiters, places } = this;
+    this.arbiters = new Array(arbiters.length * 2).fill(null);
+    this.places = new Int32Array(places.length * 2).fill(FREE);
+    this.mask = this.arbiters.length - 1;
+    for (let i = 0; i < arbiters.length; i += 1) {
+      const arbiter = arbiters[i]!;
+      if (arbiter !== null) {
+        this.put(arbiter, places[i * PLACE + SEEN]!);
       }
     }
   }

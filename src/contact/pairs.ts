@@ -7,6 +7,10 @@ function before(a: Arbiter, b: Arbiter): boolean {
   return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
 }
 
+function byShapes([a, b]: [Shape, Shape], [c, d]: [Shape, Shape]): number {
+  return a.id - c.id || b.id - d.id;
+}
+
 function compare(a: Arbiter, b: Arbiter): number {
   return a.shapeA.id - b.shapeA.id || a.shapeB.id - b.shapeB.id;
 }
@@ -23,6 +27,7 @@ export class Pairs {
 
   private readonly table = new PairTable();
   private readonly arriving: Arbiter[] = [];
+  private readonly reported: [Shape, Shape][] = [];
   private readonly pool: Arbiter[] = [];
   /** Cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before. */
   private cut: Arbiter[] = [];
@@ -63,6 +68,39 @@ export class Pairs {
     pair.dead = true;
     this.cut.push(pair);
     return pair;
+  }
+
+  /** The broadphase reports two shapes, of which the first has the lower id. @returns whether it did in the last step, so that they are known. */
+  reportAgain(shapeA: Shape, shapeB: Shape, stamp: number): boolean {
+    return this.table.seeAgain(shapeA.id, shapeB.id, stamp);
+  }
+
+  /** … and they may interact. */
+  report(shapeA: Shape, shapeB: Shape, stamp: number): void {
+    const pair = this.table.find(shapeA, shapeB);
+    if (pair === null) {
+      this.reported.push([shapeA, shapeB]);
+    } else {
+      this.table.see(pair, stamp);
+      this.arrive(pair);
+    }
+  }
+
+  /** Whether the broadphase reported a pair in a step. */
+  isReported(pair: Arbiter, stamp: number): boolean {
+    return this.table.saw(pair, stamp);
+  }
+
+  /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
+  makeReported(stamp: number): void {
+    const { reported } = this;
+    if (reported.length > 1) {
+      reported.sort(byShapes);
+    }
+    for (const [shapeA, shapeB] of reported) {
+      this.table.see(this.obtain(shapeA, shapeB), stamp);
+    }
+    reported.length = 0;
   }
 
   /** Puts a pair among the awake ones, at the next `merge`. */
@@ -136,7 +174,7 @@ export class Pairs {
     pair.listed = false;
     pair.active = false;
     pair.sleeping = false;
-    pair.contacts.length = 0;
+    pair.shown = 0;
     pair.dead = true;
     this.table.remove(pair);
     this.cut.push(pair);

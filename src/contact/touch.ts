@@ -38,12 +38,12 @@ export function touchAlong(pair: Arbiter, nx: number, ny: number): void {
 
 /** Lists the points that were found. Those that were there before keep their impulses. */
 function keepPoints(pair: Arbiter, id0: number, id1: number, edgeA: number, edgeB: number): void {
-  const { contacts, manifold: m } = pair;
+  const { shown, manifold: m } = pair;
   if (m.count === 0) {
-    if (!pair.listed && contacts.length > 0) {
+    if (!pair.listed && shown > 0) {
       pair.forget();
     }
-  } else if (contacts.length !== m.count) {
+  } else if (shown !== m.count) {
     pair.showPoints();
   } else if (m.count === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
     matchPoints(pair, id0, id1);

@@ -19,7 +19,7 @@ export class Distance {
 const LEVEL = 1e-12;
 
 /** The edge that lies farthest from the other outline, of either: scratch. */
-const best = { separation: -Infinity, edge: 0, corner: 0, ofB: false };
+const best = { separation: 0.5, edge: 0, corner: 0, ofB: false };
 
 /**
  * Signed distance of two convex outlines. Of all edges of both the one with the other outline farthest beyond it gives the depth if they

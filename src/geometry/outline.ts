@@ -14,6 +14,19 @@ export class Outline {
   /** Number of edges: that of the corners, or 0 for a single corner. */
   edges = 0;
   radius = 0;
+  /** Where the origin of a shape is, whose outline is to be written, and how it is turned. */
+  x = 0.5;
+  y = 0.5;
+  cos = 0.5;
+  sin = 0.5;
+
+  put(x: number, y: number, cos: number, sin: number): this {
+    this.x = x;
+    this.y = y;
+    this.cos = cos;
+    this.sin = sin;
+    return this;
+  }
 
   /** One corner at `(x, y)`. */
   setCircle(x: number, y: number, radius: number): void {
@@ -33,8 +46,9 @@ export class Outline {
     this.offsets.set([-minY, maxX, maxY, -minX]);
   }
 
-  /** Corners, normals and offsets of a polygon in its own coordinates, whose origin is put at `(x, y)`, turned by an angle. */
-  setPolygon(local: Float64Array, offsets: Float64Array, x: number, y: number, cos: number, sin: number): void {
+  /** Corners, normals and offsets of a polygon in its own coordinates. */
+  setPolygon(local: Float64Array, offsets: Float64Array): void {
+    const { x, y, cos, sin } = this;
     const count = offsets.length;
     this.room(count);
     this.count = count;

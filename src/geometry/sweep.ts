@@ -6,9 +6,9 @@ import { Outline } from './outline.js';
 /** Angle, cosine, sine: scratch. */
 const turned = new Float64Array(3);
 
-/** What can be swept: writes its outline for a placement of its origin. */
+/** What can be swept: writes its outline where that was put. */
 export interface Swept {
-  outline(into: Outline, x: number, y: number, cos: number, sin: number): void;
+  outline(into: Outline): void;
 }
 
 interface Placement {
@@ -34,9 +34,12 @@ export class Travel {
   vx = 0;
   vy = 0;
   w = 0;
-  /** Of the origin, at the time last placed for. */
+  /** The time last placed for, and where the origin is then. */
+  at = 0.5;
   atX = 0;
   atY = 0;
+  /** Largest distance of a corner from the origin; right after `measureReach`. */
+  reach = 0.5;
 
   /** Puts a shape where its body is, relative to another one, at rest. */
   stand(shape: Swept, at: Placement, origin: Placement): void {
@@ -59,15 +62,24 @@ export class Travel {
 
   /** Brings the outline to where it is at time t. */
   place(t: number): void {
-    turned[0] = this.angle + this.w * t;
-    cosSin(turned);
-    this.atX = this.x + this.vx * t;
-    this.atY = this.y + this.vy * t;
-    this.shape!.outline(this.outline, this.atX, this.atY, turned[1]!, turned[2]!);
+    this.at = t;
+    this.placeOutline();
   }
 
-  /** Largest distance of a corner from the origin. */
-  reach(): number {
+  private placeOutline(): void {
+    const { at, outline } = this;
+    turned[0] = this.angle + this.w * at;
+    cosSin(turned);
+    this.atX = this.x + this.vx * at;
+    this.atY = this.y + this.vy * at;
+    outline.x = this.atX;
+    outline.y = this.atY;
+    outline.cos = turned[1]!;
+    outline.sin = turned[2]!;
+    this.shape!.outline(outline);
+  }
+
+  measureReach(): void {
     const { corners, count } = this.outline;
     let squared = 0;
     for (let i = 0; i < count * EDGE_STRIDE; i += EDGE_STRIDE) {
@@ -75,7 +87,7 @@ export class Travel {
       const y = corners[i + 1]! - this.atY;
       squared = Math.max(squared, x * x + y * y);
     }
-    return Math.sqrt(squared);
+    this.reach = Math.sqrt(squared);
   }
 }
 
@@ -84,6 +96,15 @@ export class Sweep {
   readonly a = new Travel();
   readonly b = new Travel();
   readonly distance = new Distance();
+  /** What is looked for, as `timeOfImpact` is told: from function to function numbers go through fields, as arguments and results would be boxed. */
+  target = 0.5;
+  tolerance = 0.5;
+  from = 0.5;
+  most = 0.5;
+  /** The time last looked at, the longest that certainly is safe from there, and the curvature of both ways. */
+  time = 0.5;
+  safe = 0.5;
+  curvature = 0.5;
   /** Several times what any sweep has been seen to need: some 6,000 for shapes that turn forty times close to each other. The mean is 23. */
   patience = 20_000;
   /** What to say when that is used up: that they meet where they are by then. */
@@ -91,7 +112,7 @@ export class Sweep {
 }
 
 /** A bound on the farthest corner along an axis in a while, and its rate: scratch. */
-const bound = { height: 0, rate: 0 };
+const bound = { height: 0.5, rate: 0.5 };
 
 /**
  * How far along `(nx, ny)` the outline of a travel reaches at most after another `dt`: every corner goes on at its present rate, and the
@@ -120,13 +141,14 @@ function reachAlong(travel: Travel, nx: number, ny: number, dt: number): void {
  * end it holds all the way, and Newton's method from there comes down on its root. The end is where the corners that are farthest now would
  * meet, or before.
  */
-function safeTime(a: Travel, b: Travel, distance: Distance, target: number, most: number, curvature: number): number {
+function findSafe(sweep: Sweep): void {
+  const { a, b, distance, target, curvature } = sweep;
   const { axisX, axisY } = distance;
   const limit = target + a.outline.radius + b.outline.radius;
   reachAlong(a, axisX, axisY, 0);
   const { rate: rateA } = bound;
   reachAlong(b, -axisX, -axisY, 0);
-  let s = Math.min(most, latestRoot(distance.value - target, rateA + bound.rate, curvature));
+  let s = Math.min(sweep.most - sweep.time, latestRoot(distance.value - target, rateA + bound.rate, curvature));
   for (let i = 0; i < 64; i += 1) {
     reachAlong(a, axisX, axisY, s);
     const { height, rate } = bound;
@@ -134,15 +156,15 @@ function safeTime(a: Travel, b: Travel, distance: Distance, target: number, most
     const gap = -bound.height - height - limit - 0.5 * curvature * s * s;
     const slope = -bound.rate - rate - curvature * s;
     if (gap >= 0 || slope >= 0) {
-      return s;
+      break;
     }
     const next = s - gap / slope;
     if (!(next < s)) {
-      return s;
+      break;
     }
     s = next;
   }
-  return s;
+  sweep.safe = s;
 }
 
 /** When a gap that closes at a rate, faster by the curvature, is closed. */
@@ -161,24 +183,39 @@ function latestRoot(gap: number, rate: number, curvature: number): number {
  * quadratically however fast the shapes turn. Leaves the sweep as it is at that time.
  */
 export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, from: number, most: number): number {
-  const { a, b, distance } = sweep;
-  let t = from;
-  let curvature = -1;
+  sweep.target = target;
+  sweep.tolerance = tolerance;
+  sweep.from = from;
+  sweep.most = most;
+  return findImpact(sweep) ? sweep.time : -1;
+}
+
+/** The same of what the fields of the sweep say; the time is left there too. @returns whether that comes. */
+export function findImpact(sweep: Sweep): boolean {
+  const { a, b, distance, most } = sweep;
+  const enough = sweep.target + sweep.tolerance;
+  let t = sweep.from;
+  let isFirst = true;
   for (let i = 0; i < sweep.patience; i += 1) {
+    sweep.time = t;
     a.place(t);
     b.place(t);
     measureDistance(a.outline, b.outline, distance);
-    if (distance.value <= target + tolerance) {
-      return t;
+    if (distance.value <= enough) {
+      return true;
     }
-    if (curvature < 0) {
-      curvature = a.w * a.w * a.reach() + b.w * b.w * b.reach();
+    if (isFirst) {
+      a.measureReach();
+      b.measureReach();
+      sweep.curvature = a.w * a.w * a.reach + b.w * b.w * b.reach;
+      isFirst = false;
     }
-    const safe = safeTime(a, b, distance, target, most - t, curvature);
-    if (safe >= most - t) {
-      return -1;
+    findSafe(sweep);
+    if (sweep.safe >= most - t) {
+      return false;
     }
-    t += safe;
+    t += sweep.safe;
   }
-  return sweep.cautious ? t : -1;
+  sweep.time = t;
+  return sweep.cautious;
 }

@@ -1,4 +1,5 @@
 import { COLLINEAR_TOLERANCE, VERTEX_TOLERANCE } from '../config.js';
+import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Vec2, Vec2Like } from '../math/vectors.js';
 import { finite, integer, positive, typeError, vector } from '../validate.js';
@@ -74,7 +75,7 @@ export function convexVertices(where: string, name: string, value: unknown): Flo
   if (count < 3) {
     throw new RangeError(`${where}: ${name} must have at least 3 vertices, got ${count}`);
   }
-  const flat = new Float64Array(count * 2);
+  const flat = doubles(count * 2);
   for (let i = 0; i < count; i += 1) {
     const point = vector(where, `${name}[${i}]`, list[i], 2);
     flat[2 * i] = point[0]!;

@@ -78,14 +78,14 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
 export function shapesMeeting(world: World, shape: Shape): Shape[] {
   const body = shape.owner!;
   body.place();
-  shape.outline(own, 0, 0, body.cos, body.sin);
+  shape.outline(own.put(0, 0, body.cos, body.sin));
   return near(world, shape.bounds).filter((found) => found.owner !== body && meets(found, body.x, body.y));
 }
 
 /** Whether a shape meets the outline in `own`, which is given relative to `(x, y)`; touching counts. */
 function meets(shape: Shape, x: number, y: number): boolean {
   const body = shape.owner!;
-  shape.outline(other, body.x - x, body.y - y, body.cos, body.sin);
+  shape.outline(other.put(body.x - x, body.y - y, body.cos, body.sin));
   measureDistance(own, other, distance);
   return distance.value <= 0;
 }

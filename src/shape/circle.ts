@@ -109,12 +109,14 @@ export class Circle extends Shape {
   }
 
   /** @internal */
-  override outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
-    into.setCircle(
-      x + cos * this.originX - sin * this.originY,
-      y + sin * this.originX + cos * this.originY,
-      this.radius,
-    );
+  override outline(into: Outline): void {
+    const { x, y, cos, sin, corners } = into;
+    // As `setCircle`, which called from here would have to box its numbers.
+    into.count = 1;
+    into.edges = 0;
+    into.radius = this.radius;
+    corners[0] = x + cos * this.originX - sin * this.originY;
+    corners[1] = y + sin * this.originX + cos * this.originY;
   }
 
   /** @internal */

@@ -3,6 +3,7 @@ import { EDGE_STRIDE } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
 import { convexVertices } from '../geometry/vertices.js';
+import { doubles } from '../math/doubles.js';
 import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { options } from '../validate.js';
 import { Shape, type ShapeParams } from './shape.js';
@@ -35,6 +36,8 @@ export class Polygon extends Shape {
 
   /** @internal grows with every change of the geometry */
   geometryStamp = 0;
+  /** @internal half of the least width; −1 if it has to be found */
+  halfWidth = -1;
 
   /** @internal use `createPolygonShape` */
   constructor(params: PolygonParams) {
@@ -43,9 +46,9 @@ export class Polygon extends Shape {
     const vertices = convexVertices(where, 'vertices', given.vertices);
     super(where, given);
     this.vertices = vertices;
-    this.localEdges = new Float64Array(vertices.length * 2);
-    this.edges = new Float64Array(vertices.length * 2);
-    this.offsets = new Float64Array(vertices.length / 2);
+    this.localEdges = doubles(vertices.length * 2);
+    this.edges = doubles(vertices.length * 2);
+    this.offsets = doubles(vertices.length / 2);
     this.refreshEdges();
   }
 
@@ -61,9 +64,9 @@ export class Polygon extends Shape {
   /** @internal */
   takeVertices(checked: Float64Array): void {
     if (checked.length !== this.vertices.length) {
-      this.localEdges = new Float64Array(checked.length * 2);
-      this.edges = new Float64Array(checked.length * 2);
-      this.offsets = new Float64Array(checked.length / 2);
+      this.localEdges = doubles(checked.length * 2);
+      this.edges = doubles(checked.length * 2);
+      this.offsets = doubles(checked.length / 2);
     }
     this.vertices = checked;
     this.refreshEdges();
@@ -126,8 +129,8 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
-  override outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
-    into.setPolygon(this.localEdges, this.offsets, x, y, cos, sin);
+  override outline(into: Outline): void {
+    into.setPolygon(this.localEdges, this.offsets);
   }
 
   /** @internal */
@@ -143,6 +146,13 @@ export class Polygon extends Shape {
 
   /** @internal */
   override thickness(): number {
+    if (this.halfWidth < 0) {
+      this.halfWidth = this.leastWidth() / 2;
+    }
+    return this.halfWidth;
+  }
+
+  private leastWidth(): number {
     const { localEdges, offsets } = this;
     let width = Infinity;
     for (let i = 0; i < offsets.length; i += 1) {
@@ -154,7 +164,7 @@ export class Polygon extends Shape {
       }
       width = Math.min(width, depth);
     }
-    return width / 2;
+    return width;
   }
 
   /** @internal */
@@ -176,6 +186,7 @@ export class Polygon extends Shape {
 
   private refreshEdges(): void {
     this.geometryStamp += 1;
+    this.halfWidth = -1;
     const vertices = this.vertices;
     const length = vertices.length;
     for (let i = 0; i < length; i += 2) {

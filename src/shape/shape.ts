@@ -5,6 +5,7 @@ import type { Hit } from '../contact/hit.js';
 import type { Outline } from '../geometry/outline.js';
 import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
+import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
@@ -85,7 +86,7 @@ export abstract class Shape {
   /** @internal */
   groundStamp = -1;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
-  readonly bounds = new Float64Array(4);
+  readonly bounds = doubles(4);
 
   /** @internal */
   constructor(where: string, params: Partial<ShapeParams>) {
@@ -266,8 +267,8 @@ export abstract class Shape {
   /** @internal turns the geometry with the body and sets the bounds */
   abstract place(body: RigidBody): void;
 
-  /** @internal writes the outline of the shape of a body placed at `(x, y)`, turned by an angle */
-  abstract outline(into: Outline, x: number, y: number, cos: number, sin: number): void;
+  /** @internal writes the outline of the shape of a body that is where the outline was put */
+  abstract outline(into: Outline): void;
 
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;

@@ -1,4 +1,3 @@
-import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
@@ -7,8 +6,8 @@ import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { beginSensing, strike } from './impact.js';
-import { comesBefore, findMeetings, isSensed, type Meeting, meetingTime } from './meetings.js';
-import type { Mover } from './movers.js';
+import { findMeetings, isSensed, meets } from './meetings.js';
+import type { Mover, Movers } from './movers.js';
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -20,13 +19,11 @@ export function continuous(world: World, dt: number): void {
   if (movers.count === 0) {
     return;
   }
-  const meetings = findMeetings(world, IMPACT_DEPTH);
-  settle(
-    world,
-    dt,
-    meetings.filter(({ a, b }) => !isSensed(a, b)),
-  );
-  for (const { a, b, time } of meetings) {
+  findMeetings(world, IMPACT_DEPTH);
+  settle(world, dt);
+  const { meetings } = movers;
+  for (let i = 0; i < meetings.count; i += 1) {
+    const { a, b, time } = meetings.all[i]!;
     if (isSensed(a, b) && comesTo(world, a, time) && comesTo(world, b, time)) {
       beginSensing(world, a, b);
     }
@@ -41,41 +38,49 @@ function comesTo(world: World, shape: Shape, time: number): boolean {
 }
 
 /** Lets the impacts happen in the order in which they come; each changes what comes after it. */
-function settle(world: World, dt: number, meetings: Meeting[]): void {
+function settle(world: World, dt: number): void {
   const { movers } = world;
-  const met = new Set<RigidBody>();
-  for (let coming = meetings; coming.length > 0; ) {
-    const next = coming.reduce((first, other) => (comesBefore(other, first) ? other : first));
-    const { a, b, time } = next;
-    const bodies = [a.owner!, b.owner!].filter(({ kind }) => kind !== STATIC);
-    for (const body of bodies) {
-      movers.of(body).putAt(time);
-      met.add(body);
-    }
-    coming = coming.filter((meeting) => meeting !== next);
-    const pair = strike(world, a, b, time);
+  const { meetings } = movers;
+  for (let next = meetings.takeFirst(); next !== null; next = meetings.takeFirst()) {
+    movers.now = next.time;
+    const one = movers.of(next.a.owner!);
+    const two = movers.of(next.b.owner!);
+    come(one, movers);
+    come(two, movers);
+    const pair = strike(world, next);
     if (pair !== null) {
-      const stopped = bodies.filter(({ kind }) => kind === DYNAMIC);
-      for (const body of stopped) {
-        const partner = movers.of(body === a.owner ? b.owner! : a.owner!);
-        halt(movers.of(body), partner, time);
-        if (pair.metAgain() && partner.body.kind !== DYNAMIC) {
-          slide(movers.of(body), partner, pair, dt);
-        }
-      }
-      coming = lookAgain(world, coming, stopped, time);
+      halt(one, two, pair, dt);
+      halt(two, one, pair, dt);
+      lookAgain(world, one);
+      lookAgain(world, two);
     }
   }
-  for (const body of met) {
-    movers.of(body).finish();
+  for (let i = 0; i < movers.count; i += 1) {
+    if (movers.all[i]!.met) {
+      movers.all[i]!.finish();
+    }
+  }
+}
+
+/** Puts a body, unless it is static, to where it is when something meets it. */
+function come(mover: Mover, { now }: Movers): void {
+  if (mover.body.kind !== STATIC) {
+    mover.putAt(now);
+    mover.met = true;
   }
 }
 
 /** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along. */
-function halt(mover: Mover, partner: Mover, time: number): void {
-  mover.stop(time);
+function halt(mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
+  if (mover.body.kind !== DYNAMIC) {
+    return;
+  }
+  mover.stop();
   if (partner.body.kind === KINEMATIC) {
     mover.ride(partner);
+  }
+  if (partner.body.kind !== DYNAMIC && pair.metAgain()) {
+    slide(mover, partner, pair, dt);
   }
 }
 
@@ -103,14 +108,17 @@ function slide(mover: Mover, under: Mover, { manifold: m, bodyA }: Arbiter, dt: 
   mover.dy += sin(turn) * x + cos(turn) * y;
 }
 
-/** The meetings that are left now that some bodies have stopped. */
-function lookAgain(world: World, meetings: Meeting[], stopped: RigidBody[], from: number): Meeting[] {
-  return meetings.flatMap((meeting) => {
-    const { a, b } = meeting;
-    if (!stopped.includes(a.owner!) && !stopped.includes(b.owner!)) {
-      return [meeting];
+/** Of the meetings of a body that has stopped some come at another time now, and some not at all. */
+function lookAgain(world: World, mover: Mover): void {
+  const { meetings } = world.movers;
+  for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
+    if (meeting.slot < 0) {
+      continue;
     }
-    const time = meetingTime(world, a, b, IMPACT_DEPTH, from);
-    return time >= 0 ? [{ a, b, time }] : [];
-  });
+    if (meets(world, meeting, IMPACT_DEPTH)) {
+      meetings.move(meeting);
+    } else {
+      meetings.remove(meeting);
+    }
+  }
 }

@@ -176,7 +176,8 @@ export class BounceList {
   elasticity = new Float64Array(16);
   bias = new Float64Array(16);
 
-  add(twoPoint: boolean, record: number, shift: number, elasticity: number): void {
+  /** Adds a point, whose elasticity is to be set. @returns its index. */
+  add(twoPoint: boolean, record: number, shift: number): number {
     const i = this.count;
     if (i === this.record.length) {
       this.grow();
@@ -184,9 +185,9 @@ export class BounceList {
     this.twoPoint[i] = twoPoint ? 1 : 0;
     this.record[i] = record;
     this.shift[i] = shift;
-    this.elasticity[i] = elasticity;
     this.bias[i] = 0;
     this.count += 1;
+    return i;
   }
 
   private grow(): void {

@@ -35,16 +35,11 @@ export function mayInteract(a: Shape, b: Shape): boolean {
 function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): void {
   const a = first.data as Shape;
   const b = second.data as Shape;
-  if (mayInteract(a, b)) {
-    const pair = a.id < b.id ? this.pairs.obtain(a, b) : this.pairs.obtain(b, a);
-    if (!pair.listed && pair.seen <= Math.max(a.entered, b.entered)) {
-      // A shape left and came back within a step: nothing is remembered of before.
-      const { awake } = pair;
-      pair.reuse(pair.shapeA, pair.shapeB);
-      pair.awake = awake;
-    }
-    pair.seen = this.timeStamp;
-    this.pairs.arrive(pair);
+  const isInOrder = a.id < b.id;
+  const shapeA = isInOrder ? a : b;
+  const shapeB = isInOrder ? b : a;
+  if (!this.pairs.reportAgain(shapeA, shapeB, this.timeStamp) && mayInteract(a, b)) {
+    this.pairs.report(shapeA, shapeB, this.timeStamp);
   }
 }
 
@@ -56,6 +51,7 @@ export function findPairs(world: World, dt: number): void {
   const pairs = world.pairs;
   pairs.recycle();
   world.broadphase.perform(report, world);
+  pairs.makeReported(world.timeStamp);
   pairs.merge();
   const sorted = pairs.sorted;
   let kept = 0;
@@ -89,6 +85,10 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   if (world.pairs.isExpired(pair, stamp)) {
     world.pairs.unlist(pair);
   }
+  if (world.pairs.isReported(pair, stamp) && mayInteract(pair.shapeA, pair.shapeB)) {
+    forgetLeft(pair);
+    pair.seen = stamp;
+  }
   const isReported = pair.seen === stamp;
   if (isReported && (pair.sensor ? overlap(pair) : touch(pair))) {
     interact(world, pair);
@@ -103,6 +103,15 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     return false;
   }
   return true;
+}
+
+/** Where a shape left and came back within a step, nothing is remembered of before. */
+function forgetLeft(pair: Arbiter): void {
+  const { shapeA, shapeB, seen } = pair;
+  if (!pair.listed && seen >= 0 && seen <= Math.max(shapeA.entered, shapeB.entered)) {
+    pair.reuse(shapeA, shapeB);
+    pair.awake = true;
+  }
 }
 
 function interact(world: World, pair: Arbiter): void {

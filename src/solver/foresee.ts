@@ -1,8 +1,8 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC, STATIC } from '../body-kind.js';
+import { STATIC } from '../body-kind.js';
 import { roundness, visibleTurn } from '../collide/along.js';
 import * as g from '../collide/layout.js';
-import { FORESIGHT_DEPTH, SAME_TIME, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
+import { FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
@@ -12,7 +12,8 @@ import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { canGiveWay, noteApproach } from './find-pairs.js';
-import { comesBefore, findMeetings, isSensed, type Meeting } from './meetings.js';
+import type { Meeting } from './meeting-queue.js';
+import { findMeetings } from './meetings.js';
 import { goesFar, type Mover } from './movers.js';
 import { smoothMeeting } from './seams.js';
 
@@ -23,25 +24,30 @@ import { smoothMeeting } from './seams.js';
  */
 export function foresee(world: World, dt: number): void {
   const { movers } = world;
-  movers.ahead = dt;
   const average = (world.substeps + 1) / (2 * world.substeps);
+  movers.ahead = dt;
+  movers.gain = average * dt;
   const pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
     const body = world.liveDynamics[i]!;
     const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
     if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
-      foreseeFalling(world, body, dt, average * dt);
+      foreseeFalling(world, body);
     }
   }
   for (let i = 0; i < world.liveKinematics.length; i += 1) {
     const body = world.liveKinematics[i]!;
     if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
-      movers.add(body).foresee(body, dt, body.vx, body.vy, body.w);
+      movers.add(body).aim(body, movers);
     }
   }
   if (movers.count > 0) {
-    for (const meeting of firstOfEach(world, findMeetings(world, FORESIGHT_DEPTH))) {
-      open(world, meeting);
+    findMeetings(world, FORESIGHT_DEPTH);
+    const { meetings } = movers;
+    for (let next = meetings.takeFirst(); next !== null; next = meetings.takeFirst()) {
+      if (isFirst(world, next)) {
+        open(world, next);
+      }
     }
     for (let i = 0; i < world.closing.length; i += 1) {
       if (!world.closing[i]!.near) {
@@ -55,54 +61,55 @@ export function foresee(world: World, dt: number): void {
 }
 
 /** Of a dynamic body, with what forces add on the average of the step. */
-function foreseeFalling(world: World, body: RigidBody, dt: number, gain: number): void {
-  const mass = body.inverseMass();
+function foreseeFalling(world: World, body: RigidBody): void {
+  const { movers } = world;
+  const { ahead, gain } = movers;
+  body.refreshMass();
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box their results, and as `goesFar`.
+  const mass = body.mass > 0 ? 1 / body.mass : 0;
+  const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
   const vx = body.vx + (mass > 0 ? world.gravityX + body.fx * mass : 0) * gain;
   const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
-  const w = body.w + body.appliedTorque * body.inverseInertia() * gain;
-  if (goesFar(body, vx * dt, vy * dt, w * dt)) {
-    const [x, y] = alongContacts(body, vx, vy);
-    world.movers.add(body).foresee(body, dt, x, y, w);
+  const w = body.w + body.appliedTorque * inertia * gain;
+  if (Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius > SPECULATIVE_MARGIN / 2) {
+    const mover = movers.add(body);
+    mover.dx = vx;
+    mover.dy = vy;
+    mover.turn = w;
+    goAlongContacts(mover, body);
+    mover.foresee(body, movers);
   }
 }
 
-/** A velocity without what goes into the static bodies that the body touches. */
-function alongContacts(body: RigidBody, vx: number, vy: number): [number, number] {
-  let x = vx;
-  let y = vy;
-  for (const shape of body.shapes) {
-    for (const pair of shape.arbiters) {
-      const first = pair.shapeA === shape;
-      if (pair.isSolid() && (first ? pair.bodyB : pair.bodyA).kind === STATIC) {
+/** Takes from the velocity of a mover what goes into the static bodies that it touches. */
+function goAlongContacts(mover: Mover, { shapes }: RigidBody): void {
+  for (let i = 0; i < shapes.length; i += 1) {
+    const shape = shapes[i]!;
+    for (let k = 0; k < shape.arbiters.length; k += 1) {
+      const pair = shape.arbiters[k]!;
+      const isFirst = pair.shapeA === shape;
+      if (pair.isSolid() && (isFirst ? pair.bodyB : pair.bodyA).kind === STATIC) {
         const { numbers: n } = pair.manifold;
-        const into = (first ? 1 : -1) * (x * n[g.NX]! + y * n[g.NY]!);
+        const sign = isFirst ? 1 : -1;
+        const into = sign * (mover.dx * n[g.NX]! + mover.dy * n[g.NY]!);
         if (into > 0) {
-          x -= (first ? 1 : -1) * into * n[g.NX]!;
-          y -= (first ? 1 : -1) * into * n[g.NY]!;
+          mover.dx -= sign * into * n[g.NX]!;
+          mover.dy -= sign * into * n[g.NY]!;
         }
       }
     }
   }
-  return [x, y];
 }
 
 /**
- * The first meetings of each dynamic body, and those with what is near it already: what lies behind the first, such as the next tile of a floor,
- * it may never come to.
+ * Of the meetings, as they come, the first of each dynamic body counts, and those with what is near it already: what lies behind the first,
+ * such as the next tile of a floor, it may never come to.
  */
-function firstOfEach(world: World, meetings: Meeting[]): Meeting[] {
-  const first = new Map<RigidBody, number>();
-  return meetings
-    .filter(({ a, b }) => !isSensed(a, b))
-    .sort((one, two) => (comesBefore(one, two) ? -1 : 1))
-    .filter(({ a, b, time }) => {
-      const bodies = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC);
-      const comes = isClose(world, a, b) || bodies.every((body) => time <= (first.get(body) ?? time) + SAME_TIME);
-      for (const body of bodies) {
-        first.set(body, first.get(body) ?? time);
-      }
-      return comes && bodies.every(canGiveWay);
-    });
+function isFirst(world: World, { a, b, time }: Meeting): boolean {
+  const { movers } = world;
+  const isFirstOfA = movers.of(a.owner!).comesFirst(time);
+  const isFirstOfB = movers.of(b.owner!).comesFirst(time);
+  return ((isFirstOfA && isFirstOfB) || isClose(world, a, b)) && canGiveWay(a.owner!) && canGiveWay(b.owner!);
 }
 
 /** Found within the margin in this step. */

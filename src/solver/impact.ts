@@ -14,6 +14,7 @@ import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import { noteApproach } from './find-pairs.js';
+import type { Meeting } from './meeting-queue.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
 
@@ -36,7 +37,7 @@ export function beginSensing(world: World, a: Shape, b: Shape): void {
 }
 
 /** Two shapes meet on their ways, where their bodies are now, or get too deep into each other. @returns the pair, or `null` if that has no effect. */
-export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter | null {
+export function strike(world: World, { a, b }: Meeting): Arbiter | null {
   const pair = world.pairs.obtain(a, b);
   const begins = !pair.active;
   const { bodyA, bodyB } = pair;
@@ -61,15 +62,12 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
     pair.dropPoints();
     return null;
   }
-  for (const body of [bodyA, bodyB]) {
-    if (body.isDynamic()) {
-      wakeBody(world, body, false);
-      if (begins) {
-        slowTo(world, body, time);
-      }
-    }
-  }
+  rouse(world, bodyA, begins);
+  rouse(world, bodyB, begins);
   noteApproach(pair);
+  if (world.profile !== null) {
+    world.profile.impacts += 1;
+  }
   solveImpact(world, pair);
   if (!begins && (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC)) {
     stopComing(pair);
@@ -81,50 +79,68 @@ export function strike(world: World, a: Shape, b: Shape, time: number): Arbiter 
   return pair;
 }
 
-/** Gives a body the velocity it has at a time of the step. */
-function slowTo({ solver, substeps, movers }: World, body: RigidBody, time: number): void {
-  const at = body.slot * d.BODY_STRIDE;
-  const gain = (which: number): number => substeps * solver.drive[at + which]!;
-  movers.of(body).slowTo(time, gain(d.GAIN_X), gain(d.GAIN_Y), gain(d.GAIN_W));
+/** A dynamic body that is struck is awake; at the first impact of a pair it has the velocity of that time of the step. */
+function rouse(world: World, body: RigidBody, begins: boolean): void {
+  if (body.kind === DYNAMIC) {
+    wakeBody(world, body, false);
+    if (begins) {
+      world.movers.of(body).slow(world.solver, world.substeps);
+    }
+  }
 }
 
 /** One point of an impact: arms, effective masses, what has to be reached, and what has been given. */
-interface Point {
-  readonly which: 0 | 1;
-  readonly ax: number;
-  readonly ay: number;
-  readonly bx: number;
-  readonly by: number;
-  readonly normalMass: number;
-  readonly tangentMass: number;
-  readonly leave: number;
-  readonly friction: number;
-  normal: number;
-  tangent: number;
+class Point {
+  /** Whether it takes part. */
+  isUsed = false;
+  ax = 0.5;
+  ay = 0.5;
+  bx = 0.5;
+  by = 0.5;
+  normalMass = 0.5;
+  tangentMass = 0.5;
+  leave = 0.5;
+  friction = 0.5;
+  normal = 0.5;
+  tangent = 0.5;
 }
+
+/** Both points, and the inverse masses and inertias of the bodies: scratch. */
+const points = [new Point(), new Point()] as const;
+const inverse = { massA: 0.5, massB: 0.5, inertiaA: 0.5, inertiaB: 0.5 };
 
 /**
  * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, by sequential impulses (Catto, GDC 2006). They
  * are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
  */
 export function solveImpact(world: World, pair: Arbiter): void {
-  const points: Point[] = [];
   const { numbers: n, count } = pair.manifold;
-  for (const which of [0, 1] as const) {
-    if (which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP) {
-      points.push(makePoint(world.solver, pair, which));
+  inverse.massA = pair.bodyA.inverseMass();
+  inverse.massB = pair.bodyB.inverseMass();
+  inverse.inertiaA = pair.bodyA.inverseInertia();
+  inverse.inertiaB = pair.bodyB.inverseInertia();
+  for (let which = 0; which < 2; which += 1) {
+    const point = points[which]!;
+    point.isUsed = which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP;
+    if (point.isUsed) {
+      setPoint(world.solver, pair, which);
     }
   }
   for (let i = 0; i < IMPACT_ITERATIONS; i += 1) {
-    for (const point of points) {
-      solvePoint(pair, point);
+    for (let which = 0; which < 2; which += 1) {
+      if (points[which]!.isUsed) {
+        solvePoint(pair, points[which]!);
+      }
     }
   }
-  for (const { which, normal, tangent } of points) {
-    const at = c.IMPULSES * which;
-    n[c.STEP_NORMAL + at] = n[c.STEP_NORMAL + at]! + normal;
-    n[c.STEP_TANGENT + at] = n[c.STEP_TANGENT + at]! + tangent;
-    pair.usedPoints |= 1 << which;
+  for (let which = 0; which < 2; which += 1) {
+    const { isUsed, normal, tangent } = points[which]!;
+    if (isUsed) {
+      const at = c.IMPULSES * which;
+      n[c.STEP_NORMAL + at] = n[c.STEP_NORMAL + at]! + normal;
+      n[c.STEP_TANGENT + at] = n[c.STEP_TANGENT + at]! + tangent;
+      pair.usedPoints |= 1 << which;
+    }
   }
 }
 
@@ -138,17 +154,22 @@ function stopComing(pair: Arbiter): void {
   if (n[c.STEP_NORMAL]! + n[c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
     return;
   }
+  const point = points[0];
   const ofA = a.kind === DYNAMIC ? 0 : 1;
-  measureRelative(pair, ofA * n[g.DX]!, ofA * n[g.DY]!, (ofA - 1) * n[g.DX]!, (ofA - 1) * n[g.DY]!);
-  const mass = a.inverseMass() + b.inverseMass();
+  point.ax = ofA * n[g.DX]!;
+  point.ay = ofA * n[g.DY]!;
+  point.bx = (ofA - 1) * n[g.DX]!;
+  point.by = (ofA - 1) * n[g.DY]!;
+  measureRelative(pair, point);
+  const mass = inverse.massA + inverse.massB;
   const coming = -(n[g.NX]! * relative.x + n[g.NY]! * relative.y);
   if (coming > 0 && mass > 0) {
     const x = (n[g.NX]! * coming) / mass;
     const y = (n[g.NY]! * coming) / mass;
-    a.vx -= x * a.inverseMass();
-    a.vy -= y * a.inverseMass();
-    b.vx += x * b.inverseMass();
-    b.vy += y * b.inverseMass();
+    a.vx -= x * inverse.massA;
+    a.vy -= y * inverse.massA;
+    b.vx += x * inverse.massB;
+    b.vy += y * inverse.massB;
     before.x += x;
     before.y += y;
   }
@@ -156,45 +177,46 @@ function stopComing(pair: Arbiter): void {
 
 /** Velocity of B against A at a point. */
 const relative = { x: 0.5, y: 0.5 };
+/** What `push` gives. */
+const impulse = { x: 0.5, y: 0.5 };
 
-function measureRelative({ bodyA: a, bodyB: b }: Arbiter, ax: number, ay: number, bx: number, by: number): void {
+function measureRelative({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point): void {
   relative.x = b.vx - b.w * by - a.vx + a.w * ay;
   relative.y = b.vy + b.w * bx - a.vy - a.w * ax;
 }
 
-function makePoint(data: SolverData, pair: Arbiter, which: 0 | 1): Point {
+function setPoint(data: SolverData, pair: Arbiter, which: number): void {
+  const point = points[which]!;
   const n = pair.manifold.numbers;
   const { bodyA: a, bodyB: b } = pair;
+  const { massA, massB, inertiaA, inertiaB } = inverse;
   const nx = n[g.NX]!;
   const ny = n[g.NY]!;
   const ax = n[g.X0 + g.POINT * which]!;
   const ay = n[g.Y0 + g.POINT * which]!;
   const bx = ax - n[g.DX]!;
   const by = ay - n[g.DY]!;
-  const mass = a.inverseMass() + b.inverseMass();
-  const iA = a.inverseInertia();
-  const iB = b.inverseInertia();
-  const [rnA, rnB] = [ax * ny - ay * nx, bx * ny - by * nx];
-  const [rtA, rtB] = [ax * nx + ay * ny, bx * nx + by * ny];
-  const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
-  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
-  measureRelative(pair, ax, ay, bx, by);
+  const mass = massA + massB;
+  const rnA = ax * ny - ay * nx;
+  const rnB = bx * ny - by * nx;
+  const rtA = ax * nx + ay * ny;
+  const rtB = bx * nx + by * ny;
+  const kn = mass + inertiaA * rnA * rnA + inertiaB * rnB * rnB;
+  const kt = mass + inertiaA * rtA * rtA + inertiaB * rtB * rtB;
+  point.ax = ax;
+  point.ay = ay;
+  point.bx = bx;
+  point.by = by;
+  measureRelative(pair, point);
   const comes = nx * relative.x + ny * relative.y;
-  const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
   const slide = nx * relative.y - ny * relative.x;
-  return {
-    which,
-    ax,
-    ay,
-    bx,
-    by,
-    normalMass: kn > 0 ? 1 / kn : 0,
-    tangentMass: kt > 0 ? 1 / kt : 0,
-    leave: bounceSpeed(n[c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY),
-    friction: slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!,
-    normal: 0,
-    tangent: 0,
-  };
+  const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
+  point.normalMass = kn > 0 ? 1 / kn : 0;
+  point.tangentMass = kt > 0 ? 1 / kt : 0;
+  point.leave = bounceSpeed(n[c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY);
+  point.friction = slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!;
+  point.normal = 0;
+  point.tangent = 0;
 }
 
 /**
@@ -209,28 +231,30 @@ function solvePoint(pair: Arbiter, point: Point): void {
   const { bodyA: a, bodyB: b } = pair;
   const nx = pair.manifold.numbers[g.NX]!;
   const ny = pair.manifold.numbers[g.NY]!;
-  const { ax, ay, bx, by } = point;
-  measureRelative(pair, ax, ay, bx, by);
+  measureRelative(pair, point);
   const limit = point.friction * point.normal;
   const slide = nx * relative.y - ny * relative.x - (a.surfaceX + b.surfaceX);
   const tangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
-  push(pair, point, -ny * (tangent - point.tangent), nx * (tangent - point.tangent));
+  impulse.x = -ny * (tangent - point.tangent);
+  impulse.y = nx * (tangent - point.tangent);
+  push(pair, point);
   point.tangent = tangent;
-  measureRelative(pair, ax, ay, bx, by);
+  measureRelative(pair, point);
   const approach = nx * relative.x + ny * relative.y + point.leave;
   const normal = Math.max(0, point.normal - approach * point.normalMass);
-  push(pair, point, nx * (normal - point.normal), ny * (normal - point.normal));
+  impulse.x = nx * (normal - point.normal);
+  impulse.y = ny * (normal - point.normal);
+  push(pair, point);
   point.normal = normal;
 }
 
-/** Gives B an impulse and A the opposite. */
-function push({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point, x: number, y: number): void {
-  const mA = a.inverseMass();
-  const mB = b.inverseMass();
-  a.vx -= x * mA;
-  a.vy -= y * mA;
-  a.w -= (ax * y - ay * x) * a.inverseInertia();
-  b.vx += x * mB;
-  b.vy += y * mB;
-  b.w += (bx * y - by * x) * b.inverseInertia();
+/** Gives B the impulse and A the opposite. */
+function push({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point): void {
+  const { x, y } = impulse;
+  a.vx -= x * inverse.massA;
+  a.vy -= y * inverse.massA;
+  a.w -= (ax * y - ay * x) * inverse.inertiaA;
+  b.vx += x * inverse.massB;
+  b.vy += y * inverse.massB;
+  b.w += (bx * y - by * x) * inverse.inertiaB;
 }

@@ -2,12 +2,15 @@ import type { RigidBody } from '../body.js';
 import { MAX_SPEED } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
-import { cos, sin } from '../math/trig.js';
+import { cos, cosSin, sin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import { IMPULSE_X, POINT } from './joint-layout.js';
+
+/** Angle, cosine, sine: scratch. */
+const around = new Float64Array(3);
 
 /** Placements of the awake bodies as the step begins. */
 export function packPoses(world: World): void {
@@ -72,8 +75,10 @@ export function advancePoses(data: SolverData): void {
     let c = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720 - square / 40320)));
     let s = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040 - square / 362880))));
     if (square > d.SMALL_TURN * d.SMALL_TURN) {
-      c = cos(turn);
-      s = sin(turn);
+      around[0] = turn;
+      cosSin(around);
+      c = around[1]!;
+      s = around[2]!;
     }
     const c0 = p[i + COS]!;
     const s0 = p[i + SIN]!;

@@ -4,23 +4,22 @@ import { visibleTurn } from '../collide/along.js';
 import { impactDepth } from '../collide/gap.js';
 import { CLEARANCE, DEEPER_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { Sweep, timeOfImpact } from '../geometry/sweep.js';
+import * as c from '../contact/layout.js';
+import { findImpact, Sweep } from '../geometry/sweep.js';
+import { mixElasticity } from '../material.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
+import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
-import { shapesWithin } from './nearby.js';
-
-/** Two shapes that meet on their ways, and when: 0 where the step began, 1 where it ended. */
-export interface Meeting {
-  readonly a: Shape;
-  readonly b: Shape;
-  readonly time: number;
-}
+import { findNearby, nearby } from './nearby.js';
+import { isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = new Sweep();
 sweep.patience = 1000;
 sweep.cautious = true;
+sweep.tolerance = SWEEP_TOLERANCE;
+sweep.most = 1;
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
 
@@ -28,48 +27,52 @@ export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
 }
 
-/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes. */
-export function comesBefore(one: Meeting, two: Meeting): boolean {
-  const [k, l] = [isKinematic(one), isKinematic(two)];
-  if (one.time !== two.time || k !== l) {
-    return one.time !== two.time ? one.time < two.time : k;
-  }
-  return one.a.id !== two.a.id ? one.a.id < two.a.id : one.b.id < two.b.id;
-}
-
-function isKinematic({ a, b }: Meeting): boolean {
-  return a.owner!.kind === KINEMATIC || b.owner!.kind === KINEMATIC;
-}
-
-/** Everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
-export function findMeetings(world: World, depth: number): Meeting[] {
+/** Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
+export function findMeetings(world: World, depth: number): void {
   const { movers } = world;
-  const found: Meeting[] = [];
   const sweeping = movers.count;
-  for (const body of world.liveKinematics) {
-    movers.of(body);
+  for (let i = 0; i < world.liveKinematics.length; i += 1) {
+    movers.of(world.liveKinematics[i]!);
   }
   const count = movers.count;
-  let alone = count === sweeping;
-  for (let i = 0; i < sweeping; i += 1) {
-    alone &&= !meetsMovers(movers.all[i]!);
-  }
+  movers.now = 0;
+  movers.meetings.clear();
+  const alone = listWays(movers);
   for (let i = 0; i < sweeping; i += 1) {
     const mover = movers.all[i]!;
-    if (alone && movers.ahead > 0 && isClear(world, mover)) {
-      continue;
-    }
-    for (const shape of mover.body.shapes) {
-      setShapeBounds(mover, shape);
-      for (const other of shapesWithin(world, bounds, meetsMovers(mover) || shape.sensor)) {
-        if (other.owner!.mover < 0 || other.owner!.mover >= count) {
-          note(world, shape, other, depth, found);
-        }
-      }
+    mover.clear = alone && movers.ahead > 0 && mover.body.kind === DYNAMIC && isClear(world, mover);
+    if (!mover.clear) {
+      meetStill(world, mover, count, depth);
     }
   }
-  pairMovers(world, sweeping, count, depth, found);
-  return found;
+  for (let i = 0; i < count && movers.ways.count > 0; i += 1) {
+    if (!movers.all[i]!.clear) {
+      meetWays(world, i, sweeping, depth);
+    }
+  }
+  lookAtBouncing(world, depth);
+}
+
+/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. @returns whether there are no such bullets. */
+function listWays(movers: Movers): boolean {
+  const { ways } = movers;
+  let alone = true;
+  ways.clear();
+  for (let i = 0; i < movers.count; i += 1) {
+    const mover = movers.all[i]!;
+    mover.clear = false;
+    if (!meetsMovers(mover)) {
+      continue;
+    }
+    alone &&= mover.body.kind !== DYNAMIC;
+    const { shapes } = mover.body;
+    for (let k = 0; k < shapes.length; k += 1) {
+      sweepBounds(mover, shapes[k]!, bounds);
+      ways.add(shapes[k]!, i, bounds);
+    }
+  }
+  ways.sort();
+  return alone;
 }
 
 /**
@@ -78,13 +81,13 @@ export function findMeetings(world: World, depth: number): Meeting[] {
  */
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
-  for (const shape of body.shapes) {
-    const { bounds: start } = shape;
+  for (let i = 0; i < body.shapes.length; i += 1) {
+    const { bounds: start, sensor } = body.shapes[i]!;
     bounds[0] = start[0]! - reach;
     bounds[1] = start[1]! - reach;
     bounds[2] = start[2]! + reach;
     bounds[3] = start[3]! + reach;
-    if (shape.sensor || shapesWithin(world, bounds, false).length > 0) {
+    if (sensor || comesNear(world.movers) || findNearby(world, bounds, false) > 0) {
       return false;
     }
   }
@@ -92,52 +95,61 @@ function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   return true;
 }
 
-/** Kinematic bodies and fast bullets with everything that sweeps, and what sweeps with every kinematic body. */
-function pairMovers(world: World, sweeping: number, count: number, depth: number, found: Meeting[]): void {
-  const { movers } = world;
-  let bounded = false;
-  for (let i = 0; i < count; i += 1) {
-    const mover = movers.all[i]!;
-    if (!meetsMovers(mover)) {
-      continue;
+/** Whether a kinematic shape may come into `bounds` on its way. */
+function comesNear({ all, ways }: Movers): boolean {
+  const size = ways.find(bounds);
+  for (let i = 0; i < size; i += 1) {
+    const way = ways.found[i]!;
+    if (!isBeyondEdge(all[ways.movers[way]!]!, ways.shapes[way]!, bounds)) {
+      return true;
     }
-    for (let j = 0; j < count && !bounded; j += 1) {
-      setBounds(movers.all[j]!);
-    }
-    bounded = true;
-    for (let j = 0; j < count; j += 1) {
-      const other = movers.all[j]!;
-      const once = j > i || !meetsMovers(other);
-      if (once && j !== i && (i < sweeping || j < sweeping) && overlap(mover.bounds, other.bounds)) {
-        pairUp(world, mover, other, depth, found);
+  }
+  return false;
+}
+
+/** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
+function meetStill(world: World, mover: Mover, count: number, depth: number): void {
+  const { shapes, kind } = mover.body;
+  for (let i = 0; i < shapes.length; i += 1) {
+    const shape = shapes[i]!;
+    sweepBounds(mover, shape, bounds);
+    const size = findNearby(world, bounds, meetsMovers(mover) || shape.sensor);
+    for (let k = 0; k < size; k += 1) {
+      const other = nearby[k]!;
+      const { mover: index } = other.owner!;
+      if ((index < 0 || index >= count) && (kind === DYNAMIC || !isPassed(world, mover, shape, other))) {
+        note(world, shape, other, depth);
       }
     }
   }
 }
 
-/** Bounds of all places that a shape can have on the way of its body. */
-function setShapeBounds({ body, dx, dy, turn }: Mover, { bounds: start }: Shape): void {
-  const swing = Math.abs(turn) * body.radius;
-  bounds[0] = start[0]! + Math.min(dx, 0) - swing;
-  bounds[1] = start[1]! + Math.min(dy, 0) - swing;
-  bounds[2] = start[2]! + Math.max(dx, 0) + swing;
-  bounds[3] = start[3]! + Math.max(dy, 0) + swing;
+/** Whether a kinematic shape certainly misses one that was not looked at. */
+function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): boolean {
+  widenBounds(other, movers.ahead > 0, around);
+  return isBeyondEdge(mover, shape, around);
 }
 
-function setBounds(mover: Mover): void {
-  const all = mover.bounds;
-  all.set([Infinity, Infinity, -Infinity, -Infinity]);
-  for (const shape of mover.body.shapes) {
-    setShapeBounds(mover, shape);
-    all[0] = Math.min(all[0]!, bounds[0]!);
-    all[1] = Math.min(all[1]!, bounds[1]!);
-    all[2] = Math.max(all[2]!, bounds[2]!);
-    all[3] = Math.max(all[3]!, bounds[3]!);
+/** A mover with all ways that were listed; one of both sweeps. */
+function meetWays(world: World, index: number, sweeping: number, depth: number): void {
+  const { movers } = world;
+  const { ways } = movers;
+  const mover = movers.all[index]!;
+  const isListed = meetsMovers(mover);
+  const { shapes } = mover.body;
+  for (let i = 0; i < shapes.length; i += 1) {
+    sweepBounds(mover, shapes[i]!, bounds);
+    const size = ways.find(bounds);
+    for (let k = 0; k < size; k += 1) {
+      const way = ways.found[k]!;
+      const other = ways.movers[way]!;
+      const isOnce = other < index || !isListed;
+      const isFar = movers.ahead > 0 && isBeyondEdge(movers.all[other]!, ways.shapes[way]!, bounds);
+      if (isOnce && !isFar && (other < sweeping || index < sweeping)) {
+        note(world, ways.shapes[way]!, shapes[i]!, depth);
+      }
+    }
   }
-}
-
-function overlap(a: Float64Array, b: Float64Array): boolean {
-  return a[0]! <= b[2]! && a[2]! >= b[0]! && a[1]! <= b[3]! && a[3]! >= b[1]!;
 }
 
 /** Is swept against dynamic bodies: a bullet that is fast, or kinematic. */
@@ -149,27 +161,15 @@ function isSwept(one: Mover, two: Mover): boolean {
   return meetsMovers(one) || meetsMovers(two);
 }
 
-function pairUp(world: World, one: Mover, two: Mover, depth: number, found: Meeting[]): void {
-  for (const a of one.body.shapes) {
-    setShapeBounds(one, a);
-    if (overlap(bounds, two.bounds)) {
-      around.set(bounds);
-      for (const b of two.body.shapes) {
-        setShapeBounds(two, b);
-        if (overlap(around, bounds)) {
-          note(world, a, b, depth, found);
-        }
-      }
-    }
-  }
-}
-
 /** Notes two shapes that may interact, do not yet in this step, and meet. */
-function note(world: World, one: Shape, two: Shape, depth: number, found: Meeting[]): void {
+function note(world: World, one: Shape, two: Shape, depth: number): void {
   const a = one.id < two.id ? one : two;
   const b = one.id < two.id ? two : one;
   const { movers, pairs } = world;
-  if (!mayInteract(a, b) || !isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
+  if ((movers.ahead > 0 && isSensed(a, b)) || !mayInteract(a, b)) {
+    return;
+  }
+  if (!isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
     return;
   }
   const pair = pairs.find(a, b);
@@ -177,35 +177,65 @@ function note(world: World, one: Shape, two: Shape, depth: number, found: Meetin
     return;
   }
   if (pair?.foreseen) {
-    recheck(world, a, b, depth, found);
-    return;
+    recheck(world, movers.meetings.draft(a, b), depth);
+  } else if (movers.ahead > 0 && bounces(pair, a, b)) {
+    movers.meetings.postpone(a, b);
+  } else {
+    look(world, a, b, depth);
   }
-  const time = meetingTime(world, a, b, depth, 0);
-  if (time >= 0) {
-    found.push({ a, b, time });
+}
+
+function look(world: World, a: Shape, b: Shape, depth: number): void {
+  const { movers } = world;
+  if (mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b)) {
+    const meeting = movers.meetings.draft(a, b);
+    if (meets(world, meeting, depth)) {
+      add(world, meeting);
+    }
   }
+}
+
+function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
+  if (pair === null) {
+    return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
+  }
+  pair.mixMaterials();
+  return pair.manifold.numbers[c.ELASTICITY]! > 0;
+}
+
+/** What will bounce is not foreseen. It only matters if it comes before something else that the same body meets. */
+function lookAtBouncing(world: World, depth: number): void {
+  const { movers } = world;
+  const { postponed, postponedCount } = movers.meetings;
+  for (let i = 0; i < postponedCount; i += 2) {
+    const a = postponed[i]!;
+    const b = postponed[i + 1]!;
+    if (movers.of(a.owner!).meetings !== null || movers.of(b.owner!).meetings !== null) {
+      look(world, a, b, depth);
+    }
+  }
+}
+
+function add({ movers }: World, meeting: Meeting): void {
+  const { a, b } = meeting;
+  movers.meetings.add(meeting, movers.of(a.owner!), movers.of(b.owner!), !isSensed(a, b));
 }
 
 /**
  * A contact that was foreseen and solved may not have held, as where a sliver is hit at its tip and whirls round. The true way had a bend where
  * they met, from where on they turned otherwise: so the straight one is looked at as if what was added to the turn had been there from the start.
  */
-function recheck(world: World, a: Shape, b: Shape, depth: number, found: Meeting[]): void {
-  const movers = [a.owner!, b.owner!].filter(({ kind }) => kind === DYNAMIC).map((body) => world.movers.of(body));
-  const added = movers.map(({ turn, body }) => turn - body.turnAhead);
-  movers.forEach((mover, i) => {
-    mover.angle += added[i]!;
-    mover.turn -= added[i]!;
-  });
-  const time = meetingTime(world, a, b, depth, 0);
-  if (time >= 0) {
-    found.push({ a, b, time });
-    return;
+function recheck(world: World, meeting: Meeting, depth: number): void {
+  const one = world.movers.of(meeting.a.owner!);
+  const two = world.movers.of(meeting.b.owner!);
+  one.unbend();
+  two.unbend();
+  if (meets(world, meeting, depth)) {
+    add(world, meeting);
+  } else {
+    one.bend();
+    two.bend();
   }
-  movers.forEach((mover, i) => {
-    mover.angle -= added[i]!;
-    mover.turn += added[i]!;
-  });
 }
 
 /**
@@ -241,26 +271,35 @@ function canPush(body: RigidBody): boolean {
 }
 
 /**
- * When two shapes first touch, not before `from`; −1 if they do not, or will not get deeper than contacts leave: what slides over the joint of
+ * Finds when two shapes first touch, not before now, if they do, and will get deeper than contacts leave: what slides over the joint of
  * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
  * are put back: when they are that deep.
  */
-export function meetingTime(world: World, a: Shape, b: Shape, depth: number, from: number): number {
+export function meets(world: World, meeting: Meeting, depth: number): boolean {
+  const { a, b } = meeting;
+  const { now } = world.movers;
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
   const { x, y } = one;
   one.follow(sweep.a, a, x, y);
   two.follow(sweep.b, b, x, y);
+  sweep.from = now;
   if (isSensed(a, b)) {
-    return timeOfImpact(sweep, 0, SWEEP_TOLERANCE, from, 1);
+    sweep.target = 0;
+    const isMet = findImpact(sweep);
+    meeting.time = sweep.time;
+    return isMet;
   }
   const least = leastDepth(a, b, depth);
-  const time = timeOfImpact(sweep, -Math.min(TOUCH_DEPTH, least / 2), SWEEP_TOLERANCE, from, 1);
-  if (time < 0) {
-    return -1;
+  sweep.target = -Math.min(TOUCH_DEPTH, least / 2);
+  if (!findImpact(sweep)) {
+    return false;
   }
+  const { time } = sweep;
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
-  const deeper = sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least);
-  const deep = timeOfImpact(sweep, Math.min(-least, deeper), SWEEP_TOLERANCE, time, 1);
-  return deep >= 0 && time > from && !isJointed(a, b) ? time : deep;
+  sweep.target = Math.min(-least, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least));
+  sweep.from = time;
+  const isDeep = findImpact(sweep);
+  meeting.time = time > now && !isJointed(a, b) ? time : sweep.time;
+  return isDeep;
 }

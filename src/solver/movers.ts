@@ -1,7 +1,12 @@
 import type { RigidBody } from '../body.js';
-import { SPECULATIVE_MARGIN } from '../config.js';
+import { DYNAMIC } from '../body-kind.js';
+import { SAME_TIME, SPECULATIVE_MARGIN } from '../config.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
+import type { SolverData } from './data.js';
+import * as d from './data.js';
+import { type Meeting, MeetingQueue } from './meeting-queue.js';
+import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */
 const TURN = 2 * Math.PI;
@@ -16,12 +21,18 @@ export class Mover {
   body!: RigidBody;
   /** Moved so far that it may have passed something. */
   sweeps = false;
+  /** Nothing is near that it could meet. */
+  clear = false;
+  /** Something met it on its way. */
+  met = false;
   /** An impact ended its way. */
   stopped = false;
   /** Velocities at the start of the step. */
   vx = 0;
   vy = 0;
   w = 0;
+  /** The time for which the body was put somewhere last. */
+  at = 0.5;
   /** Where the body was at time `from`, and how it goes on from there to time 1. */
   from = 0;
   x = 0;
@@ -32,6 +43,8 @@ export class Mover {
   turn = 0;
   /** How far it turns in the step, with whole turns. */
   spin = 0;
+  /** By how much it turned more than foreseen. */
+  added = 0;
   /** Where it was at time 0. */
   startX = 0;
   startY = 0;
@@ -39,13 +52,18 @@ export class Mover {
   endX = 0;
   endY = 0;
   endAngle = 0;
-  /** Bounds of all shapes on their way. */
-  readonly bounds = new Float64Array(4);
+  /** What it meets, if it is dynamic: the first of a list. */
+  meetings: Meeting | null = null;
+  /** When it first met something. */
+  first = Infinity;
 
   private begin(body: RigidBody, sweeps: boolean): void {
     this.body = body;
     this.sweeps = sweeps;
+    this.met = false;
     this.stopped = false;
+    this.meetings = null;
+    this.first = Infinity;
     this.vx = body.vx;
     this.vy = body.vy;
     this.w = body.w;
@@ -61,12 +79,22 @@ export class Mover {
     this.setStart(body.x - this.dx, body.y - this.dy, body.angle - body.lastTurn);
   }
 
-  /** The way that the body would go from here in `time` seconds at an average of `vx`, `vy`, `w`. */
-  foresee(body: RigidBody, time: number, vx: number, vy: number, w: number): void {
-    this.begin(body, body.liveIndex >= 0 && goesFar(body, vx * time, vy * time, w * time));
-    this.dx = vx * time;
-    this.dy = vy * time;
-    this.setTurn(w * time);
+  /** The way that the body would go from here with its velocities. */
+  aim(body: RigidBody, movers: Movers): void {
+    this.dx = body.vx;
+    this.dy = body.vy;
+    this.turn = body.w;
+    this.foresee(body, movers);
+  }
+
+  /** The same at the averages that are set as `dx`, `dy` and `turn`. */
+  foresee(body: RigidBody, { ahead }: Movers): void {
+    this.dx *= ahead;
+    this.dy *= ahead;
+    this.setTurn(this.turn * ahead);
+    const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
+    // As `goesFar`, which called from here would have to box its numbers.
+    this.begin(body, body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2);
     this.setStart(body.x, body.y, body.angle);
   }
 
@@ -101,14 +129,18 @@ export class Mover {
   }
 
   /**
-   * Gives the body the velocity it has at a time, before the first stop: what forces added in the step, (gainX, gainY, gainW), came evenly, and so did
+   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did
    * what joints and contacts added, unless it turned the body back: then it bounced before.
    */
-  slowTo(time: number, gainX: number, gainY: number, gainW: number): void {
+  slow({ drive }: SolverData, substeps: number): void {
     if (this.stopped) {
       return;
     }
     const { body } = this;
+    const slot = body.slot * d.BODY_STRIDE;
+    const gainX = substeps * drive[slot + d.GAIN_X]!;
+    const gainY = substeps * drive[slot + d.GAIN_Y]!;
+    const gainW = substeps * drive[slot + d.GAIN_W]!;
     const dx = body.vx - this.vx;
     const dy = body.vy - this.vy;
     const square = dx * dx + dy * dy;
@@ -116,16 +148,44 @@ export class Mover {
       square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
       body.vx * dx + body.vy * dy > TURNED_BACK * square &&
       body.constraints.length === 0;
-    const left = time - 1;
+    const left = this.at - 1;
     body.vx += left * (bounced ? gainX : dx);
     body.vy += left * (bounced ? gainY : dy);
     body.w += left * (bounced ? gainW : body.w - this.w);
   }
 
+  /** Whether nothing met the body before that time, as far as was asked; static and kinematic bodies do not mind. */
+  comesFirst(time: number): boolean {
+    this.first = Math.min(this.first, time);
+    return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
+  }
+
+  /** Looks at the way as if what was added to the turn that was foreseen had been there from the start. A static or kinematic body keeps its way. */
+  unbend(): void {
+    if (this.body.kind === DYNAMIC) {
+      this.added = this.turn - this.body.turnAhead;
+      this.angle += this.added;
+      this.turn -= this.added;
+    }
+  }
+
+  /** Takes that back. */
+  bend(): void {
+    if (this.body.kind === DYNAMIC) {
+      this.angle -= this.added;
+      this.turn += this.added;
+    }
+  }
+
   /** Puts the body to where it is at a time, not before `from`. */
   putAt(time: number): void {
+    this.at = time;
+    this.put();
+  }
+
+  private put(): void {
     const rest = 1 - this.from;
-    const share = rest > 0 ? (time - this.from) / rest : 0;
+    const share = rest > 0 ? (this.at - this.from) / rest : 0;
     const { body } = this;
     body.x = this.x + share * this.dx;
     body.y = this.y + share * this.dy;
@@ -133,12 +193,11 @@ export class Mover {
     body.refreshTurn();
   }
 
-  /** Stops where the body is put at a time; from there on it stays. */
-  stop(time: number): void {
-    this.putAt(time);
+  /** Stops where the body was put; from there on it stays. */
+  stop(): void {
     const { body } = this;
     this.stopped = true;
-    this.from = time;
+    this.from = this.at;
     this.x = body.x;
     this.y = body.y;
     this.angle = body.angle;
@@ -188,8 +247,14 @@ export class Movers {
   /** What lies beyond the count is for later. */
   readonly all: Mover[] = [];
   count = 0;
+  readonly meetings = new MeetingQueue();
+  readonly ways = new Ways();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
+  /** s. So long what forces give a body acts on the average of that step. */
+  gain = 0;
+  /** The meetings that are looked for do not come before this time. */
+  now = 0;
 
   /** A mover for a body, whose way is to be set. */
   add(body: RigidBody): Mover {
@@ -208,7 +273,7 @@ export class Movers {
     }
     const mover = this.add(body);
     if (this.ahead > 0) {
-      mover.foresee(body, this.ahead, body.vx, body.vy, body.w);
+      mover.aim(body, this);
     } else {
       mover.look(body, false);
     }

@@ -1,20 +1,24 @@
-import { roundness } from '../collide/along.js';
+import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { POLYGON } from '../collide/table.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   NEW_SHARE,
+  NEW_SPEED,
   NEW_STEPS,
   PUSH_SHARE_CIRCLES,
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_STATIC,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
+  STRAIN_SHARE,
   STRAIN_STEPS,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import type { Circle } from '../shape/circle.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -56,19 +60,25 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[], stamp:
 }
 
 /**
- * Whether a part of the list is swept over more often: many of its contacts are new, the load of one was just taken away, or one bears far more
- * than its bodies weigh.
+ * Whether a part of the list is swept over more often: many of its contacts are new and slow, the load of one was just taken away, or some bear far
+ * more than their bodies weigh.
  */
 function isHard(solved: readonly Arbiter[], start: number, end: number, stamp: number): boolean {
   let fresh = 0;
+  let loaded = 0;
   for (let i = start; i < end; i += 1) {
-    const { active, began, strained, shapeA, shapeB } = solved[i]!;
-    if (stamp - strained < STRAIN_STEPS || shapeA.owner!.unloaded === stamp || shapeB.owner!.unloaded === stamp) {
+    const { active, began, strained, bodyA, bodyB } = solved[i]!;
+    if (bodyA.unloaded === stamp || bodyB.unloaded === stamp) {
       return true;
     }
-    fresh += active && stamp - began < NEW_STEPS ? 1 : 0;
+    loaded += stamp - strained < STRAIN_STEPS ? 1 : 0;
+    fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
-  return fresh > NEW_SHARE * (end - start);
+  return fresh > NEW_SHARE * (end - start) || loaded > STRAIN_SHARE * (end - start);
+}
+
+function isSlow({ vx, vy }: RigidBody): boolean {
+  return vx * vx + vy * vy < NEW_SPEED * NEW_SPEED;
 }
 
 function packContact(data: SolverData, pair: Arbiter): void {
@@ -170,8 +180,10 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.TANGENT_SUM2] = 0;
   const elasticity = n[c.ELASTICITY]!;
   if (elasticity > 0) {
-    data.bounces.add(true, at, 0, elasticity);
-    data.bounces.add(true, at, d.SECOND, elasticity);
+    const first = data.bounces.add(true, at, 0);
+    const second = data.bounces.add(true, at, d.SECOND);
+    data.bounces.elasticity[first] = elasticity;
+    data.bounces.elasticity[second] = elasticity;
   }
 }
 
@@ -203,8 +215,16 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.RT_A1] = rtA;
   r[at + d.RT_B1] = rtB;
   const separation = n[g.S0 + g.POINT * which]!;
-  r[at + d.PIVOT_A] = rtA - roundness(pair.shapeA, separation);
-  r[at + d.PIVOT_B] = rtB + roundness(pair.shapeB, separation);
+  // As `roundness`, which called from here would have to box its numbers.
+  const { shapeA, shapeB } = pair;
+  r[at + d.PIVOT_A] = rtA;
+  r[at + d.PIVOT_B] = rtB;
+  if (shapeA.kind !== POLYGON) {
+    r[at + d.PIVOT_A] = rtA - (shapeA as Circle).radius - 0.5 * separation;
+  }
+  if (shapeB.kind !== POLYGON) {
+    r[at + d.PIVOT_B] = rtB + (shapeB as Circle).radius + 0.5 * separation;
+  }
 
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
@@ -232,7 +252,8 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.ROLL_SUM] = 0;
   const elasticity = n[c.ELASTICITY]!;
   if (elasticity > 0) {
-    data.bounces.add(false, at, 0, elasticity);
+    const bounce = data.bounces.add(false, at, 0);
+    data.bounces.elasticity[bounce] = elasticity;
   }
 }
 
@@ -256,4 +277,15 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   data.drive[a + d.TOUCHED] = 1;
   data.drive[b + d.TOUCHED] = 1;
+  // What is carried or driven along, however slowly, is not to be brought to rest.
+  if (bodyA.kind !== DYNAMIC && isMoving(bodyA)) {
+    data.drive[b + d.REST_RADIUS] = -1;
+  }
+  if (bodyB.kind !== DYNAMIC && isMoving(bodyB)) {
+    data.drive[a + d.REST_RADIUS] = -1;
+  }
+}
+
+function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {
+  return vx !== 0 || vy !== 0 || w !== 0 || surfaceX !== 0 || surfaceY !== 0;
 }

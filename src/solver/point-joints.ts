@@ -1,7 +1,7 @@
 import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
-import { cos, sin } from '../math/trig.js';
+import { cos, cosSin, sin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
@@ -16,6 +16,9 @@ import * as j from './joint-layout.js';
 
 /** A matrix whose determinant is below this share of the product of its diagonal has rank 1. */
 const SINGULAR = 1e-12;
+
+/** Angle, cosine, sine: scratch. */
+const turn = new Float64Array(3);
 
 /** What changes seldom: anchors, bodies, and the impulse to start with. */
 export function packPoint(data: SolverData, joint: Joint): void {
@@ -119,7 +122,10 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     const k11 = m + iA * ay * ay + iB * by * by;
     const k12 = -iA * ax * ay - iB * bx * by;
     const k22 = m + iA * ax * ax + iB * bx * bx;
-    writeInverse(r, i, k11, k12, k22);
+    r[i + j.I11] = k11;
+    r[i + j.I12] = k12;
+    r[i + j.I22] = k22;
+    invert(r, i);
     const px = r[i + j.IMPULSE_X]!;
     const py = r[i + j.IMPULSE_Y]!;
     v[a + d.VX] = v[a + d.VX]! - mA * px;
@@ -138,8 +144,11 @@ export function excusePoint(r: Float64Array, at: number, share: number): void {
   r[at + j.UNDONE_Y] = r[at + j.UNDONE_Y]! + share * r[at + j.ERROR_Y]!;
 }
 
-/** K⁻¹; of a K of rank 1 the larger diagonal element alone, of none nothing. */
-function writeInverse(r: Float64Array, i: number, k11: number, k12: number, k22: number): void {
+/** K⁻¹ in place of K; of a K of rank 1 the larger diagonal element alone, of none nothing. Handed over in the record, as doubles would be boxed. */
+function invert(r: Float64Array, i: number): void {
+  const k11 = r[i + j.I11]!;
+  const k12 = r[i + j.I12]!;
+  const k22 = r[i + j.I22]!;
   const product = k11 * k22;
   const det = product - k12 * k12;
   if (det > SINGULAR * product && k11 > MIN_INVERSE_MASS && k22 > MIN_INVERSE_MASS) {
@@ -255,10 +264,14 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     let cb = squareB * (squareB * (1 / 24) - 0.5);
     let sb = wB * (1 - squareB * (1 / 6 - squareB * (1 / 120)));
     if (squareA > d.SMALL_TURN * d.SMALL_TURN || squareB > d.SMALL_TURN * d.SMALL_TURN) {
-      ca = cos(wA) - 1;
-      sa = sin(wA);
-      cb = cos(wB) - 1;
-      sb = sin(wB);
+      turn[0] = wA;
+      cosSin(turn);
+      ca = turn[1]! - 1;
+      sa = turn[2]!;
+      turn[0] = wB;
+      cosSin(turn);
+      cb = turn[1]! - 1;
+      sb = turn[2]!;
     }
     let ax = r[i + j.ARM_AX]!;
     let ay = r[i + j.ARM_AY]!;
@@ -301,7 +314,10 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     r[i + j.PLACED_BY] = by;
     r[i + j.OFFSET_X] = cx - (qbx - qax - wB * by + wA * ay);
     r[i + j.OFFSET_Y] = cy - (qby - qay + wB * bx - wA * ax);
-    writeInverse(r, i, k11, k12, k22);
+    r[i + j.I11] = k11;
+    r[i + j.I12] = k12;
+    r[i + j.I22] = k22;
+    invert(r, i);
     const i12 = r[i + j.I12]!;
     let x = r[i + j.I11]! * cx + i12 * cy;
     let y = i12 * cx + r[i + j.I22]! * cy;

@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import { REST_SPIN_WEIGHT } from '../config.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
@@ -62,8 +63,11 @@ function keepAfter(drag: number, h: number): number {
 
 function packBody(data: SolverData, body: RigidBody, slot: number): void {
   const at = slot * d.BODY_STRIDE;
-  const invMass = body.inverseMass();
-  const invInertia = body.inverseInertia();
+  body.refreshMass();
+  const { kind, mass, inertia } = body;
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+  const invMass = kind === DYNAMIC && mass > 0 ? 1 / mass : 0;
+  const invInertia = kind === DYNAMIC && inertia > 0 ? 1 / inertia : 0;
   body.slot = slot;
   const { velocity, motion } = data;
   velocity[at + d.VX] = body.vx;

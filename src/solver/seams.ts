@@ -10,7 +10,7 @@ import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { shapesWithin } from './nearby.js';
+import { findNearby, nearby } from './nearby.js';
 
 // What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
 // may be the nearest way out of it, but it is no surface of the floor.
@@ -79,8 +79,13 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   const { numbers: n } = pair.manifold;
   const x = n[g.X0]! + pair.bodyA.x;
   const y = n[g.Y0]! + pair.bodyA.y;
-  bounds.set([x, y, x, y]);
-  for (const other of shapesWithin(world, bounds, false)) {
+  bounds[0] = x;
+  bounds[1] = y;
+  bounds[2] = x;
+  bounds[3] = y;
+  const size = findNearby(world, bounds, false);
+  for (let i = 0; i < size; i += 1) {
+    const other = nearby[i]!;
     if (other !== ground && other.owner!.kind === STATIC && isHidden(pair, ground as Polygon, other as Polygon)) {
       turn(pair);
       if (pair.manifold.count === 0) {

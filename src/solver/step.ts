@@ -18,14 +18,20 @@ import { store } from './store.js';
  * parts, over which the iterations are spread (Macklin et al., "Small Steps in Physics Simulation", 2019).
  */
 export function step(world: World, dt: number): void {
-  const { solver, substeps } = world;
+  const { solver, substeps, profile } = world;
   const h = dt / substeps;
+  profile?.begin();
   refreshMoved(world);
   findPairs(world, dt);
+  profile?.lap('pairs');
   foresee(world, dt);
+  profile?.lap('foresight');
   sleepIslands(world, dt);
+  profile?.lap('islands');
   listArbiters(world);
   prepare(world, h);
+  profile?.lap('prepare');
+  profile?.count(world);
   for (let part = 0; part < substeps; part += 1) {
     planBounces(solver, h);
     integrateVelocities(solver);
@@ -40,6 +46,7 @@ export function step(world: World, dt: number): void {
     for (let i = turns; i < CONTACT_SWEEPS * turns; i += 1) {
       solveVelocityContacts(solver);
     }
+    profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);
     const pushes = share(world.positionIterations, part, substeps);
@@ -52,11 +59,14 @@ export function step(world: World, dt: number): void {
     }
     finishJoints(solver);
     advance(solver);
+    profile?.lap('positions');
   }
   storeJoints(world);
   store(world);
+  profile?.lap('store');
   continuous(world, dt);
   sleepKinematics(world);
+  profile?.lap('continuous');
 }
 
 /** How many of a step's iterations fall to one of its parts; at least one. */

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { SPECULATIVE_MARGIN, STRAIN_SPEED } from '../config.js';
+import { SPECULATIVE_MARGIN, STRAIN_DELAY, STRAIN_SPEED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -68,7 +68,8 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     if (two) {
       storePoint(batch, k, 0, 0);
       storePoint(batch, k, d.SECOND, 1);
-      if (isStrained(batch.records, k * d.TWO_STRIDE)) {
+      pair.strain = isStrained(batch.records, k * d.TWO_STRIDE) ? pair.strain + 1 : 0;
+      if (pair.strain >= STRAIN_DELAY) {
         pair.strained = world.timeStamp;
       }
     } else {

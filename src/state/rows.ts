@@ -120,7 +120,8 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
   pair.began = tape.number(pair.began);
   pair.strained = tape.number(pair.strained);
   pair.lastInteraction = tape.number(pair.lastInteraction);
-  keepContacts(tape, pair);
+  pair.shown = tape.integer(pair.shown, 0, 2);
+  pair.strain = tape.integer(pair.strain, 0, MOST);
   const isKnown = pair.listed || pair.dead;
   for (let i = c.ELASTICITY; i <= c.ROLLING_FRICTION && isKnown; i += 1) {
     n[i] = tape.number(n[i]!);
@@ -131,16 +132,6 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
     tape.span(n, m.count > 0 ? g.DX : g.NX, m.count === 2 ? g.FACE_DX : m.count === 1 ? g.X1 : g.X0);
   }
   tape.span(n, m.face >= 0 ? g.FACE_DX : c.NORMAL, c.ELASTICITY);
-}
-
-function keepContacts(tape: Tape, { contacts, points }: Arbiter): void {
-  const count = tape.integer(contacts.length, 0, 2);
-  while (contacts.length > count) {
-    contacts.pop();
-  }
-  while (contacts.length < count) {
-    contacts.push(points[contacts.length]!);
-  }
 }
 
 /** What was given in the latest step before the points became others. */

@@ -20,7 +20,7 @@ interface Placed {
 
 function place(shape: Shape, [x, y]: Vec2, angle = 0): Placed {
   const outline = new Outline();
-  shape.outline(outline, x, y, Math.cos(angle), Math.sin(angle));
+  shape.outline(outline.put(x, y, Math.cos(angle), Math.sin(angle)));
   return { outline, form: formOf(outline) };
 }
 

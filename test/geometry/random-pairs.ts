@@ -36,7 +36,7 @@ interface Placed {
 }
 
 function place({ shape, x, y, angle }: Placed, outline: Outline): Form {
-  shape.outline(outline, x, y, Math.cos(angle), Math.sin(angle));
+  shape.outline(outline.put(x, y, Math.cos(angle), Math.sin(angle)));
   return formOf(outline);
 }
 

@@ -35,15 +35,15 @@ class Counting implements Swept {
 
   constructor(readonly shape: Shape) {}
 
-  outline(into: Outline, x: number, y: number, cos: number, sin: number): void {
+  outline(into: Outline): void {
     this.placed += 1;
-    this.shape.outline(into, x, y, cos, sin);
+    this.shape.outline(into);
   }
 }
 
 function formAt(shape: Shape, travel: Travel, t: number): Form {
   const angle = travel.angle + travel.w * t;
-  shape.outline(scratch, travel.x + travel.vx * t, travel.y + travel.vy * t, Math.cos(angle), Math.sin(angle));
+  shape.outline(scratch.put(travel.x + travel.vx * t, travel.y + travel.vy * t, Math.cos(angle), Math.sin(angle)));
   return formOf(scratch);
 }
 
@@ -111,7 +111,9 @@ class Trial {
     const [x, y] = [a.vx - b.vx, a.vy - b.vy];
     a.place(0);
     b.place(0);
-    return Math.sqrt(x * x + y * y) + Math.abs(a.w) * a.reach() + Math.abs(b.w) * b.reach();
+    a.measureReach();
+    b.measureReach();
+    return Math.sqrt(x * x + y * y) + Math.abs(a.w) * a.reach + Math.abs(b.w) * b.reach;
   }
 
   /**

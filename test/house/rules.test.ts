@@ -16,7 +16,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['body'],
   ['broadphase', 'collide'],
   ['contact'],
-  ['events'],
+  ['events', 'profile'],
   ['constraint'],
   ['solver'],
   ['query', 'debug', 'runner', 'state'],

@@ -23,7 +23,7 @@ const dist = join(root, 'dist');
 const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
 const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
 const ESM = ['phys2d.js', 'phys2d.min.js'];
-const GZIP_LIMITS = { 'phys2d.min.js': 61_500, 'debug.min.js': 10_500, 'runner.min.js': 1_200, 'state.min.js': 4_500 };
+const GZIP_LIMITS = { 'phys2d.min.js': 65_500, 'debug.min.js': 10_500, 'runner.min.js': 1_200, 'state.min.js': 4_500 };
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */
 const APART = { debug, runner, state };

@@ -89,7 +89,7 @@ describe('a belt', () => {
 });
 
 describe('a platform', () => {
-  it('at 0.1 mm/s to 1 m/s keeps what stands on it awake, and carries it along; below 1 cm/s rest damping costs 0.21 %', () => {
+  it('at 0.1 mm/s to 1 m/s keeps what stands on it awake, and carries it along; below 1 cm/s rest damping costs what lies on others 0.21 %', () => {
     let [slow, beyond, fast] = [0, 0, 0];
     for (const speed of [1e-4, 1e-3, 2e-3, 5e-3, REST_SPEED, 0.02, 0.05, 1]) {
       for (const count of [1, 5]) {
@@ -117,6 +117,26 @@ describe('a platform', () => {
     );
     expect(beyond).toBeLessThan(1e-7);
     expect(fast).toBeLessThan(1e-8);
+  });
+
+  it('at 5 mm/s keeps a disc on it where it is', () => {
+    const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+    const velocity: source.Vec2 = [0.005, 0];
+    const under = phys2D.createRigidBody({ type: 'kinematic', position: [0, 1], velocity, shapes: [box(40, 2, 0.6)] });
+    const disc = phys2D.createRigidBody({
+      position: [0, -0.5],
+      velocity,
+      linearDrag: 0,
+      angularDrag: 0,
+      shapes: [phys2D.createCircleShape({ radius: 0.5 })],
+    });
+    world.addRigidBody(under);
+    world.addRigidBody(disc);
+    for (let i = 0; i < 3600; i += 1) {
+      world.step(DT);
+    }
+    expect(under.getPosition()[0]).toBeCloseTo(0.3, 9);
+    expect(disc.getPosition()[0]).toBeCloseTo(0.3, 6);
   });
 
   it('that rises or sinks has the box on it, within 0.3 mm', () => {

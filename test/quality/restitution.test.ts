@@ -72,8 +72,8 @@ describe('a ball of elasticity 1', () => {
     expect(out).toBeLessThanOrEqual(0.05 + 1e-6);
   });
 
-  it('in a room of four walls gains no energy and stays in; keeps it in corners that it meets along the diagonal', () => {
-    let [most, out, diagonal] = [0, 0, 0];
+  it('in a room of four walls keeps its energy and stays in, in corners too, even if it meets two walls in one step', () => {
+    let [off, out] = [0, 0];
     for (const dt of STEPS) {
       for (let seed = 0; seed < 60; seed += 1) {
         const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
@@ -92,18 +92,12 @@ describe('a ball of elasticity 1', () => {
           world.step(dt);
           const [x, y] = body.getPosition();
           out = Math.max(out, Math.abs(x) - 2.2, Math.abs(y) - 2.2);
-          most = Math.max(most, energyOf(body) / start - 1);
         }
-        if (isDiagonal) {
-          diagonal = Math.max(diagonal, Math.abs(energyOf(body) / start - 1));
-        }
+        off = Math.max(off, Math.abs(energyOf(body) / start - 1));
       }
     }
-    console.log(
-      `rooms: ${most.toExponential(1)} more energy, corners ${diagonal.toExponential(1)} off, ${(1000 * out).toFixed(1)} mm into a wall at most`,
-    );
-    expect(most).toBeLessThan(1e-12);
-    expect(diagonal).toBeLessThan(1e-12);
+    console.log(`rooms: energy ${off.toExponential(1)} off, ${(1000 * out).toFixed(1)} mm into a wall at most`);
+    expect(off).toBeLessThan(1e-12);
     expect(out).toBeLessThanOrEqual(0.05 + 1e-6);
   });
 

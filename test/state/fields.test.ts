@@ -12,10 +12,10 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['staleCount', 'stepping', 'delivering', 'jointsTouched'],
   solver: ['bodyCount', 'impulseScale'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
-  shape: ['groundStamp', 'stateIndex', 'centreX', 'centreY'],
+  shape: ['groundStamp', 'stateIndex', 'centreX', 'centreY', 'halfWidth'],
   // Only whether it has failed in this step.
   constraint: ['failed'],
-  arbiter: ['near', 'foreseen', 'dead'],
+  arbiter: ['near', 'foreseen', 'dead', 'place'],
   group: ['start', 'end', 'tolerance', 'pushed'],
   manifold: [],
 };
