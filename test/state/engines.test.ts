@@ -5,7 +5,6 @@ import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { runInNewContext } from 'node:vm';
 import { getQuickJS } from 'quickjs-emscripten';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { launch, open } from '../browser/browser.js';
@@ -38,10 +37,10 @@ it('there are 360 hashes, all different', () => {
 describe('golden hashes', () => {
   it(
     'in V8 (Node)',
-    () => {
-      expect(JSON.parse(runInNewContext(`${script}; JSON.stringify(golden.runAll())`) as string)).toEqual(golden);
+    async () => {
+      expect(await runInShell(process.execPath, 'console.log')).toEqual(golden);
     },
-    MINUTES,
+    2 * MINUTES,
   );
 
   it(
@@ -56,7 +55,7 @@ describe('golden hashes', () => {
         await browser.close();
       }
     },
-    MINUTES,
+    2 * MINUTES,
   );
 
   it(
@@ -70,12 +69,9 @@ describe('golden hashes', () => {
   it(
     'in JavaScriptCore (jsc)',
     async () => {
-      const file = join(folder, 'golden.js');
-      writeFileSync(file, `${script}; print(JSON.stringify(golden.runAll()));`);
-      const { stdout } = await promisify(execFile)(find('jsc'), [file], { maxBuffer: 1e6 });
-      expect(JSON.parse(stdout)).toEqual(golden);
+      expect(await runInShell(find('jsc'), 'print')).toEqual(golden);
     },
-    MINUTES,
+    2 * MINUTES,
   );
 
   it(
@@ -96,6 +92,14 @@ describe('golden hashes', () => {
     10 * MINUTES,
   );
 });
+
+/** A program that runs a file, and what prints there. */
+async function runInShell(program: string, print: string): Promise<Hashes> {
+  const file = join(folder, `${print}.js`);
+  writeFileSync(file, `${script}; ${print}(JSON.stringify(golden.runAll()));`);
+  const { stdout } = await promisify(execFile)(program, [file], { maxBuffer: 1e6 });
+  return JSON.parse(stdout) as Hashes;
+}
 
 /** Firefox has no driver here: it opens a page, which posts what it found. */
 async function runInFirefox(): Promise<Hashes> {

@@ -3,7 +3,7 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { runInNewContext } from 'node:vm';
+import { runInThisContext } from 'node:vm';
 import { build } from 'esbuild';
 
 /** A script that leaves `runAll` and `run` in a global `golden`, and needs nothing but the language. */
@@ -21,6 +21,6 @@ export async function goldenScript() {
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const hashes = runInNewContext(`${await goldenScript()}; JSON.stringify(golden.runAll(), null, 2)`);
+  const hashes = runInThisContext(`${await goldenScript()}; JSON.stringify(golden.runAll(), null, 2)`);
   writeFileSync(join(import.meta.dirname, 'golden.json'), `${hashes}\n`);
 }
