@@ -1,7 +1,7 @@
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
-import { NONE, PackedTree } from './packed-tree.js';
+import { BOX, NONE, PackedTree } from './packed-tree.js';
 
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
 const MARGIN = 0.1;
@@ -12,10 +12,6 @@ const MAX_AHEAD = 1;
 
 /** A handle of {@link BoxTreeBroadphase}. */
 class TreeHandle<T> implements BroadphaseHandle<T> {
-  minX = 0;
-  minY = 0;
-  maxX = 0;
-  maxY = 0;
   /** Leaf in the tree of its kind; −1 once removed. */
   leaf = NONE;
   /** If its pairs may have changed, its place in the list of `perform`, else −1. */
@@ -28,18 +24,9 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
     public data: T,
     public isStatic: boolean,
     readonly owner: object,
+    /** Where its bounds are in `boxes`. */
+    readonly at: number,
   ) {}
-
-  set(bounds: RectLike): void {
-    this.minX = bounds[0]!;
-    this.minY = bounds[1]!;
-    this.maxX = bounds[2]!;
-    this.maxY = bounds[3]!;
-  }
-
-  overlaps(b: TreeHandle<T>): boolean {
-    return this.minX <= b.maxX && this.maxX >= b.minX && this.minY <= b.maxY && this.maxY >= b.minY;
-  }
 }
 
 /** Two handles, not both static, whose leaves overlap; none while it waits for its next use. Knows its place in three lists, so that it is taken out at once. */
@@ -67,11 +54,19 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   /** The first `movedCount` are handles. As `met` and `samples` not shortened, which would cost the storage, but filled up with `null`. */
   private readonly movedHandles: (TreeHandle<T> | null)[] = [];
   private movedCount = 0;
+  /** Bounds of all handles, and where those of handles that were removed are. Side by side, as `perform` goes through all of them. */
+  private boxes = new Float64Array(16 * BOX);
+  private boxCount = 0;
+  private readonly freeBoxes: number[] = [];
   private readonly pairs: TreePair<T>[] = [];
+  /** Two for each pair: where the bounds of its handles are. */
+  private ends = new Int32Array(32);
   private readonly freePairs: TreePair<T>[] = [];
   private search = 0;
   private readonly met: (TreeHandle<T> | null)[] = [];
-  private readonly box = new Float64Array(4);
+  private readonly box = new Float64Array(BOX);
+  /** Bounds that a handle will not leave for a while. */
+  private readonly reach = new Float64Array(BOX);
   /** Results of `sample`, one list for each call that is inside another. */
   private readonly samples: (TreeHandle<T> | null)[][] = [];
   private depth = 0;
@@ -81,8 +76,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       throw badBounds('BoxTreeBroadphase.insert', bounds);
     }
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
-    const handle = new TreeHandle<T>(data, isStatic, this);
-    handle.set(bounds);
+    const handle = new TreeHandle<T>(data, isStatic, this, this.takeBox());
+    this.setBox(handle.at, bounds);
     handle.leaf = this.treeOf(handle).insert(handle, bounds, isStatic ? 0 : MARGIN);
     this.noteMoved(handle);
     return handle;
@@ -95,16 +90,26 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const own = this.owned('BoxTreeBroadphase.update', handle);
     const becomesStatic =
       isStatic === undefined ? own.isStatic : boolean('BoxTreeBroadphase.update', 'isStatic', isStatic);
-    const dx = (bounds[0]! - own.minX + bounds[2]! - own.maxX) / 2;
-    const dy = (bounds[1]! - own.minY + bounds[3]! - own.maxY) / 2;
-    own.set(bounds);
+    const { boxes } = this;
+    const { at } = own;
+    const dx = (bounds[0]! - boxes[at]! + bounds[2]! - boxes[at + 2]!) / 2;
+    const dy = (bounds[1]! - boxes[at + 1]! + bounds[3]! - boxes[at + 3]!) / 2;
+    this.setBox(at, bounds);
     if (becomesStatic !== own.isStatic) {
       this.treeOf(own).remove(own.leaf);
       own.isStatic = becomesStatic;
       own.leaf = this.treeOf(own).insert(own, bounds, becomesStatic ? 0 : MARGIN);
       this.noteMoved(own);
     } else if (!this.treeOf(own).contains(own.leaf, bounds)) {
-      this.treeOf(own).move(own.leaf, becomesStatic ? bounds : ahead(bounds, dx, dy), becomesStatic ? 0 : MARGIN);
+      // Not left for a while by what goes on as in the last step.
+      const x = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dx));
+      const y = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dy));
+      const { reach } = this;
+      reach[0] = bounds[0]! + Math.min(x, 0);
+      reach[1] = bounds[1]! + Math.min(y, 0);
+      reach[2] = bounds[2]! + Math.max(x, 0);
+      reach[3] = bounds[3]! + Math.max(y, 0);
+      this.treeOf(own).move(own.leaf, becomesStatic ? bounds : reach, becomesStatic ? 0 : MARGIN);
       this.noteMoved(own);
     }
   }
@@ -116,6 +121,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     this.treeOf(own).remove(own.leaf);
     own.leaf = NONE;
+    this.freeBoxes.push(own.at);
     this.forgetMoved(own);
   }
 
@@ -144,13 +150,17 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       this.renewPairs(handle);
     }
     this.movedCount = 0;
-    const pairs = this.pairs;
+    const { pairs, ends, boxes } = this;
     for (let i = 0; i < pairs.length; i += 1) {
-      const pair = pairs[i]!;
-      const a = pair.a!;
-      const b = pair.b!;
-      if (a.overlaps(b)) {
-        callback.call(thisObject, a, b);
+      const a = ends[2 * i]!;
+      const b = ends[2 * i + 1]!;
+      if (
+        boxes[a]! <= boxes[b + 2]! &&
+        boxes[a + 2]! >= boxes[b]! &&
+        boxes[a + 1]! <= boxes[b + 3]! &&
+        boxes[a + 3]! >= boxes[b + 1]!
+      ) {
+        callback.call(thisObject, pairs[i]!.a!, pairs[i]!.b!);
       }
     }
   }
@@ -185,12 +195,13 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.samples[this.depth] ??= [];
     const found = this.samples[this.depth]!;
     const count = this.still.query(bounds, found, alsoMoving ? this.moving.query(bounds, found, 0) : 0);
+    const { boxes } = this;
     this.depth += 1;
     try {
       for (let i = 0; i < count; i += 1) {
-        const h = found[i]!;
-        if (h.minX <= maxX && h.maxX >= minX && h.minY <= maxY && h.maxY >= minY) {
-          callback.call(thisObject, h, bounds);
+        const { at } = found[i]!;
+        if (boxes[at]! <= maxX && boxes[at + 2]! >= minX && boxes[at + 1]! <= maxY && boxes[at + 3]! >= minY) {
+          callback.call(thisObject, found[i]!, bounds);
         }
       }
     } finally {
@@ -221,7 +232,32 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.still.clear();
     this.movedHandles.length = 0;
     this.movedCount = 0;
+    this.boxCount = 0;
+    this.freeBoxes.length = 0;
     this.pairs.length = 0;
+  }
+
+  private takeBox(): number {
+    const free = this.freeBoxes.pop();
+    if (free !== undefined) {
+      return free;
+    }
+    const at = this.boxCount * BOX;
+    this.boxCount += 1;
+    if (at === this.boxes.length) {
+      const { boxes } = this;
+      this.boxes = new Float64Array(2 * at);
+      this.boxes.set(boxes);
+    }
+    return at;
+  }
+
+  private setBox(at: number, bounds: RectLike): void {
+    const { boxes } = this;
+    boxes[at] = bounds[0]!;
+    boxes[at + 1] = bounds[1]!;
+    boxes[at + 2] = bounds[2]!;
+    boxes[at + 3] = bounds[3]!;
   }
 
   /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */
@@ -257,7 +293,15 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const pair = this.freePairs.pop() ?? new TreePair(a, b);
     pair.a = a;
     pair.b = b;
-    pair.slot = this.pairs.push(pair) - 1;
+    const slot = this.pairs.push(pair) - 1;
+    pair.slot = slot;
+    if (2 * slot === this.ends.length) {
+      const { ends } = this;
+      this.ends = new Int32Array(4 * slot);
+      this.ends.set(ends);
+    }
+    this.ends[2 * slot] = a.at;
+    this.ends[2 * slot + 1] = b.at;
     pair.slotA = a.pairs.push(pair) - 1;
     pair.slotB = b.pairs.push(pair) - 1;
   }
@@ -265,8 +309,11 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private dropPair(pair: TreePair<T>): void {
     const last = this.pairs.pop()!;
     if (last !== pair) {
-      this.pairs[pair.slot] = last;
-      last.slot = pair.slot;
+      const { slot } = pair;
+      this.pairs[slot] = last;
+      this.ends[2 * slot] = last.a!.at;
+      this.ends[2 * slot + 1] = last.b!.at;
+      last.slot = slot;
     }
     dropFrom(pair.a!, pair.slotA);
     dropFrom(pair.b!, pair.slotB);
@@ -307,19 +354,6 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     return own;
   }
-}
-
-const reach = new Float64Array(4);
-
-/** Bounds that a thing which moved by (dx, dy) in the last step will not leave for a while if it goes on. Dead after the next call. */
-function ahead(bounds: RectLike, dx: number, dy: number): Float64Array {
-  const x = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dx));
-  const y = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dy));
-  reach[0] = bounds[0]! + Math.min(x, 0);
-  reach[1] = bounds[1]! + Math.min(y, 0);
-  reach[2] = bounds[2]! + Math.max(x, 0);
-  reach[3] = bounds[3]! + Math.max(y, 0);
-  return reach;
 }
 
 /** Takes the pair at `slot` out of a handle's list; the last one takes its place. */

@@ -1,4 +1,4 @@
-import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
@@ -58,10 +58,10 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     writeElasticBias(data, joint);
   } else {
     const last = rows - 1;
-    r[at + layout.bias + last] = isSlack(r, joint) ? r[at + layout.error + last]! / data.joints.h : 0;
+    r[at + layout.bias + last] = isSlack(r, joint, layout.error) ? r[at + layout.error + last]! / data.joints.h : 0;
   }
   if (r[at + j.PUSH] !== 0) {
-    noteError(data, index, lengthOf(r, at + layout.error, violatedRows(r, joint)));
+    noteError(data, index, lengthOf(r, at + layout.error, violatedRows(r, joint, layout.error)));
   }
   apply(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
@@ -86,15 +86,14 @@ function foresee(data: SolverData, joint: Joint): void {
 }
 
 /** Within its bounds: what pushes does nothing, or only so much that the bound is not passed. */
-function isSlack(r: Float64Array, joint: Joint): boolean {
-  const { at, layout } = joint;
-  const error = r[at + layout.error + layout.rows - 1]!;
+function isSlack(r: Float64Array, { at, layout }: Joint, errors: number): boolean {
+  const error = r[at + errors + layout.rows - 1]!;
   return (r[at + layout.high] === 0 && error < 0) || (r[at + layout.low] === 0 && error > 0);
 }
 
-/** How many rows have an error: a slack last one has none. */
-function violatedRows(r: Float64Array, joint: Joint): number {
-  return isSlack(r, joint) ? joint.layout.rows - 1 : joint.layout.rows;
+/** How many rows have an error, of those at the offset `errors`: a slack last one has none. */
+function violatedRows(r: Float64Array, joint: Joint, errors: number): number {
+  return isSlack(r, joint, errors) ? joint.layout.rows - 1 : joint.layout.rows;
 }
 
 /** The velocity towards the target; none while slack. Breaks under too large an error. */
@@ -103,7 +102,7 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   const { at, layout } = joint;
   const { rows } = layout;
   const last = at + layout.error + rows - 1;
-  if (isSlack(r, joint)) {
+  if (isSlack(r, joint, layout.error)) {
     r[at + layout.low] = 0;
     r[at + layout.high] = 0;
     r[last] = 0;
@@ -287,7 +286,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
   if (r[at + j.PUSH] === 0) {
     return false;
   }
-  const violated = violatedRows(r, joint);
+  const violated = violatedRows(r, joint, layout.error);
   const error = lengthOf(r, at + layout.error, violated);
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
@@ -297,7 +296,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     r[at + j.CARRY] = (JOINT_MOMENTUM / data.joints.h) * shareMade(r, joint, violated);
     r.fill(0, at + layout.undone, at + layout.undone + rows);
   }
-  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.CARRY] === 0 ? 1 : 0;
+  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.CARRY] === 0 && r[at + j.TOUCHED] === 0 ? 1 : 0;
   if (r[at + j.SNAPPED] !== 0) {
     dropTurning(data, joint);
   }
@@ -367,19 +366,30 @@ function shareMade(r: Float64Array, { at, layout }: Joint, count: number): numbe
 
 /** As for point joints, by the linear part of the error. */
 export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boolean): void {
-  const { records: r } = data.joints;
+  const { records: r, worst } = data.joints;
   const { at, layout } = joint;
   if (r[at + j.TOUCHED] === 0 || r[at + j.PUSH] === 0) {
     return;
   }
   for (let n = 0; n < layout.rows; n += 1) {
     const error = r[at + layout.error + n]! + rowDot(data, joint, layout.turned, n, true);
+    const change = error - r[at + layout.left + n]!;
+    r[at + layout.work + n] = change;
+    r[at + layout.left + n] = error;
     if (isAfterContacts) {
-      r[at + layout.undone + n] = r[at + layout.undone + n]! + error - r[at + layout.left + n]!;
-    } else {
-      r[at + layout.left + n] = error;
+      r[at + layout.undone + n] = r[at + layout.undone + n]! + change;
     }
   }
+  if (isAfterContacts) {
+    const undone = lengthOf(r, at + layout.work, violatedRows(r, joint, layout.left));
+    worst[0] = Math.max(worst[0]!, undone * undone);
+  }
+}
+
+/** The error noted last is above JOINT_OPEN. */
+export function isOpenBlock(r: Float64Array, joint: Joint): boolean {
+  const { at, layout } = joint;
+  return r[at + j.PUSH] !== 0 && lengthOf(r, at + layout.left, violatedRows(r, joint, layout.left)) > JOINT_OPEN;
 }
 
 /** A share of the error that a sub-step begins with makes no momentum. */

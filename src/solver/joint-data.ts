@@ -64,7 +64,11 @@ export interface Group {
   /** … and which of its joints, but in the last sweep. */
   from: number;
   to: number;
-  /** The square of the largest error that the first position iteration found. */
+  /** Contacts undid much of the corrections, and the errors are not small since. */
+  contested: boolean;
+  /** The square of the largest error at the start of the sub-step … */
+  error: number;
+  /** … and of the largest that the first position iteration found. */
   pushed: number;
 }
 
@@ -115,6 +119,8 @@ export class JointData {
       settling: 0,
       sweeps: 1,
       pushed: 0,
+      contested: false,
+      error: 0,
       from: 0,
       to: 0,
     });

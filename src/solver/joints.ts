@@ -12,13 +12,13 @@ import {
   excuseBlock,
   finishBlock,
   lineariseBlock,
-  noteBlock,
   packBlock,
   pushBlock,
   solveVelocityBlock,
   storeBlock,
   warmStartBlock,
 } from './block-joints.js';
+import { closeOpen, dropMomentum, noteErrors } from './contested-joints.js';
 import type { SolverData } from './data.js';
 import { type Group, type Joint, type JointData, packHead } from './joint-data.js';
 import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
@@ -28,7 +28,6 @@ import {
   beginPoints,
   excusePoint,
   finishPoints,
-  notePoints,
   packPoint,
   pushPoints,
   pushPointsFurther,
@@ -144,6 +143,7 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
     if (data.impulseScale > 0 && data.impulseScale < 1) {
       excuse(data.joints, group, 1 - data.impulseScale);
     }
+    group.error = worst[0];
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
   }
 }
@@ -256,23 +256,6 @@ function isFar({ pushed, settling }: Group): boolean {
   return pushed > JOINT_FAR * JOINT_FAR || settling > 0;
 }
 
-/** Of joints in contact: what contacts do to their errors must not become momentum. */
-function noteErrors(data: SolverData, { runs }: Group, isAfterContacts: boolean): void {
-  const { joints, isTouched } = data.joints;
-  if (!isTouched) {
-    return;
-  }
-  for (const { kernel, start, end } of runs) {
-    if (kernel === POINT) {
-      notePoints(data, start, end, isAfterContacts);
-    } else {
-      for (let k = start; k < end; k += 1) {
-        noteBlock(data, joints[k]!, isAfterContacts);
-      }
-    }
-  }
-}
-
 function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
   if (kernel === POINT) {
     return pushPoints(data, start, end);
@@ -320,7 +303,7 @@ function pushCustoms(data: SolverData): boolean {
 export function finishJoints(data: SolverData): void {
   const { groups, runs, joints } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
-    noteErrors(data, groups[k]!, true);
+    dropMomentum(data, groups[k]!);
   }
   for (const { kernel, start, end } of runs) {
     if (kernel === POINT) {
@@ -330,6 +313,9 @@ export function finishJoints(data: SolverData): void {
         finishBlock(data, joints[k]!);
       }
     }
+  }
+  for (let k = 0; k < groups.length; k += 1) {
+    closeOpen(data, groups[k]!);
   }
   if (runs.length > 0) {
     limitMotion(data);

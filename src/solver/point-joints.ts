@@ -1,4 +1,4 @@
-import { JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
 import { cos, cosSin, sin } from '../math/trig.js';
@@ -205,9 +205,9 @@ export function shareOf(part: number, whole: number): number {
   return part <= 0 ? 0 : part < whole ? part / whole : 1;
 }
 
-/** Of joints in contact: notes the error that is left after a sweep, or adds what contacts made of it since to what they made before. */
+/** Of joints in contact: notes the error that is left and, if contacts were solved since the last note, what they made of it. */
 export function notePoints(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
-  const { records: r, bodies, joints } = data.joints;
+  const { records: r, bodies, joints, worst } = data.joints;
   const { motion: q } = data;
   for (let k = start; k < end; k += 1) {
     const { at: i, first } = joints[k]!;
@@ -225,12 +225,14 @@ export function notePoints(data: SolverData, start: number, end: number, isAfter
       const cx = r[i + j.ERROR_X]! + q[b + d.QX]! - q[a + d.QX]! + (cb * bx - sb * by) - (ca * ax - sa * ay);
       const cy = r[i + j.ERROR_Y]! + q[b + d.QY]! - q[a + d.QY]! + (sb * bx + cb * by) - (sa * ax + ca * ay);
       if (isAfterContacts) {
-        r[i + j.UNDONE_X] = r[i + j.UNDONE_X]! + cx - r[i + j.LEFT_X]!;
-        r[i + j.UNDONE_Y] = r[i + j.UNDONE_Y]! + cy - r[i + j.LEFT_Y]!;
-      } else {
-        r[i + j.LEFT_X] = cx;
-        r[i + j.LEFT_Y] = cy;
+        const x = cx - r[i + j.LEFT_X]!;
+        const y = cy - r[i + j.LEFT_Y]!;
+        r[i + j.UNDONE_X] = r[i + j.UNDONE_X]! + x;
+        r[i + j.UNDONE_Y] = r[i + j.UNDONE_Y]! + y;
+        worst[0] = Math.max(worst[0]!, x * x + y * y);
       }
+      r[i + j.LEFT_X] = cx;
+      r[i + j.LEFT_Y] = cy;
     }
   }
 }
@@ -321,7 +323,12 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const i12 = r[i + j.I12]!;
     let x = r[i + j.I11]! * cx + i12 * cy;
     let y = i12 * cx + r[i + j.I22]! * cy;
-    if (square > JOINT_SNAP * JOINT_SNAP && r[i + j.POINT_CARRY] === 0 && m > MIN_INVERSE_MASS) {
+    if (
+      square > JOINT_SNAP * JOINT_SNAP &&
+      r[i + j.POINT_CARRY] === 0 &&
+      r[i + j.POINT_TOUCHED] === 0 &&
+      m > MIN_INVERSE_MASS
+    ) {
       x = cx / m;
       y = cy / m;
       ax = 0;
@@ -381,6 +388,13 @@ export function pushPointsFurther(data: SolverData, start: number, end: number):
     q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
   return found;
+}
+
+/** The error noted last is above JOINT_OPEN. */
+export function isOpenPoint(r: Float64Array, at: number): boolean {
+  const x = r[at + j.LEFT_X]!;
+  const y = r[at + j.LEFT_Y]!;
+  return x * x + y * y > JOINT_OPEN * JOINT_OPEN;
 }
 
 /** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */

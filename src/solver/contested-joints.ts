@@ -1,0 +1,105 @@
+import { CLOSING_ROUNDS, CONTESTED_KEEP, JOINT_CONTESTED, JOINT_OPEN } from '../config.js';
+import type { Constraint } from '../constraint/constraint.js';
+import { isOpenBlock, lineariseBlock, noteBlock, pushBlock } from './block-joints.js';
+import type { SolverData } from './data.js';
+import type { Group, Joint } from './joint-data.js';
+import { CARRY, CUSTOM, IMPULSE_X, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED } from './joint-layout.js';
+import { isOpenPoint, notePoints, pushPoints } from './point-joints.js';
+
+/**
+ * Where joints and contacts want different things. Contacts push without momentum, so joints that correct what they did must make none either; and as
+ * contacts are solved last in a position iteration, they would keep a joint open for ever that has something on its wrong side.
+ */
+
+/** Of joints in contact: notes their errors and, after contacts were solved, what these made of them. */
+export function noteErrors(data: SolverData, { runs }: Group, isAfterContacts: boolean): void {
+  const { joints, isTouched } = data.joints;
+  if (!isTouched) {
+    return;
+  }
+  for (const { kernel, start, end } of runs) {
+    if (kernel === POINT) {
+      notePoints(data, start, end, isAfterContacts);
+    } else {
+      for (let k = start; k < end; k += 1) {
+        noteBlock(data, joints[k]!, isAfterContacts);
+      }
+    }
+  }
+}
+
+/**
+ * Joints next to one that corrects what contacts did see only that it moved a body, and would make momentum of that: where contacts undo much, none
+ * of the joints that hang together makes any until all errors are small. If they do not become small the joints also forget a part of their
+ * impulses, which would grow without end. Else a chain that is pulled against a wall is thrown about with thousands of metres per second.
+ */
+export function dropMomentum(data: SolverData, group: Group): void {
+  const { joints, records, worst } = data.joints;
+  worst[0] = 0;
+  noteErrors(data, group, true);
+  const isContested = worst[0] > JOINT_CONTESTED * JOINT_CONTESTED;
+  const isOpen = group.error > JOINT_OPEN * JOINT_OPEN;
+  if (isContested || group.contested) {
+    data.joints.isTouched = true;
+    for (let k = group.start; k < group.end; k += 1) {
+      calm(joints[k]!, records, isOpen ? CONTESTED_KEEP : 1);
+    }
+    noteErrors(data, group, false);
+  }
+  group.contested = isContested || (group.contested && isOpen);
+}
+
+/** Takes its momentum from a joint, which from now on counts as in contact, and all but a share of its impulse. */
+function calm({ kernel, at, layout }: Joint, records: Float64Array, share: number): void {
+  records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
+  records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 1;
+  const from = at + (kernel === POINT ? IMPULSE_X : layout.impulse);
+  for (let n = from; n < from + layout.rows; n += 1) {
+    records[n] = records[n]! * share;
+  }
+}
+
+/** Ends a sub-step: joints that contacts hold open have the last word. */
+export function closeOpen(data: SolverData, group: Group): void {
+  for (let round = 0; round < CLOSING_ROUNDS && group.contested && closeOnce(data, group); round += 1) {
+    noteErrors(data, group, true);
+  }
+}
+
+/** @returns whether there was something to close. */
+function closeOnce(data: SolverData, { start, end }: Group): boolean {
+  const { joints } = data.joints;
+  let found = false;
+  for (let k = start; k < end; k += 1) {
+    const joint = joints[k]!;
+    if (!isOpen(data, joint)) {
+      continue;
+    }
+    found = true;
+    if (joint.kernel === POINT) {
+      pushPoints(data, k, k + 1);
+    } else {
+      lineariseBlock(data, joint);
+      pushBlock(data, joint);
+    }
+  }
+  return found;
+}
+
+/**
+ * Far from being met as of the last note. Joints with something immovable are left as they are, as these would drag bodies through a wall at once, and so
+ * are those whose own bodies lie in each other's way.
+ */
+function isOpen({ joints: { records } }: SolverData, joint: Joint): boolean {
+  const { kernel, at, constraint } = joint;
+  const isFar = kernel === POINT ? isOpenPoint(records, at) : kernel !== CUSTOM && isOpenBlock(records, joint);
+  return isFar && constraint.members.every((body) => body.inverseMass() > 0) && !hasContact(constraint);
+}
+
+/** Between its own bodies. */
+function hasContact({ members }: Constraint): boolean {
+  const pairs = members.flatMap(({ shapes }) => shapes.flatMap(({ arbiters }) => arbiters));
+  return pairs.some(
+    (pair) => pair.isSolved() && members.includes(pair.shapeA.owner!) && members.includes(pair.shapeB.owner!),
+  );
+}
