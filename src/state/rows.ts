@@ -150,6 +150,7 @@ function keepMetAgain(tape: Tape, pair: Arbiter): void {
 export function keepGroup(tape: Tape, group: Group): void {
   tape.begins(GROUP);
   group.fresh = tape.flag(group.fresh);
+  group.contested = tape.flag(group.contested);
   group.sweeps = tape.integer(group.sweeps, 0, MAX_JOINT_SWEEPS);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);

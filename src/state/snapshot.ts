@@ -110,7 +110,8 @@ function walkGroups(on: Tape, world: World): void {
 }
 
 function scratchGroup(): Group {
-  return { start: 0, end: 0, runs: [], tolerance: 0, fresh: false, settling: 0, sweeps: 1, from: 0, to: 0, pushed: 0 };
+  const links = { start: 0, end: 0, runs: [], from: 0, to: 0 };
+  return { ...links, tolerance: 0, fresh: false, contested: false, settling: 0, sweeps: 1, error: 0, pushed: 0 };
 }
 
 /** Takes everything out of the world that is not to stay, and all that is between objects. */

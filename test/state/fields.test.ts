@@ -16,7 +16,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   // Only whether it has failed in this step.
   constraint: ['failed'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
-  group: ['start', 'end', 'tolerance', 'pushed'],
+  group: ['start', 'end', 'tolerance', 'error', 'pushed'],
   manifold: [],
 };
 
