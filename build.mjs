@@ -11,21 +11,26 @@ const dist = join(root, 'dist');
 // minifySyntax puts the numbers of named constants into the hot loops (a sixth of a step), and leaves the names readable.
 const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true, minifySyntax: true };
 
-rmSync(dist, { recursive: true, force: true });
-buildTypes();
-const internal = internalNames();
 // What a game that ships without it does not pay for is a module of its own.
 const modules = {
   phys2d: 'src/index.ts',
   debug: 'src/debug/index.ts',
   runner: 'src/runner.ts',
+  state: 'src/state/index.ts',
   validate: 'src/audit/index.ts',
 };
-// Reads nearly everything of a world: its minified bundle has the short names of the engine's.
+
+rmSync(dist, { recursive: true, force: true });
+buildTypes();
+const internal = internalNames();
+// The validator reads nearly everything of a world: its minified bundle has the short names of the engine's.
 const { mangleCache } = await buildEsm('phys2d', true);
 await Promise.all([
   buildEsm('phys2d', false),
-  ...['debug', 'runner', 'validate'].flatMap((name) => [buildEsm(name, false), buildEsm(name, true, mangleCache)]),
+  ...['debug', 'runner', 'state', 'validate'].flatMap((name) => [
+    buildEsm(name, false),
+    buildEsm(name, true, mangleCache),
+  ]),
   buildUmd(false),
   buildUmd(true),
   buildExamples(),
@@ -105,10 +110,10 @@ function buildTypes() {
   const all = join(dist, 'types');
   const options = '--ignoreConfig --target es2022 --lib es2022 --module nodenext --strict --exactOptionalPropertyTypes';
   const output = `--declaration --emitDeclarationOnly --stripInternal --rootDir src --outDir ${relative(root, all)}`;
-  const command = `node_modules/typescript/bin/tsc src/index.ts src/debug/index.ts src/runner.ts src/audit/index.ts ${options} ${output}`;
+  const command = `node_modules/typescript/bin/tsc ${Object.values(modules).join(' ')} ${options} ${output}`;
   execFileSync(process.execPath, command.split(' '), { cwd: root, stdio: 'inherit' });
 
-  const wanted = new Set(['index.d.ts', 'debug/index.d.ts', 'runner.d.ts', 'audit/index.d.ts']);
+  const wanted = new Set(['index.d.ts', 'debug/index.d.ts', 'runner.d.ts', 'state/index.d.ts', 'audit/index.d.ts']);
   for (const name of wanted) {
     const text = readFileSync(join(all, name), 'utf8');
     for (const [, target] of text.matchAll(/\b(?:from |import\()'(\.[^']*)\.js'/g)) {
@@ -131,6 +136,7 @@ function buildTypes() {
     ...types('index.d.ts').map((name) => `  type ${name} = names.${name};`),
     ...types('debug/index.d.ts').map((name) => `  type ${name} = debug.${name};`),
     ...types('runner.d.ts').map((name) => `  type ${name} = runner.${name};`),
+    ...types('state/index.d.ts').map((name) => `  type ${name} = state.${name};`),
   ];
   writeFileSync(
     join(dist, 'umd.d.cts'),
@@ -138,9 +144,10 @@ function buildTypes() {
 import type * as names from './index.js' with { 'resolution-mode': 'import' };
 import type * as runner from './runner.js' with { 'resolution-mode': 'import' };
 import type * as audit from './audit/index.js' with { 'resolution-mode': 'import' };
+import type * as state from './state/index.js' with { 'resolution-mode': 'import' };
 
 /** A device that is ready to use, with every public class as a property. */
-declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'> & typeof debug & typeof runner & typeof audit;
+declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'> & typeof debug & typeof runner & typeof state & typeof audit;
 declare namespace phys2D {
 ${aliases.sort().join('\n')}
 }
@@ -160,6 +167,7 @@ function printSizes() {
     ['phys2d.js', 'phys2d.min.js'],
     ['debug.js', 'debug.min.js'],
     ['runner.js', 'runner.min.js'],
+    ['state.js', 'state.min.js'],
     ['validate.js', 'validate.min.js'],
     ['phys2d.umd.cjs', 'phys2d.umd.min.js'],
   ]) {

@@ -25,15 +25,15 @@ export abstract class BodyState {
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
   kind: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   x: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   y: number;
   /** @internal */
   angle: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   cos: number;
-  /** @internal */
+  /** @internal Keeps its name. */
   sin: number;
   /** @internal */
   vx: number;
@@ -83,6 +83,8 @@ export abstract class BodyState {
   woken = false;
   /** @internal */
   owner: World | null = null;
+  /** @internal when it was added to its world; grows with each body, shape and constraint. Keeps its name */
+  order = 0;
   /** @internal index in the world's list of bodies */
   index = -1;
   /** @internal index in the live list of its type, −1 while in none */
@@ -188,6 +190,22 @@ export abstract class BodyState {
   touchConstraints(): void {
     for (const constraint of this.constraints) {
       constraint.touch();
+    }
+  }
+
+  /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
+  leave(): void {
+    this.owner = null;
+    this.asleep = false;
+    this.woken = false;
+    this.index = -1;
+    this.liveIndex = -1;
+    this.slot = 0;
+    this.unloaded = -1;
+    this.island = null;
+    this.placeStale = true;
+    for (const shape of this.shapes) {
+      shape.leave();
     }
   }
 

@@ -3,8 +3,9 @@ import * as debug from './debug/index.js';
 import * as names from './index.js';
 import { Physics2DDevice } from './index.js';
 import * as runner from './runner.js';
+import * as state from './state/index.js';
 
 const { default: phys2D, ...classes } = names;
 
 /** The one global of the script tag: a device with every public name as a property. */
-export default Object.assign(Physics2DDevice.create(), classes, debug, runner, audit, { phys2D });
+export default Object.assign(Physics2DDevice.create(), classes, debug, runner, audit, state, { phys2D });

@@ -13,6 +13,7 @@ import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joint-data.js';
 import { Movers } from './solver/movers.js';
+import type { Tape } from './state/tape.js';
 import { boolean, callable, integer, optional, options, typeError, vector } from './validate.js';
 
 /** Options of `createWorld`. */
@@ -48,6 +49,8 @@ export abstract class WorldState {
   /** Awake interactions, running or cached, with a static or kinematic body. */
   readonly staticArbiters: Arbiter[] = [];
   readonly broadphase: Broadphase;
+  /** Told at the end of each step where bodies are, before events; `null` for none. A `PoseBuffer`, or anything with such a method. */
+  poses: { update(): void } | null = null;
 
   /** @internal */
   gravityX: number;
@@ -69,7 +72,7 @@ export abstract class WorldState {
   jointsStale = false;
   /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */
   jointsTouched = false;
-  /** @internal grows with each constraint added */
+  /** @internal grows with each body, shape and constraint added */
   nextOrder = 0;
   /** @internal */
   readonly pairs = new Pairs();
@@ -198,6 +201,19 @@ export abstract class WorldState {
       this.events.fail(error);
       return NaN;
     }
+  }
+
+  /** @internal passes settings and counters over a tape */
+  keep(tape: Tape): void {
+    this.gravityX = tape.number(this.gravityX);
+    this.gravityY = tape.number(this.gravityY);
+    this.time = tape.number(this.time);
+    this.stamp = tape.number(this.stamp);
+    this.velocityTotal = tape.integer(this.velocityTotal, 1, 0x3fffffff);
+    this.positionTotal = tape.integer(this.positionTotal, 1, 0x3fffffff);
+    this.parts = tape.integer(this.parts, 1, 0x3fffffff);
+    this.mayRest = tape.flag(this.mayRest);
+    this.solver.previousH = tape.number(this.solver.previousH);
   }
 
   /** @internal wakes all bodies */

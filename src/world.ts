@@ -11,6 +11,7 @@ import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
+import { hashOf, restoreTo, snapshotOf } from './state/snapshot.js';
 import {
   boolean,
   callable,
@@ -47,9 +48,7 @@ export class World extends WorldState {
    */
   step(deltaTime: number): void {
     positive('World.step', 'deltaTime', deltaTime);
-    if (this.stepping || this.delivering) {
-      throw new Error('World.step: must not be called from a handler or callback of the same world');
-    }
+    this.refuseInside('World.step');
     this.stamp += 1;
     this.time += deltaTime;
     this.stepping = true;
@@ -58,6 +57,7 @@ export class World extends WorldState {
     } finally {
       this.stepping = false;
     }
+    this.poses?.update();
     this.delivering = true;
     try {
       this.events.deliver();
@@ -95,12 +95,14 @@ export class World extends WorldState {
     body.placeStale = false;
     body.owner = this;
     body.index = this.rigidBodies.push(body) - 1;
+    body.order = this.nextOrder;
+    this.nextOrder += 1;
     body.lastDx = 0;
     body.lastDy = 0;
     body.lastTurn = 0;
     body.asleep = body.asleep || body.kind === STATIC;
     for (const shape of body.shapes) {
-      shape.handle = this.broadphase.insert(shape, widened(shape), body.asleep);
+      this.enter(shape);
     }
     this.jointsStale = true;
     if (!body.asleep) {
@@ -133,14 +135,13 @@ export class World extends WorldState {
     }
     for (const shape of body.shapes) {
       this.broadphase.remove(shape.handle!);
-      shape.handle = null;
     }
     const last = this.rigidBodies.pop()!;
     if (last !== body) {
       this.rigidBodies[body.index] = last;
       last.index = body.index;
     }
-    leave(body);
+    body.leave();
     return true;
   }
 
@@ -175,11 +176,7 @@ export class World extends WorldState {
       return;
     }
     for (const body of this.rigidBodies) {
-      for (const shape of body.shapes) {
-        shape.handle = null;
-        shape.arbiters.length = 0;
-      }
-      leave(body);
+      body.leave();
     }
     for (const constraint of this.constraints) {
       countIgnoring(constraint, -1);
@@ -290,6 +287,52 @@ export class World extends WorldState {
     return castShape(this, shape, deltaTime, accept && ((found) => accept.call(thisObject, shape, found)));
   }
 
+  /**
+   * A digest of all that influences the future, 16 hexadecimal digits: worlds of equal digests go on alike, as far as handlers and callbacks do. The same in
+   * every JavaScript engine, whatever the broadphase, for the same calls.
+   *
+   * @throws Error when called from a handler or callback of this world, as `snapshot` and `restore`.
+   */
+  hash(): string {
+    this.refuseInside('World.hash');
+    return hashOf(this);
+  }
+
+  /**
+   * The state of the world: all that `restore` needs to go on from here to the bit. Listeners, user data and the variables of handlers and
+   * callbacks are not in it (but see `state` of custom constraints).
+   *
+   * @param target is written to, if it is large enough, and returned: keep what is returned, and a game that saves each step makes no garbage.
+   */
+  snapshot(target?: ArrayBuffer): ArrayBuffer {
+    const where = 'World.snapshot';
+    this.refuseInside(where);
+    return snapshotOf(where, this, target);
+  }
+
+  /**
+   * Brings the world back to where it was when a snapshot was taken, in place: bodies, shapes, constraints and materials are the same objects. What was added
+   * since is removed, without events; what was removed comes back, as do shapes and materials that were exchanged. Arbiters are new.
+   *
+   * A buffer that `snapshot` returned names its objects, so they always come back. A copy of its bytes names them by when they were added:
+   * what is not in the world then has to be in `held`.
+   *
+   * @param held bodies, shapes and constraints that are not in the world.
+   * @throws RangeError if the snapshot is damaged, none, or of another version; Error if an object of it cannot be found, or is in another world.
+   * Nothing has changed then.
+   */
+  restore(snapshot: ArrayBuffer, held: Iterable<RigidBody | Shape | Constraint> = []): void {
+    const where = 'World.restore';
+    this.refuseInside(where);
+    restoreTo(where, this, snapshot, held);
+  }
+
+  private refuseInside(where: string): void {
+    if (this.stepping || this.delivering) {
+      throw new Error(`${where}: must not be called from a handler or callback of the same world`);
+    }
+  }
+
   private atPoint(where: string, point: Vec2Like, store: unknown): Shape[] {
     vector(where, 'point', point, 2);
     sink(where, 'store', store);
@@ -367,9 +410,15 @@ export class World extends WorldState {
 
   /** @internal a shape was attached to a body of this world */
   shapeAdded(shape: Shape): void {
-    const body = shape.owner!;
-    shape.place(body);
-    shape.handle = this.broadphase.insert(shape, widened(shape), body.asleep);
+    shape.place(shape.owner!);
+    this.enter(shape);
+  }
+
+  private enter(shape: Shape): void {
+    shape.order = this.nextOrder;
+    shape.entered = this.stamp;
+    this.nextOrder += 1;
+    shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep);
   }
 
   /** @internal a shape is about to be detached from a body of this world */
@@ -377,7 +426,7 @@ export class World extends WorldState {
     rouseNeighbours(this, shape.owner!);
     cutPairs(this, shape);
     this.broadphase.remove(shape.handle!);
-    shape.handle = null;
+    shape.leave();
   }
 
   /** @internal tells the broadphase whether the shapes of a body may move */
@@ -409,16 +458,4 @@ function optionalCallable<T>(where: string, callback: T | undefined): T | null {
   }
   callable(where, 'callback', callback);
   return callback;
-}
-
-/** Resets what a body had from its world. */
-function leave(body: RigidBody): void {
-  body.owner = null;
-  body.asleep = false;
-  body.woken = false;
-  body.index = -1;
-  body.liveIndex = -1;
-  body.slot = 0;
-  body.island = null;
-  body.placeStale = true;
 }

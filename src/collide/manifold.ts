@@ -65,10 +65,14 @@ export class Manifold {
 
   /** Forgets what was found for another pair. */
   reset(): void {
-    this.empty();
+    this.count = 0;
+    this.numbers.fill(0);
+    this.id0 = 0;
+    this.id1 = 0;
     this.edgeA = -1;
     this.edgeB = -1;
     this.axis = -1;
     this.face = -1;
+    this.faceStamp = 0;
   }
 }

@@ -10,6 +10,7 @@ import {
 } from '../listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
 import type { Island } from '../solver/sleep.js';
+import type { Tape } from '../state/tape.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
@@ -76,7 +77,7 @@ export abstract class Constraint {
   index = -1;
   /** @internal index in the world's list of live ones, −1 while not in it */
   liveIndex = -1;
-  /** @internal grows with each adding to a world: decides between equals */
+  /** @internal grows with each adding to a world: decides between equals. Keeps its name */
   order = 0;
   /** @internal those it fell asleep with */
   island: Island | null = null;
@@ -249,6 +250,29 @@ export abstract class Constraint {
     this.given.fill(0);
     this.strainedSteps = 0;
     this.fresh = true;
+  }
+
+  /** @internal passes what influences the future over a tape; kinds that have more add it */
+  keep(tape: Tape): void {
+    this.stiff = tape.flag(this.stiff);
+    this.removeOnBreak = tape.flag(this.removeOnBreak);
+    this.breakUnderForce = tape.flag(this.breakUnderForce);
+    this.breakUnderError = tape.flag(this.breakUnderError);
+    this.ignoreInteractions = tape.flag(this.ignoreInteractions);
+    this.asleep = tape.flag(this.asleep);
+    this.woken = tape.flag(this.woken);
+    this.enabled = tape.flag(this.enabled);
+    this.fresh = tape.flag(this.fresh);
+    this.strainedSteps = tape.integer(this.strainedSteps, 0, 0x3fffffff);
+    this.frequency = tape.number(this.frequency);
+    this.damping = tape.number(this.damping);
+    this.maxForce = tape.number(this.maxForce);
+    this.maxError = tape.number(this.maxError);
+    this.lower = tape.number(this.lower);
+    this.upper = tape.number(this.upper);
+    tape.list(this.impulse);
+    tape.list(this.undone);
+    tape.list(this.given);
   }
 
   /** @internal the lower bound, unless it can not be passed anyway */

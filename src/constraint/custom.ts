@@ -1,7 +1,8 @@
 import type { RigidBody } from '../body.js';
 import type { Physics2DDebugDraw } from '../debug/draw.js';
 import type { NumberSink } from '../math/vectors.js';
-import { callable, integer, options, rangeError, typeError } from '../validate.js';
+import type { Tape } from '../state/tape.js';
+import { callable, instance, integer, options, rangeError, typeError } from '../validate.js';
 import { Constraint } from './constraint.js';
 import type { ConstraintParams } from './params.js';
 import { checkedBody } from './two-body.js';
@@ -33,6 +34,8 @@ export interface CustomConstraintParams extends ConstraintParams {
   velocityClamp?: CustomCallback | undefined;
   /** Limits the correction impulse `data[index + d]` of this position iteration, in place. */
   positionClamp?: CustomCallback | undefined;
+  /** What callbacks remember from step to step, if they do: kept with the world by `snapshot`, put back in place by `restore`, part of `hash`. */
+  state?: Float64Array | undefined;
   /** Draws the constraint, for `Physics2DDebugDraw`. `stiff` is the option of that name. */
   debugDraw?: ((this: CustomConstraint, debug: Physics2DDebugDraw, stiff: boolean) => void) | undefined;
 }
@@ -64,6 +67,9 @@ export class CustomConstraint extends Constraint {
         callable(where, name, given[name]);
       }
     }
+    if (given.state !== undefined) {
+      instance(where, 'state', given.state, Float64Array, 'a Float64Array');
+    }
     super(where, dimension, bodies, params);
     this.bodies = [...bodies];
     this.callbacks = { ...params };
@@ -92,6 +98,14 @@ export class CustomConstraint extends Constraint {
   clamp(name: 'velocityClamp' | 'positionClamp', out: Float64Array, at: number): void {
     if (this.callbacks[name] !== undefined) {
       this.call(name, out, at, this.dimension, true);
+    }
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    super.keep(tape);
+    if (this.callbacks.state !== undefined) {
+      tape.list(this.callbacks.state);
     }
   }
 

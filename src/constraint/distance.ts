@@ -1,3 +1,4 @@
+import type { Tape } from '../state/tape.js';
 import { nonNegativeOrInfinite } from '../validate.js';
 import { Link } from './link.js';
 import { AnchoredConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
@@ -52,6 +53,12 @@ export class DistanceConstraint extends AnchoredConstraint {
   /** @internal No distance is below 0, but its linear part is when a body passes the anchor. */
   override lowerLimit(): number {
     return this.lower === 0 && this.upper > 0 ? -Infinity : this.lower;
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    this.link.keep(tape);
+    super.keep(tape);
   }
 
   /** @internal */

@@ -1,4 +1,5 @@
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
+import type { Tape } from '../state/tape.js';
 import { rangeError, vector } from '../validate.js';
 import { COS, POSE, SIN, X, Y } from './layout.js';
 import { AnchoredConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
@@ -70,6 +71,13 @@ export class LineConstraint extends AnchoredConstraint {
   /** Not below the lower bound. */
   setUpperBound(upperBound: number): void {
     this.setUpper(upperBound);
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    this.axisX = tape.number(this.axisX);
+    this.axisY = tape.number(this.axisY);
+    super.keep(tape);
   }
 
   /** @internal */

@@ -1,4 +1,5 @@
 import { MIN_LENGTH } from '../config.js';
+import type { Tape } from '../state/tape.js';
 import { COS, POSE, SIN, X, Y } from './layout.js';
 
 /** The straight line between an anchor of one body and one of another: what a distance has one of and a pulley two. */
@@ -12,6 +13,12 @@ export class Link {
     private readonly a: number,
     private readonly b: number,
   ) {}
+
+  /** Passes what influences the future over a tape. */
+  keep(tape: Tape): void {
+    this.nx = tape.number(this.nx);
+    this.ny = tape.number(this.ny);
+  }
 
   /** Adds `ratio` times the length to C, and ratio · [−n, −rA × n, n, rB × n] to the Jacobian. */
   add(ratio: number, pose: Float64Array, anchors: Float64Array, out: Float64Array, c: number, j: number): void {

@@ -1,3 +1,4 @@
+import type { Tape } from '../state/tape.js';
 import { finite, optional } from '../validate.js';
 import { checkedRatio, TwoBodyConstraint, type TwoBodyParams } from './two-body.js';
 
@@ -48,6 +49,12 @@ export class MotorConstraint extends TwoBodyConstraint {
       this.rate = rate;
       this.rouse();
     }
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    this.rate = tape.number(this.rate);
+    super.keep(tape);
   }
 
   /** @internal */

@@ -1,5 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
+import type { Tape } from '../state/tape.js';
 import { optional, options, vector } from '../validate.js';
 import { Link } from './link.js';
 import {
@@ -103,6 +104,13 @@ export class PulleyConstraint extends AnchoredConstraint {
   /** Not below the lower bound. */
   setUpperBound(upperBound: number): void {
     this.setUpper(upperBound);
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    this.first.keep(tape);
+    this.second.keep(tape);
+    super.keep(tape);
   }
 
   /** @internal */

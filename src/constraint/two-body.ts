@@ -1,5 +1,6 @@
 import { RigidBody } from '../body.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
+import type { Tape } from '../state/tape.js';
 import { finite, instance, notNaN, optional, options, rangeError, vector } from '../validate.js';
 import { Constraint, checkBounds } from './constraint.js';
 import type { ConstraintParams } from './params.js';
@@ -46,6 +47,12 @@ export abstract class TwoBodyConstraint extends Constraint {
   }
 
   /** @internal */
+  override keep(tape: Tape): void {
+    this.ratio = tape.number(this.ratio);
+    super.keep(tape);
+  }
+
+  /** @internal */
   protected changeRatio(ratio: number): void {
     checkedRatio(`${this.kind}.setRatio`, ratio);
     if (ratio !== this.ratio) {
@@ -66,6 +73,12 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     this.anchors = new Float64Array(2 * this.members.length);
     this.putAnchor(0, vector(where, 'anchorA', optional(params.anchorA, ORIGIN), 2));
     this.putAnchor(1, vector(where, 'anchorB', optional(params.anchorB, ORIGIN), 2));
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    super.keep(tape);
+    tape.list(this.anchors);
   }
 
   /** Body A coordinates, m. */

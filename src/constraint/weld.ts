@@ -1,3 +1,4 @@
+import type { Tape } from '../state/tape.js';
 import { finite, optional } from '../validate.js';
 import { ANGLE, POSE } from './layout.js';
 import { pointRows } from './point.js';
@@ -37,6 +38,12 @@ export class WeldConstraint extends AnchoredConstraint {
       this.phase = phase;
       this.rouse();
     }
+  }
+
+  /** @internal */
+  override keep(tape: Tape): void {
+    this.phase = tape.number(this.phase);
+    super.keep(tape);
   }
 
   /** @internal */

@@ -280,6 +280,7 @@ export class Arbiter {
     this.active = false;
     this.sleeping = false;
     this.manifold.reset();
+    this.began = -1;
     this.strained = NEVER;
     this.strain = 0;
     this.lastInteraction = -1;
@@ -289,6 +290,7 @@ export class Arbiter {
     this.awake = false;
     this.near = false;
     this.foreseen = false;
+    this.before = null;
     this.forget();
   }
 
@@ -339,7 +341,7 @@ export class Arbiter {
     const to = c.NORMAL + c.IMPULSES * which;
     const from = c.NORMAL + c.IMPULSES * (1 - which);
     this.manifold.numbers.copyWithin(to, from, from + c.IMPULSES);
-    this.usedPoints = which === 0 ? this.usedPoints >> 1 : this.usedPoints << 1;
+    this.usedPoints = which === 0 ? this.usedPoints >> 1 : (this.usedPoints << 1) & 2;
     this.dropPoint(which === 0 ? 1 : 0);
   }
 

@@ -88,6 +88,16 @@ export class PairTable {
     this.size = 0;
   }
 
+  /** Moves all arbiters to the end of a list. */
+  drainTo(list: Arbiter[]): void {
+    for (const arbiter of this.arbiters) {
+      if (arbiter !== null) {
+        list.push(arbiter);
+      }
+    }
+    this.clear();
+  }
+
   private placeOf(idA: number, idB: number): number {
     const { places, mask } = this;
     let i = hash(idA, idB) & mask;

@@ -47,11 +47,31 @@ export class Pairs {
   obtain(shapeA: Shape, shapeB: Shape): Arbiter {
     let pair = this.table.find(shapeA, shapeB);
     if (pair === null) {
-      pair = this.pool.pop() ?? new Arbiter(shapeA, shapeB);
-      pair.reuse(shapeA, shapeB);
+      pair = this.make(shapeA, shapeB);
       this.table.add(pair);
       this.arrive(pair);
     }
+    return pair;
+  }
+
+  private make(shapeA: Shape, shapeB: Shape): Arbiter {
+    const pair = this.pool.pop() ?? new Arbiter(shapeA, shapeB);
+    pair.reuse(shapeA, shapeB);
+    return pair;
+  }
+
+  /** For a world that is restored: a pair that is in no list yet, and is not looked for. */
+  restore(shapeA: Shape, shapeB: Shape): Arbiter {
+    const pair = this.make(shapeA, shapeB);
+    this.table.add(pair);
+    return pair;
+  }
+
+  /** … and one that was cut off, and is named by an `end` event. */
+  restoreCut(shapeA: Shape, shapeB: Shape): Arbiter {
+    const pair = this.make(shapeA, shapeB);
+    pair.dead = true;
+    this.cut.push(pair);
     return pair;
   }
 
@@ -179,6 +199,18 @@ export class Pairs {
     free.length = 0;
     this.cutBefore = this.cut;
     this.cut = free;
+  }
+
+  /** For a world that is restored: as `clear`, and all arbiters are free for use. */
+  reset(): void {
+    this.table.drainTo(this.pool);
+    for (const list of [this.cut, this.cutBefore]) {
+      for (const pair of list) {
+        this.pool.push(pair);
+      }
+      list.length = 0;
+    }
+    this.clear();
   }
 
   clear(): void {

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Hit } from '../contact/hit.js';
-import { admits, HIT, RANKS, rankOf, WAKE } from '../listeners.js';
+import { admits, END, HIT, RANKS, rankOf, WAKE } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { type Note, Notes } from './notes.js';
@@ -65,6 +65,11 @@ export class EventQueue {
       }
       this.interaction(HIT, arbiter, group);
     }
+  }
+
+  /** The `end` events of what was removed since the last step: between steps no others wait. */
+  get ended(): Notes {
+    return this.list(END, BEFORE_STEP);
   }
 
   private list(type: number, group: number): Notes {

@@ -55,9 +55,14 @@ export class Polygon extends Shape {
   /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
   setVertices(vertices: ArrayLike<Vec2Like>): void {
     const checked = convexVertices('Polygon.setVertices', 'vertices', vertices);
-    if (this.isLocked()) {
-      return;
+    if (!this.isLocked()) {
+      this.takeVertices(checked);
+      this.geometryChanged();
     }
+  }
+
+  /** @internal */
+  takeVertices(checked: Float64Array): void {
     if (checked.length !== this.vertices.length) {
       this.localEdges = doubles(checked.length * 2);
       this.edges = doubles(checked.length * 2);
@@ -65,7 +70,6 @@ export class Polygon extends Shape {
     }
     this.vertices = checked;
     this.refreshEdges();
-    this.geometryChanged();
   }
 
   override computeArea(): number {

@@ -73,6 +73,12 @@ export abstract class Shape {
   owner: RigidBody | null = null;
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
+  /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
+  order = 0;
+  /** @internal the last step before it came into its world */
+  entered = -1;
+  /** @internal its place while the state of the world is walked over */
+  stateIndex = 0;
   /** @internal */
   handle: BroadphaseHandle | null = null;
   /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near, and the step they were found in */
@@ -248,6 +254,14 @@ export abstract class Shape {
     this.owner?.shapesChanged();
     this.owner?.moved();
     this.owner?.rouse();
+  }
+
+  /** @internal resets what the shape had from its world */
+  leave(): void {
+    this.handle = null;
+    this.grounds = null;
+    this.groundStamp = -1;
+    this.arbiters.length = 0;
   }
 
   /** @internal turns the geometry with the body and sets the bounds */

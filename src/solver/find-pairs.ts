@@ -86,6 +86,7 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     world.pairs.unlist(pair);
   }
   if (world.pairs.isReported(pair, stamp) && mayInteract(pair.shapeA, pair.shapeB)) {
+    forgetLeft(pair);
     pair.seen = stamp;
   }
   const isReported = pair.seen === stamp;
@@ -102,6 +103,15 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     return false;
   }
   return true;
+}
+
+/** Where a shape left and came back within a step, nothing is remembered of before. */
+function forgetLeft(pair: Arbiter): void {
+  const { shapeA, shapeB, seen } = pair;
+  if (!pair.listed && seen >= 0 && seen <= Math.max(shapeA.entered, shapeB.entered)) {
+    pair.reuse(shapeA, shapeB);
+    pair.awake = true;
+  }
 }
 
 function interact(world: World, pair: Arbiter): void {

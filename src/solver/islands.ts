@@ -182,7 +182,7 @@ function sleepReady(world: World, work: IslandWork): void {
     if (work.ready[root] === 1) {
       const island = islands.get(root);
       if (island === undefined) {
-        islands.set(root, { bodies: [body], constraints: [] });
+        islands.set(root, { number: -1, bodies: [body], constraints: [] });
       } else {
         island.bodies.push(body);
       }

@@ -17,6 +17,9 @@ export function widened(shape: Shape): Float64Array {
 /** The beginning of a step: everything is where it is, and what woke since the last one is told. */
 export function refreshMoved(world: World): void {
   refreshBodies(world);
+  for (const body of world.liveDynamics) {
+    body.refreshMass();
+  }
   world.events.noteWoken(world);
 }
 

@@ -8,6 +8,8 @@ import type { World } from '../world.js';
 
 /** Bodies and constraints that fell asleep together, and wake together. */
 export interface Island {
+  /** Scratch: its place while the state of the world is walked over. */
+  number: number;
   readonly bodies: RigidBody[];
   readonly constraints: Constraint[];
 }

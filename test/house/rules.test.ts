@@ -19,7 +19,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['events', 'profile'],
   ['constraint'],
   ['solver'],
-  ['query', 'debug', 'runner', 'audit'],
+  ['query', 'debug', 'runner', 'audit', 'state'],
   ['world'],
   ['device'],
   ['index'],

@@ -11,6 +11,7 @@ import * as validate from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as source from '../../src/index.js';
 import * as runner from '../../src/runner.js';
+import * as state from '../../src/state/index.js';
 import { buildGallery, GALLERY } from '../scenes/gallery.js';
 import { stateHash } from '../scenes/hash.js';
 import { buildPyramid } from '../scenes/pyramid.js';
@@ -24,24 +25,30 @@ const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
 const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
 const ESM = ['phys2d.js', 'phys2d.min.js'];
 const GZIP_LIMITS = {
-  'phys2d.min.js': 57_500,
+  'phys2d.min.js': 65_500,
   'debug.min.js': 10_500,
   'runner.min.js': 1_200,
+  'state.min.js': 4_500,
   'validate.min.js': 4_200,
 };
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */
-const APART = { debug, runner, validate };
+const APART = { debug, runner, state, validate };
 
 const { default: _, ...engine }: Record<string, unknown> = source;
-const names: Record<string, unknown> = { ...engine, ...debug, ...runner, ...validate };
+const names: Record<string, unknown> = { ...engine, ...debug, ...runner, ...state, ...validate };
 
 /** Public classes that a script tag user reaches as `phys2D.World` and so on. */
 const CLASSES = Object.entries(names)
   .filter(([name, value]) => typeof value === 'function' && /^[A-Z]/.test(name))
   .map(([name]) => name);
 
-type Phys2D = source.Physics2DDevice & Omit<typeof source, 'default'> & typeof debug & typeof runner & typeof validate;
+type Phys2D = source.Physics2DDevice &
+  Omit<typeof source, 'default'> &
+  typeof debug &
+  typeof runner &
+  typeof state &
+  typeof validate;
 
 const DROP = `
   const world = phys2D.createWorld({ gravity: [0, 10] });
@@ -143,13 +150,18 @@ describe.each(ESM)('%s as a module', (name) => {
   });
 });
 
-describe.each(['debug', 'runner', 'validate'] as const)('%s as a module', (name) => {
+describe.each(['debug', 'runner', 'state', 'validate'] as const)('%s as a module', (name) => {
   it.each(['js', 'min.js'])('exports what the source exports (.%s), and has nothing of the engine', async (ending) => {
     const bundle = (await import(/* @vite-ignore */ pathToFileURL(join(dist, `${name}.${ending}`)).href)) as object;
     expect(Object.keys(bundle).sort()).toEqual(Object.keys(APART[name]).sort());
     const map = JSON.parse(read(`${name}.${ending}.map`)) as { sources: string[] };
     expect(map.sources).toContain(
-      { debug: '../src/debug/draw.ts', runner: '../src/runner.ts', validate: '../src/audit/index.ts' }[name],
+      {
+        debug: '../src/debug/draw.ts',
+        runner: '../src/runner.ts',
+        state: '../src/state/serialize.ts',
+        validate: '../src/audit/index.ts',
+      }[name],
     );
     expect(
       map.sources.filter((file) => /(?:solver|collide|contact|constraint|shape)\/|\/(?:body|world)\.ts/.test(file)),
@@ -162,6 +174,37 @@ it('the engine has nothing of debug drawing, the runner and validation', () => {
     const { sources } = JSON.parse(read(`${name}.map`)) as { sources: string[] };
     expect(sources.filter((file) => /debug|runner|body-pose|audit/.test(file))).toEqual([]);
   }
+});
+
+describe('the state', () => {
+  it.each([
+    ['phys2d.js', 'state.js'],
+    ['phys2d.min.js', 'state.min.js'],
+    ['phys2d.min.js', 'state.js'],
+    ['phys2d.js', 'state.min.js'],
+  ])('is kept by %s and %s together', async (engineFile, stateFile) => {
+    const load = async (name: string): Promise<unknown> =>
+      import(/* @vite-ignore */ pathToFileURL(join(dist, name)).href);
+    const { phys2D } = (await load(engineFile)) as typeof source;
+    const { deserialize, PoseBuffer, Recorder, replay, serialize } = (await load(stateFile)) as typeof state;
+    const world = phys2D.createWorld();
+    buildPyramid(phys2D, world, 5);
+    const poses = PoseBuffer.create({ capacity: 20 });
+    const top = world.rigidBodies[15]!;
+    const index = poses.track(top);
+    world.poses = poses;
+    const recorder = Recorder.create(world);
+    recorder.call(top, 'setVelocity', [3, -2]);
+    for (let i = 0; i < 30; i += 1) {
+      recorder.step(1 / 60);
+    }
+    const [x] = top.getPosition();
+    expect(poses.poses[4 * index]).toBe(Math.fround(x));
+    const copy = deserialize(phys2D, JSON.parse(JSON.stringify(serialize(world))) as state.PlainWorld);
+    expect(copy.hash()).toBe(world.hash());
+    expect(replay(world, recorder.recording)).toBe(-1);
+    expect(world.hash()).toBe(copy.hash());
+  });
 });
 
 describe('one picture', () => {
@@ -327,7 +370,9 @@ describe('the package, packed and installed', () => {
         'README.md',
         'LICENSE',
         'package.json',
-        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'runner.js'].map((name) => `dist/${name}`),
+        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'runner.js', 'state.js'].map(
+          (name) => `dist/${name}`,
+        ),
       ]),
     );
     expect(files.filter((name) => /^(src|test|examples|bench)\b|^dist\/examples/.test(name))).toEqual([]);

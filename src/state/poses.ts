@@ -1,0 +1,100 @@
+import type { RigidBody } from '../body.js';
+import { integer, optional, options, typeError } from '../validate.js';
+
+/** Numbers of a body in a pose buffer. */
+export const POSE_STRIDE = 4;
+
+export interface PoseBufferParams {
+  /** How many bodies there is room for, integer >= 1. Default 1024. */
+  capacity?: number | undefined;
+  /** What to write to, with room for `capacity` bodies: on a `SharedArrayBuffer`, another thread can read it. Default: a new one. */
+  poses?: Float32Array | Float64Array | undefined;
+}
+
+/**
+ * Where bodies are, as one list of numbers for a renderer: x, y, cosine and sine of the rotation of each, at four times its index. A body keeps its index
+ * as long as it is tracked; a free one has four zeros. Given to `world.poses`, it is brought up to date at the end of every step, before events.
+ *
+ * A thread that reads while another steps may see some bodies one step ahead of others; each number is whole.
+ */
+export class PoseBuffer {
+  readonly capacity: number;
+  readonly poses: Float32Array | Float64Array;
+  private readonly bodies: (RigidBody | null)[] = [];
+  private readonly indices = new Map<RigidBody, number>();
+  private readonly free: number[] = [];
+
+  /** @internal use `create` */
+  constructor(params?: PoseBufferParams) {
+    const where = 'PoseBuffer.create';
+    const given = options(where, params, false);
+    this.capacity = integer(where, 'capacity', optional(given.capacity, 1024), 1);
+    const { poses } = given;
+    const isList = poses instanceof Float32Array || poses instanceof Float64Array;
+    if (poses !== undefined && !(isList && poses.length >= POSE_STRIDE * this.capacity)) {
+      throw typeError(where, 'poses', `a float array of ${POSE_STRIDE * this.capacity} numbers`, poses);
+    }
+    this.poses = poses ?? new Float32Array(POSE_STRIDE * this.capacity);
+  }
+
+  static create(params?: PoseBufferParams): PoseBuffer {
+    return new PoseBuffer(params);
+  }
+
+  /** Tracks a body, in a world or not. @returns its index; the same one if it is tracked already. @throws RangeError if there is no room. */
+  track(body: RigidBody): number {
+    const where = 'PoseBuffer.track';
+    if (typeof body?.getRotation !== 'function') {
+      throw typeError(where, 'body', 'a RigidBody', body);
+    }
+    const known = this.indices.get(body);
+    if (known !== undefined) {
+      return known;
+    }
+    if (this.indices.size === this.capacity) {
+      throw new RangeError(`${where}: there is room for ${this.capacity} bodies, and all of it is taken`);
+    }
+    const index = this.free.pop() ?? this.bodies.length;
+    this.bodies[index] = body;
+    this.indices.set(body, index);
+    this.write(index, body);
+    return index;
+  }
+
+  /** Frees the index of a body. @returns whether it was tracked. */
+  untrack(body: RigidBody): boolean {
+    const index = this.indices.get(body);
+    if (index === undefined) {
+      return false;
+    }
+    this.indices.delete(body);
+    this.bodies[index] = null;
+    this.free.push(index);
+    this.poses.fill(0, POSE_STRIDE * index, POSE_STRIDE * (index + 1));
+    return true;
+  }
+
+  /** The index of a body, −1 if it is not tracked. */
+  indexOf(body: RigidBody): number {
+    return this.indices.get(body) ?? -1;
+  }
+
+  /** Writes where all tracked bodies are: `world.poses` is, at the end of each step; call it after `restore` or a teleport. */
+  update(): void {
+    for (let i = 0; i < this.bodies.length; i += 1) {
+      const body = this.bodies[i]!;
+      if (body !== null) {
+        this.write(i, body);
+      }
+    }
+  }
+
+  private write(index: number, body: RigidBody): void {
+    const { poses } = this;
+    const at = POSE_STRIDE * index;
+    poses[at] = body.x;
+    poses[at + 1] = body.y;
+    poses[at + 2] = body.cos;
+    poses[at + 3] = body.sin;
+  }
+}

@@ -1,0 +1,119 @@
+import type { RigidBody } from '../body.js';
+import type { Constraint } from '../constraint/constraint.js';
+import type { Shape } from '../shape/shape.js';
+import { callable, typeError } from '../validate.js';
+import type { World } from '../world.js';
+
+/** What can be called through a recorder: the world, a body, a shape, a constraint. */
+type Recorded = World | RigidBody | Shape | Constraint;
+
+/** A call, with the object and those among its arguments by reference: a recording is for the program that made it. */
+interface Call {
+  readonly object: Recorded;
+  readonly method: string;
+  readonly args: readonly unknown[];
+  /** Of a call that added something, which may be in another state by now: the hash before it, and the state after it. */
+  readonly added: { readonly before: string; readonly after: ArrayBuffer } | null;
+}
+
+const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
+
+/** A snapshot, and what was called from then on, step by step. */
+export interface Recording {
+  readonly snapshot: ArrayBuffer;
+  readonly frames: readonly { readonly calls: readonly Call[]; readonly deltaTime: number; readonly hash: string }[];
+}
+
+/**
+ * Records what a game does to a world: make its calls through `call` and `step`, and `replay` makes them again, from the same snapshot, and compares the
+ * hashes. What handlers do is not recorded, as they are called again.
+ */
+export class Recorder {
+  readonly snapshot: ArrayBuffer;
+  private readonly frames: { calls: Call[]; deltaTime: number; hash: string }[] = [];
+  private calls: Call[] = [];
+
+  /** @internal use `create` */
+  constructor(private readonly world: World) {
+    if (typeof world?.snapshot !== 'function') {
+      throw typeError('Recorder.create', 'world', 'a World', world);
+    }
+    this.snapshot = world.snapshot();
+  }
+
+  /** Starts a recording of a world, between two steps. */
+  static create(world: World): Recorder {
+    return new Recorder(world);
+  }
+
+  /**
+   * Calls a method of the world or of one of its bodies, shapes or constraints, and notes it: `recorder.call(body, 'applyImpulse', [0, -5])`. Arrays among
+   * the arguments are copied. @returns what the method returns.
+   */
+  call<T extends Recorded, K extends keyof T>(
+    object: T,
+    method: K & string,
+    ...args: T[K] extends (...args: infer A) => unknown ? A : never
+  ): T[K] extends (...args: never[]) => infer R ? R : never {
+    const where = 'Recorder.call';
+    const made = object?.[method];
+    callable(where, `object.${method}`, made);
+    if (method === 'step' || method === 'restore') {
+      throw new Error(
+        `${where}: ${method} is not to be called so: step has its own method, and restore cannot be recorded`,
+      );
+    }
+    const kept = args.map((argument) => (Array.isArray(argument) ? [...argument] : argument));
+    const before = ADDING.includes(method) ? this.world.hash() : null;
+    const result = (made as (...args: unknown[]) => unknown).apply(object, args);
+    const added = before === null ? null : { before, after: this.world.snapshot() };
+    this.calls.push({ object, method, args: kept, added });
+    return result as never;
+  }
+
+  /** Steps the world, and notes its hash. */
+  step(deltaTime: number): void {
+    this.world.step(deltaTime);
+    this.frames.push({ calls: this.calls, deltaTime, hash: this.world.hash() });
+    this.calls = [];
+  }
+
+  /** What was recorded up to the last step. */
+  get recording(): Recording {
+    return { snapshot: this.snapshot, frames: [...this.frames] };
+  }
+}
+
+/**
+ * Brings a world back to where a recording began, and does again what was done.
+ *
+ * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
+ */
+export function replay(world: World, recording: Recording): number {
+  if (typeof world?.restore !== 'function') {
+    throw typeError('replay', 'world', 'a World', world);
+  }
+  world.restore(recording.snapshot);
+  return recording.frames.findIndex(({ calls, deltaTime, hash }) => {
+    if (!calls.every((call) => repeat(world, call))) {
+      return true;
+    }
+    world.step(deltaTime);
+    return world.hash() !== hash;
+  });
+}
+
+/** @returns whether all is as it was then. */
+function repeat(world: World, { object, method, args, added }: Call): boolean {
+  if (added !== null) {
+    const isRight = world.hash() === added.before;
+    world.restore(added.after);
+    return isRight;
+  }
+  const made = object[method as keyof Recorded] as unknown as (...args: unknown[]) => unknown;
+  made.apply(
+    object,
+    args.map((argument) => (Array.isArray(argument) ? [...argument] : argument)),
+  );
+  return true;
+}

@@ -1,0 +1,237 @@
+import type { RigidBody } from '../body.js';
+import type { Shape } from '../shape/shape.js';
+import type { Group } from '../solver/joint-data.js';
+import { orderJoints } from '../solver/joint-order.js';
+import { widened } from '../solver/refresh.js';
+import { countIgnoring, release } from '../solver/ties.js';
+import { instance } from '../validate.js';
+import type { World } from '../world.js';
+import { describe, ranksOf, resolve } from './identity.js';
+import { keepGroup } from './rows.js';
+import { emptyScene, gather, type Objects, type Scene } from './scene.js';
+import { Tape } from './tape.js';
+import { walk } from './walk.js';
+
+/** Scratch: nothing in them lives on. */
+const tape = new Tape();
+const scene = emptyScene();
+
+/** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
+interface Known extends Objects {
+  checksum: string;
+}
+
+const known = new WeakMap<ArrayBuffer, Known>();
+
+/** A digest of everything that influences the future, 16 hexadecimal digits. */
+export function hashOf(world: World): string {
+  gather(world, scene);
+  tape.hash();
+  tape.integers(ranksOf(scene.shapes));
+  tape.integers(ranksOf(scene.constraints.map(({ order }) => ({ id: order }))));
+  walk(tape, world, scene);
+  walkGroups(tape, world);
+  return tape.hashed();
+}
+
+/** The state of a world, in `target` if that is large enough. */
+export function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer {
+  if (target !== undefined) {
+    instance(where, 'target', target, ArrayBuffer, 'an ArrayBuffer');
+  }
+  gather(world, scene);
+  tape.write();
+  tape.integers(describe(world, scene));
+  walk(tape, world, scene);
+  walkGroups(tape, world);
+  const buffer = tape.written(target);
+  remember(buffer);
+  return buffer;
+}
+
+function remember(buffer: ArrayBuffer): void {
+  const found: Known = known.get(buffer) ?? { ...emptyScene(), checksum: '' };
+  replace(found.bodies, scene.bodies);
+  replace(found.shapes, scene.shapes);
+  replace(found.constraints, scene.constraints);
+  replace(found.materials, scene.materials);
+  found.checksum = tape.checksum;
+  known.set(buffer, found);
+}
+
+function replace<T>(list: T[], by: readonly T[]): void {
+  for (let i = 0; i < by.length; i += 1) {
+    list[i] = by[i]!;
+  }
+  list.length = by.length;
+}
+
+/** Brings a world back to a state; nothing changes unless all is right. */
+export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
+  instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer');
+  tape.load(where, buffer);
+  const found = known.get(buffer);
+  const own = found?.checksum === tape.checksum ? found : null;
+  const ids = tape.integers([]);
+  const there = resolve(tape, world, ids, own, held);
+  if (own === null) {
+    walk(tape, world, there);
+    walkGroups(tape, world);
+    tape.finish();
+  }
+  tape.read();
+  tape.integers([]);
+  empty(world, there);
+  assemble(world, there, ids);
+  walk(tape, world, there);
+  for (const constraint of there.constraints) {
+    countIgnoring(constraint, 1);
+  }
+  walkGroups(tape, world);
+  place(world, there);
+}
+
+/** What joints that hang together remember, unless they are about to be listed anew. */
+function walkGroups(on: Tape, world: World): void {
+  const { groups } = world.solver.joints;
+  on.begins(0);
+  on.checksOnto(true);
+  const isListed = on.flag(!world.jointsStale);
+  const count = on.count(isListed ? groups.length : 0);
+  if (on.reads) {
+    orderJoints(world);
+    world.jointsStale = !isListed;
+    world.jointsTouched = true;
+  }
+  for (let i = 0; i < count; i += 1) {
+    keepGroup(on, on.checks || groups[i] === undefined ? scratchGroup() : groups[i]!);
+  }
+  on.checksOnto(false);
+}
+
+function scratchGroup(): Group {
+  const links = { start: 0, end: 0, runs: [], from: 0, to: 0 };
+  return { ...links, tolerance: 0, fresh: false, contested: false, settling: 0, sweeps: 1, error: 0, pushed: 0 };
+}
+
+/** Takes everything out of the world that is not to stay, and all that is between objects. */
+function empty(world: World, { bodies, inside }: Scene): void {
+  for (const constraint of world.constraints) {
+    countIgnoring(constraint, -1);
+    release(constraint);
+  }
+  const staying = new Set(bodies.slice(0, inside));
+  for (const body of world.rigidBodies) {
+    if (!staying.has(body)) {
+      takeOut(world, body);
+    }
+  }
+  world.pairs.reset();
+  world.events.clear();
+  world.staleCount = 0;
+  for (const list of [
+    world.rigidBodies,
+    world.constraints,
+    world.liveDynamics,
+    world.liveKinematics,
+    world.liveConstraints,
+    world.dynamicArbiters,
+    world.staticArbiters,
+  ]) {
+    drop(list);
+  }
+}
+
+function takeOut(world: World, body: RigidBody): void {
+  for (const shape of body.shapes) {
+    world.broadphase.remove(shape.handle!);
+  }
+  body.leave();
+}
+
+/** Puts the bodies, their shapes and the constraints into the world. */
+function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene, ids: number[]): void {
+  let at = 6;
+  let first = 0;
+  world.nextOrder = ids[0]!;
+  for (let i = 0; i < inside; i += 1, at += 2) {
+    const body = bodies[i]!;
+    takeShapes(world, body, shapes, first, counts[i]!);
+    first += counts[i]!;
+    body.owner = world;
+    body.order = ids[at]!;
+    body.index = i;
+    body.liveIndex = -1;
+    body.slot = 0;
+    body.island = null;
+    world.rigidBodies.push(body);
+  }
+  for (let i = 0; i < shapes.length; i += 1, at += 3) {
+    shapes[i]!.order = ids[at]!;
+    drop(shapes[i]!.arbiters);
+    shapes[i]!.grounds = null;
+    shapes[i]!.groundStamp = -1;
+  }
+  for (let i = 0; i < constraints.length; i += 1, at += 1) {
+    const constraint = constraints[i]!;
+    constraint.owner = world;
+    constraint.order = ids[at]!;
+    constraint.index = i;
+    world.constraints.push(constraint);
+  }
+}
+
+/** Gives a body the shapes it had, if it has others now. */
+function takeShapes(world: World, body: RigidBody, shapes: readonly Shape[], first: number, count: number): void {
+  const own = shapes.slice(first, first + count);
+  if (own.length === body.shapes.length && own.every((shape, i) => shape === body.shapes[i])) {
+    return;
+  }
+  for (const shape of [...body.shapes, ...own]) {
+    if (shape.owner !== null) {
+      detach(world, shape);
+    }
+  }
+  for (const shape of own) {
+    body.attach(shape);
+  }
+  body.massStale = true;
+  body.placeStale = true;
+}
+
+function detach(world: World, shape: Shape): void {
+  const { owner, handle } = shape;
+  owner!.shapes.splice(owner!.shapes.indexOf(shape), 1);
+  owner!.massStale = true;
+  shape.owner = null;
+  if (handle !== null) {
+    world.broadphase.remove(handle);
+    shape.leave();
+  }
+}
+
+/** Brings turned geometry, bounds and the broadphase up to date. */
+function place(world: World, { bodies, inside }: Scene): void {
+  const { broadphase } = world;
+  for (let i = 0; i < inside; i += 1) {
+    const body = bodies[i]!;
+    const isStale = body.placeStale;
+    body.place();
+    body.placeStale = false;
+    for (const shape of body.shapes) {
+      if (shape.handle === null) {
+        shape.handle = broadphase.insert(shape, widened(shape), body.asleep);
+      } else if (isStale || shape.handle.isStatic !== body.asleep) {
+        broadphase.update(shape.handle, widened(shape), body.asleep);
+      }
+    }
+  }
+  world.staleCount = 0;
+}
+
+/** Empties a list that will soon be as long again: setting its length would give its memory back. */
+function drop(list: unknown[]): void {
+  while (list.length > 0) {
+    list.pop();
+  }
+}

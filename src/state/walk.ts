@@ -1,0 +1,177 @@
+import type { RigidBody } from '../body.js';
+
+import type { Constraint } from '../constraint/constraint.js';
+import { Material } from '../material.js';
+import type { World } from '../world.js';
+import * as rows from './rows.js';
+import type { Scene } from './scene.js';
+import type { Tape } from './tape.js';
+import { walkPairs } from './walk-pairs.js';
+
+/** Passes all that influences the future of a world over a tape, except which objects there are and what the solver keeps of joints. */
+export function walk(tape: Tape, world: World, scene: Scene): void {
+  tape.begins(rows.WORLD);
+  world.keep(tape);
+  if (!tape.hashes) {
+    walkMaterials(tape, scene);
+  }
+  const { bodies, shapes, counts, constraints, inside } = scene;
+  let first = 0;
+  for (let i = 0; i < bodies.length; i += 1) {
+    const shapeCount = i < inside ? counts[i]! : 0;
+    walkBody(tape, scene, i, first, shapeCount);
+    first += shapeCount;
+  }
+  for (; first < shapes.length; first += 1) {
+    walkShape(tape, scene, first);
+  }
+  for (const constraint of constraints) {
+    tape.begins(rows.CONSTRAINT);
+    constraint.keep(tape);
+  }
+  for (const body of bodies) {
+    walkTies(tape, world, body, constraints);
+  }
+  walkAwake(tape, world.liveDynamics, bodies, inside);
+  walkAwake(tape, world.liveKinematics, bodies, inside);
+  walkAwake(tape, world.liveConstraints, constraints, constraints.length);
+  walkIslands(tape, scene);
+  walkPairs(tape, world, scene);
+  walkWoken(tape, world, scene);
+}
+
+function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
+  const count = tape.count(materials.length, shapes.length);
+  tape.checksOnto(true);
+  for (let i = 0; i < count; i += 1) {
+    const own = materials[i] === undefined ? new Float64Array(5) : rows.materialNumbers(materials[i]!);
+    const stored = tape.shared(own, Infinity);
+    tape.require(stored.length === 5, 'a material is none');
+    if (tape.checks && (materials[i] === undefined || stored !== own)) {
+      materials[i] = shapes.find(({ material }) => isMadeOf(material, stored))?.material ?? makeMaterial(stored);
+    }
+  }
+  tape.checksOnto(false);
+}
+
+function isMadeOf(material: Material, stored: Float64Array): boolean {
+  return rows.materialNumbers(material).every((value, i) => Object.is(value, stored[i]));
+}
+
+function makeMaterial(numbers: Float64Array): Material {
+  const [elasticity, staticFriction, dynamicFriction, rollingFriction, density] = numbers;
+  return new Material({ elasticity, staticFriction, dynamicFriction, rollingFriction, density });
+}
+
+/** A body in the world, and its shapes from `first` on; of one that is in none its shapes do not matter. */
+function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount: number): void {
+  const body = scene.bodies[i]!;
+  const { x, y, cos, sin } = body;
+  let isOther = rows.keepBody(tape, body);
+  let isMoved = body.x !== x || body.y !== y || body.cos !== cos || body.sin !== sin;
+  for (let k = 0; k < shapeCount; k += 1) {
+    if (walkShape(tape, scene, first + k)) {
+      isOther = true;
+      isMoved = true;
+    }
+  }
+  body.massStale ||= isOther;
+  if (isMoved) {
+    body.moved();
+  }
+}
+
+/** @returns whether it is another shape now, or of another material. */
+function walkShape(tape: Tape, { shapes, materials, isCopy }: Scene, i: number): boolean {
+  const shape = shapes[i]!;
+  const { material } = shape;
+  if (tape.hashes) {
+    tape.list(rows.materialNumbers(material));
+    return rows.keepShape(tape, shape);
+  }
+  const which = tape.index(tape.holds ? 0 : materials.indexOf(material), materials.length);
+  // Materials of the same numbers are told apart by a copy only in so far as the shapes have them already.
+  if (tape.reads && !(isCopy && isMadeOf(material, rows.materialNumbers(materials[which]!)))) {
+    shape.material = materials[which]!;
+  }
+  return rows.keepShape(tape, shape) || material !== shape.material;
+}
+
+const NONE: readonly Constraint[] = [];
+
+/** In what order a body has its constraints; those of other worlds come first. */
+function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constraint[]): void {
+  const list = body.constraints;
+  const own = tape.holds || list.length === 0 ? NONE : list.filter(({ owner }) => owner === world);
+  const count = tape.count(own.length, constraints.length);
+  if (count === 0) {
+    return;
+  }
+  const found = new Set<Constraint>();
+  for (let i = 0; i < count; i += 1) {
+    const constraint = constraints[tape.index(own[i]?.index ?? 0, constraints.length)]!;
+    tape.require(!found.has(constraint) && constraint.members.includes(body), 'a constraint is not of its body');
+    found.add(constraint);
+    if (tape.reads) {
+      list.push(constraint);
+    }
+  }
+}
+
+/** Which are awake, in the order in which the solver has them. */
+function walkAwake<T extends RigidBody | Constraint>(tape: Tape, list: T[], all: T[], allCount: number): void {
+  const count = tape.count(list.length, allCount);
+  const found = new Uint8Array(allCount);
+  for (let i = 0; i < count; i += 1) {
+    const at = tape.index(tape.holds ? 0 : list[i]!.index, allCount);
+    tape.require(found[at] === 0, 'something is awake twice');
+    found[at] = 1;
+    if (tape.reads) {
+      list[i] = all[at]!;
+      list[i]!.liveIndex = i;
+    }
+  }
+}
+
+function walkIslands(tape: Tape, { islands, bodies, constraints, inside }: Scene): void {
+  const count = tape.count(islands.length, inside + constraints.length);
+  for (let i = 0; i < count; i += 1) {
+    const island = tape.holds ? { number: -1, bodies: [], constraints: [] } : islands[i]!;
+    walkMembers(tape, island.bodies, bodies, inside, island);
+    walkMembers(tape, island.constraints, constraints, constraints.length, island);
+  }
+}
+
+function walkMembers<T extends RigidBody | Constraint>(
+  tape: Tape,
+  list: T[],
+  all: T[],
+  allCount: number,
+  island: NonNullable<RigidBody['island']>,
+): void {
+  const own = tape.holds ? list : list.filter((member) => member.island === island);
+  const count = tape.count(own.length, allCount);
+  for (let i = 0; i < count; i += 1) {
+    const member = all[tape.index(tape.holds ? 0 : own[i]!.index, allCount)]!;
+    if (tape.reads) {
+      member.island = island;
+      list.push(member);
+    }
+  }
+}
+
+/** What woke since the last step, and has not been told. */
+function walkWoken(tape: Tape, world: World, { bodies, constraints, inside }: Scene): void {
+  const { woken } = world.events;
+  const own = tape.holds ? [] : [...new Set(woken)].filter((object) => object.woken && object.owner === world);
+  const most = inside + constraints.length;
+  const count = tape.count(own.length, most);
+  for (let i = 0; i < count; i += 1) {
+    const object = own[i];
+    const at = object === undefined ? 0 : 'shapes' in object ? object.index : inside + object.index;
+    const which = tape.index(at, most);
+    if (tape.reads) {
+      woken.push(which < inside ? bodies[which]! : constraints[which - inside]!);
+    }
+  }
+}

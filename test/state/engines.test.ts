@@ -1,0 +1,153 @@
+import { execFile, spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { getQuickJS } from 'quickjs-emscripten';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { launch, open } from '../browser/browser.js';
+import { find } from '../browser/engines.mjs';
+import { goldenScript } from './golden.mjs';
+
+// The same scenes have the same hashes, every 10 steps for 600, in every JavaScript engine. A change that is meant to change results:
+// node test/state/golden.mjs
+
+type Hashes = Record<string, string[]>;
+
+const MINUTES = 60_000;
+const golden = JSON.parse(readFileSync(join(import.meta.dirname, 'golden.json'), 'utf8')) as Hashes;
+const folder = mkdtempSync(join(tmpdir(), 'phys2d-golden-'));
+let script = '';
+
+beforeAll(async () => {
+  script = await goldenScript();
+});
+
+afterAll(() => {
+  rmSync(folder, { recursive: true, force: true });
+});
+
+it('there are 360 hashes, all different', () => {
+  expect(Object.values(golden).map(({ length }) => length)).toEqual([60, 60, 60, 60, 60, 60]);
+  expect(new Set(Object.values(golden).flat()).size).toBe(360);
+});
+
+describe('golden hashes', () => {
+  it(
+    'in V8 (Node)',
+    async () => {
+      expect(await runInShell(process.execPath, 'console.log')).toEqual(golden);
+    },
+    2 * MINUTES,
+  );
+
+  it(
+    'in V8 (Chromium)',
+    async () => {
+      const browser = await launch();
+      try {
+        const page = await open(browser, []);
+        await page.addScriptTag({ content: script });
+        expect(await page.evaluate('golden.runAll()')).toEqual(golden);
+      } finally {
+        await browser.close();
+      }
+    },
+    2 * MINUTES,
+  );
+
+  it(
+    'in SpiderMonkey (Firefox)',
+    async () => {
+      expect(await runInFirefox()).toEqual(golden);
+    },
+    2 * MINUTES,
+  );
+
+  it(
+    'in JavaScriptCore (jsc)',
+    async () => {
+      expect(await runInShell(find('jsc'), 'print')).toEqual(golden);
+    },
+    2 * MINUTES,
+  );
+
+  it(
+    'in QuickJS',
+    async () => {
+      const quickJS = await getQuickJS();
+      const context = quickJS.newContext();
+      context.unwrapResult(context.evalCode(script)).dispose();
+      const found: Hashes = {};
+      for (const name of Object.keys(golden)) {
+        const result = context.unwrapResult(context.evalCode(`golden.run(${JSON.stringify(name)})`));
+        found[name] = context.dump(result) as string[];
+        result.dispose();
+      }
+      context.dispose();
+      expect(found).toEqual(golden);
+    },
+    10 * MINUTES,
+  );
+});
+
+/** A program that runs a file, and what prints there. */
+async function runInShell(program: string, print: string): Promise<Hashes> {
+  const file = join(folder, `${print}.js`);
+  writeFileSync(file, `${script}; ${print}(JSON.stringify(golden.runAll()));`);
+  const { stdout } = await promisify(execFile)(program, [file], { maxBuffer: 1e6 });
+  return JSON.parse(stdout) as Hashes;
+}
+
+/** Firefox has no driver here: it opens a page, which posts what it found. */
+async function runInFirefox(): Promise<Hashes> {
+  let answer: (hashes: Hashes) => void;
+  const answered = new Promise<Hashes>((resolve) => {
+    answer = resolve;
+  });
+  const page = `<!doctype html><meta charset="utf-8"><script>${script}
+    const body = JSON.stringify(golden.runAll());
+    fetch('/', { method: 'POST', body });
+  </script>`;
+  const server = createServer((request, response) => {
+    if (request.method !== 'POST') {
+      response.setHeader('Content-Type', 'text/html').end(request.url === '/' ? page : '');
+      return;
+    }
+    let text = '';
+    request.setEncoding('utf8');
+    request.on('data', (part: string) => {
+      text += part;
+    });
+    request.on('end', () => {
+      response.end();
+      answer(JSON.parse(text) as Hashes);
+    });
+  });
+  await new Promise<void>((resolve) => {
+    server.listen(0, '127.0.0.1', resolve);
+  });
+  const { port } = server.address() as AddressInfo;
+  const profile = mkdtempSync(join(folder, 'firefox-'));
+  const options = ['--headless', '--no-remote', '--profile', profile, `http://127.0.0.1:${port}/`];
+  const firefox = spawn(find('firefox'), options, { stdio: 'ignore', env: { ...process.env, HOME: profile } });
+  const ended = new Promise<never>((_, reject) => {
+    firefox.on('error', reject);
+    firefox.on('exit', (code) => reject(new Error(`Firefox ended with ${code}`)));
+  });
+  try {
+    return await Promise.race([answered, ended]);
+  } finally {
+    ended.catch(() => {});
+    const gone = new Promise((resolve) => {
+      firefox.once('exit', resolve);
+    });
+    if (firefox.exitCode === null && firefox.kill()) {
+      await gone;
+    }
+    server.closeAllConnections();
+    server.close();
+  }
+}

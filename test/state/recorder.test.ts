@@ -1,0 +1,113 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { POSE_STRIDE, PoseBuffer, Recorder, replay } from '../../src/state/index.js';
+import { buildPyramid } from '../scenes/pyramid.js';
+
+function scene(): { world: World; ball: RigidBody } {
+  const world = phys2D.createWorld();
+  buildPyramid(phys2D, world, 5);
+  const ball = phys2D.createRigidBody({ position: [-8, -2], shapes: [phys2D.createCircleShape({ radius: 0.5 })] });
+  return { world, ball };
+}
+
+function record(world: World, ball: RigidBody): Recorder {
+  const recorder = Recorder.create(world);
+  for (let i = 0; i < 100; i += 1) {
+    if (i === 10) {
+      expect(recorder.call(world, 'addRigidBody', ball)).toBe(true);
+      recorder.call(ball, 'setVelocity', [12, 0]);
+    }
+    if (i === 60) {
+      recorder.call(ball, 'applyImpulse', [0, -3], ball.getPosition());
+      recorder.call(ball.shapes[0]!, 'scale', 1.2);
+    }
+    recorder.step(1 / 60);
+  }
+  return recorder;
+}
+
+describe('a recording', () => {
+  it('is replayed to the bit', () => {
+    const { world, ball } = scene();
+    const { recording } = record(world, ball);
+    const end = world.hash();
+    world.step(1 / 30);
+    expect(replay(world, recording)).toBe(-1);
+    expect(world.hash()).toBe(end);
+    expect(recording.frames).toHaveLength(100);
+  });
+
+  it('tells the first step that went another way', () => {
+    const { world, ball } = scene();
+    const { recording } = record(world, ball);
+    const frames = recording.frames.map((frame, i) => (i === 60 ? { ...frame, calls: frame.calls.slice(1) } : frame));
+    expect(replay(world, { ...recording, frames })).toBe(60);
+  });
+
+  it('refuses what it cannot repeat', () => {
+    const { world } = scene();
+    const recorder = Recorder.create(world);
+    expect(() => recorder.call(world, 'restore', world.snapshot())).toThrow(
+      'Recorder.call: restore is not to be called',
+    );
+    expect(() => recorder.call(world, 'timeStamp' as 'hash')).toThrow(
+      'Recorder.call: object.timeStamp must be a function',
+    );
+    expect(() => Recorder.create({} as World)).toThrow('Recorder.create: world must be a World');
+    expect(() => replay(null as never, recorder.recording)).toThrow('replay: world must be a World');
+  });
+});
+
+describe('a pose buffer', () => {
+  it('is up to date after each step, and before events', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const memory = new SharedArrayBuffer(8 * POSE_STRIDE * 100);
+    const poses = PoseBuffer.create({ capacity: 100, poses: new Float64Array(memory) });
+    const index = poses.track(ball);
+    for (const body of world.rigidBodies) {
+      poses.track(body);
+    }
+    expect(poses.track(ball)).toBe(index);
+    expect(poses.indexOf(ball)).toBe(index);
+    world.poses = poses;
+    const reader = new Float64Array(memory);
+    let heard = 0;
+    ball.shapes[0]!.addEventListener('begin', () => {
+      heard += 1;
+      expect(reader[POSE_STRIDE * index + 1]).toBe(ball.getPosition()[1]);
+    });
+    for (let i = 0; i < 60; i += 1) {
+      world.step(1 / 60);
+    }
+    expect(heard).toBeGreaterThan(0);
+    for (const body of world.rigidBodies) {
+      const at = POSE_STRIDE * poses.indexOf(body);
+      expect([...reader.subarray(at, at + 2)]).toEqual(body.getPosition());
+      expect(Math.atan2(reader[at + 3]!, reader[at + 2]!)).toBeCloseTo(
+        Math.atan2(Math.sin(body.getRotation()), Math.cos(body.getRotation())),
+        12,
+      );
+    }
+  });
+
+  it('uses a free place again, and is refused when full', () => {
+    const poses = PoseBuffer.create({ capacity: 2 });
+    const [a, b, c] = [0, 1, 2].map((x) => phys2D.createRigidBody({ position: [x, 5] })) as [
+      RigidBody,
+      RigidBody,
+      RigidBody,
+    ];
+    expect([poses.track(a), poses.track(b)]).toEqual([0, 1]);
+    expect(() => poses.track(c)).toThrow('PoseBuffer.track: there is room for 2 bodies');
+    expect(poses.untrack(a)).toBe(true);
+    expect(poses.untrack(a)).toBe(false);
+    expect([...poses.poses.subarray(0, 5)]).toEqual([0, 0, 0, 0, 1]);
+    expect(poses.track(c)).toBe(0);
+    expect([...poses.poses]).toEqual([2, 5, 1, 0, 1, 5, 1, 0]);
+    expect(() => PoseBuffer.create({ capacity: 0 })).toThrow(RangeError);
+    expect(() => PoseBuffer.create({ capacity: 3, poses: new Float32Array(8) })).toThrow(
+      'PoseBuffer.create: poses must be a float array of 12 numbers',
+    );
+  });
+});

@@ -1,0 +1,190 @@
+import { describe, expect, it } from 'vitest';
+import { type CustomConstraint, phys2D, type World } from '../../src/index.js';
+import { deserialize, type PlainWorld, serialize } from '../../src/state/index.js';
+import { GAMES } from '../scenes/states.js';
+
+/** As JSON has it. */
+function asText(data: PlainWorld): PlainWorld {
+  return JSON.parse(JSON.stringify(data)) as PlainWorld;
+}
+
+/** A custom constraint is code: the scenes' own are found by their place. */
+function customOf(world: World) {
+  const found = world.constraints.filter(({ type }) => type === 'CUSTOM') as CustomConstraint[];
+  return (_: unknown, bodies: ConstructorParameters<typeof CustomConstraint>[0]['bodies'] & object) => {
+    const { callbacks } = found.shift()!;
+    return phys2D.createCustomConstraint({ ...callbacks, bodies });
+  };
+}
+
+describe.each(Object.keys(GAMES).filter((name) => name !== 'events' && name !== 'constraints'))('%s', (name) => {
+  it('goes on to the bit in a fresh world', () => {
+    const game = GAMES[name]!(phys2D);
+    for (let i = 0; i < 150; i += 1) {
+      game.step();
+    }
+    const { world } = game;
+    const copy = deserialize(phys2D, asText(serialize(world)), {
+      broadphase: phys2D.createSweepAndPruneBroadphase(),
+    });
+    expect(copy.hash()).toBe(world.hash());
+    for (let i = 0; i < 200; i += 1) {
+      world.step(1 / 60);
+      copy.step(1 / 60);
+    }
+    expect(copy.hash()).toBe(world.hash());
+  });
+});
+
+it('bodies, shapes, constraints and their numbers can be read', () => {
+  const world = phys2D.createWorld({ gravity: [1, 2] });
+  const material = phys2D.createMaterial({ elasticity: Infinity, userData: 'rubber' });
+  const [one, two] = [1, 2].map((x) => {
+    const shape = phys2D.createCircleShape({ radius: 0.25, material, userData: `disc ${x}` });
+    const body = phys2D.createRigidBody({ position: [x, 0], shapes: [shape], userData: { secret: x } });
+    world.addRigidBody(body);
+    return body;
+  });
+  const anchor = phys2D.createRigidBody({ type: 'static', position: [7, 8] });
+  world.addConstraint(phys2D.createDistanceConstraint({ bodyA: one!, bodyB: two!, upperBound: Infinity }));
+  world.addConstraint(
+    phys2D.createPulleyConstraint({ bodyA: one!, bodyB: anchor, bodyC: anchor, bodyD: two!, upperBound: 9 }),
+  );
+  const data = asText(serialize(world, { userData: (value) => (typeof value === 'string' ? value : null) }));
+  expect(data.materials).toHaveLength(1);
+  expect(data.materials[0]).toMatchObject({ elasticity: 'Infinity', density: 1, userData: 'rubber' });
+  expect(data.bodies.map(({ inWorld, position, userData }) => [inWorld, position, userData])).toEqual([
+    [true, [1, 0], null],
+    [true, [2, 0], null],
+    [false, [7, 8], null],
+  ]);
+  expect(data.bodies[0]!.shapes[0]).toMatchObject({ type: 'CIRCLE', radius: 0.25, material: 0, userData: 'disc 1' });
+  expect(data.constraints[0]).toMatchObject({ type: 'DISTANCE', bodies: [0, 1], upperBound: 'Infinity' });
+  expect(data.constraints[1]).toMatchObject({ type: 'PULLEY', bodies: [0, 2, 2, 1], upperBound: 9, ratio: 1 });
+  const copy = deserialize(phys2D, data, { userData: (value) => value ?? 'nothing' });
+  expect(copy.hash()).toBe(world.hash());
+  expect(copy.getGravity()).toEqual([1, 2]);
+  expect(copy.rigidBodies[0]!.userData).toBe('nothing');
+  expect(copy.rigidBodies[0]!.shapes[0]!.userData).toBe('disc 1');
+  expect(copy.rigidBodies[0]!.shapes[0]!.getMaterial()).toBe(copy.rigidBodies[1]!.shapes[0]!.getMaterial());
+  expect(copy.rigidBodies[0]!.shapes[0]!.getMaterial().userData).toBe('rubber');
+});
+
+it('custom constraints are made by the caller, and all kinds keep their settings', () => {
+  const game = GAMES.constraints!(phys2D);
+  for (let i = 0; i < 50; i += 1) {
+    game.step();
+  }
+  const { world } = game;
+  const data = asText(serialize(world));
+  expect(() => deserialize(phys2D, data)).toThrow(/is a custom constraint: options.custom is needed/);
+  const copy = deserialize(phys2D, data, { custom: customOf(world) as never });
+  expect(copy.hash()).toBe(world.hash());
+  expect(copy.constraints.map(({ type }) => type)).toEqual(world.constraints.map(({ type }) => type));
+});
+
+it('an `end` that waits is told of a shape that stands in for what is gone', () => {
+  const game = GAMES.events!(phys2D);
+  for (let i = 0; i < 400; i += 1) {
+    game.step();
+    const copy = deserialize(phys2D, asText(serialize(game.world)));
+    if (i % 50 === 0) {
+      copy.step(1 / 60);
+      expect(copy.timeStamp).toBe(game.world.timeStamp + 1);
+    }
+  }
+});
+
+describe('refuses', () => {
+  const world = phys2D.createWorld();
+  const shape = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) });
+  const body = phys2D.createRigidBody({ shapes: [shape] });
+  const anchor = phys2D.createRigidBody({ type: 'static' });
+  world.addRigidBody(body);
+  world.addConstraint(phys2D.createPointConstraint({ bodyA: body, bodyB: anchor }));
+  const good = serialize(world);
+  const spoil = (change: (data: PlainWorld) => void): (() => void) => {
+    const data = asText(good);
+    change(data);
+    return () => void deserialize(phys2D, data);
+  };
+
+  it.each<[string, (data: PlainWorld) => void, string]>([
+    ['another format', (data) => void Object.assign(data, { format: 'x' }), 'data must be a phys2d world of version 1'],
+    ['another version', (data) => void Object.assign(data, { version: 2 }), 'got "phys2d world 2"'],
+    [
+      'no list of bodies',
+      (data) => void Object.assign(data, { bodies: {} }),
+      'data.bodies must be an array, got an object',
+    ],
+    ['a body that is none', (data) => void Object.assign(data.bodies, [7]), 'data.bodies[0] must be an object, got 7'],
+    [
+      'a bad position',
+      (data) => {
+        data.bodies[0]!.position = [1];
+      },
+      'data.bodies[0]: createRigidBody: position',
+    ],
+    [
+      'a bad material',
+      (data) => {
+        data.materials[0]!.density = -1;
+      },
+      'data.materials[0]: createMaterial: density',
+    ],
+    [
+      'no such material',
+      (data) => {
+        data.bodies[0]!.shapes[0]!.material = 4;
+      },
+      'data.bodies[0].shapes[0].material',
+    ],
+    [
+      'a bad polygon',
+      (data) => {
+        data.bodies[0]!.shapes[0]!.vertices = [];
+      },
+      'shapes[0]: createPolygonShape',
+    ],
+    ['another shape', (data) => void Object.assign(data.bodies[0]!.shapes[0]!, { type: 'BLOB' }), 'CIRCLE or POLYGON'],
+    [
+      'no such body',
+      (data) => {
+        data.constraints[0]!.bodies = [0, 9];
+      },
+      'data.constraints[0].bodies must be',
+    ],
+    ['another kind', (data) => void Object.assign(data.constraints[0]!, { type: 'GLUE' }), 'a kind of constraint'],
+    [
+      'a bad state',
+      (data) => {
+        data.state = '?';
+      },
+      'data.state must be a text in base64',
+    ],
+    [
+      'a state cut short',
+      (data) => {
+        data.state = data.state.slice(0, 40);
+      },
+      'snapshot',
+    ],
+    ['a missing body', (data) => void data.bodies.pop(), 'data.constraints[0].bodies'],
+    ['a missing constraint', (data) => void data.constraints.pop(), 'is neither in the world nor'],
+    [
+      'another order',
+      (data) => {
+        data.bodies[0]!.order = 77;
+      },
+      'is neither in the world nor',
+    ],
+  ])('%s', (_, change, message) => {
+    expect(spoil(change)).toThrow(message);
+  });
+
+  it('nothing at all', () => {
+    for (const wrong of [undefined, null, 7, 'x', []]) {
+      expect(() => deserialize(phys2D, wrong as never)).toThrow(/^deserialize: data must be/);
+    }
+  });
+});
