@@ -100,7 +100,13 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       ),
       still('dominoes', 'Dominoes', 'A ball tips over the first.', [-2.4, -3.4, 12.4, 1], buildDominoes),
       still('arch', 'Arch', '17 wedges without mortar carry four boxes.', [-12, -15, 12, 1], buildArch),
-      still('cards', 'House of cards', 'Cards of 2 mm that lean on each other.', [-1.8, -2.1, 1.8, 0.2], buildCardHouse),
+      still(
+        'cards',
+        'House of cards',
+        'Cards of 2 mm that lean on each other.',
+        [-1.8, -2.1, 1.8, 0.2],
+        buildCardHouse,
+      ),
       still('wall', 'Breakable wall', 'Mortar holds until it breaks.', [-9, -9, 13, 1.4], buildBreakableWall),
     ],
   },
@@ -124,10 +130,16 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
         buildJointGrid(phys2D, world, 20),
       ),
       still('soft', 'Soft bodies', 'Discs on elastic distances.', [-8.6, -9.4, 8.6, 1.2], buildSoftBodies),
-      still('ratchet', 'Ratchet', 'A custom constraint: it turns one way only.', [-3.4, -2, 3.4, 3], (phys2D, world) => {
-        const { wheel } = buildRatchet(phys2D, world);
-        hangWeight(phys2D, world, wheel, 1, 2);
-      }),
+      still(
+        'ratchet',
+        'Ratchet',
+        'A custom constraint: it turns one way only.',
+        [-3.4, -2, 3.4, 3],
+        (phys2D, world) => {
+          const { wheel } = buildRatchet(phys2D, world);
+          hangWeight(phys2D, world, wheel, 1, 2);
+        },
+      ),
     ],
   },
   {

@@ -23,7 +23,12 @@ export function buildPinball(phys2D: Physics2DDevice, world: World): Pinball {
   const yard = new Builder(phys2D, world);
   buildTable(phys2D, yard);
   const start: Vec2 = [0.9, -14];
-  const ball = yard.disc(...start, 0.28, { surface: friction(0.1, 0.35), bullet: true, linearDrag: 0.02, shape: { group: BALL } });
+  const ball = yard.disc(...start, 0.28, {
+    surface: friction(0.1, 0.35),
+    bullet: true,
+    linearDrag: 0.02,
+    shape: { group: BALL },
+  });
   let score = 0;
   const spots: readonly Vec2[] = [
     [-2, -11.5],
@@ -55,7 +60,7 @@ export function buildPinball(phys2D: Physics2DDevice, world: World): Pinball {
     flippers.forEach(({ limit }, i) => {
       const side = sides[i]!;
       const [x, y] = ball.getPosition();
-      const isNear = side * x > 0.15 && side * x < 2.2 && y > -1.6 && y < 0.6;
+      const isNear = side * x > 0.2 && side * x < 1.5 && y > -1.2 && y < 0.5;
       const up = byHand ? (side < 0 ? controls.left : controls.right) : isNear;
       const angle = side * (up ? SWING - REST : -REST);
       limit.setLowerBound(Math.min(angle, limit.getUpperBound()));
@@ -111,7 +116,7 @@ function buildFlipper(
   const bodies = { bodyA: frame, bodyB: arm };
   yard.world.addConstraint(phys2D.createPointConstraint({ ...bodies, anchorA: hinge }));
   const bounds = { lowerBound: -side * REST, upperBound: -side * REST };
-  const limit = phys2D.createAngleConstraint({ ...bodies, ...bounds, stiff: false, frequency: 9, damping: 0.9 });
+  const limit = phys2D.createAngleConstraint({ ...bodies, ...bounds, stiff: false, frequency: 12, damping: 0.9 });
   yard.world.addConstraint(limit);
   return { arm, limit };
 }

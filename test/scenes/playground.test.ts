@@ -5,8 +5,8 @@ import { buildCallbacks, DECKS } from './callbacks.js';
 import { buildCradle, STRING } from './cradle.js';
 import { buildCrowd, CROWD_SIDE } from './crowd.js';
 import { stateHash } from './hash.js';
-import { worstGap } from './joint-grid.js';
 import { buildHills } from './hills.js';
+import { worstGap } from './joint-grid.js';
 import { buildMaterials } from './materials.js';
 import { buildPinball, TABLE } from './pinball.js';
 import { buildPlatformer } from './platformer.js';
@@ -252,7 +252,9 @@ describe('joints', () => {
       });
     });
     const ends = bodies.map((body) => body.area() / whole);
-    console.log(`soft: down to ${least.map((area) => (area / whole).toFixed(2))}, in the end ${ends.map((x) => x.toFixed(2))}`);
+    console.log(
+      `soft: down to ${least.map((area) => (area / whole).toFixed(2))}, in the end ${ends.map((x) => x.toFixed(2))}`,
+    );
     for (const area of least) {
       expect(area).toBeLessThan(0.95 * whole);
       expect(area).toBeGreaterThan(0.5 * whole);
@@ -305,9 +307,15 @@ describe('play', () => {
     const ground = player.getPosition()[1];
     expect(ground).toBeCloseTo(-0.7, 2);
     let top = ground;
-    run(world, 2.2, scene, () => {
-      top = Math.min(top, player.getPosition()[1]);
-    }, (time) => ({ up: time < 0.1 }));
+    run(
+      world,
+      2.2,
+      scene,
+      () => {
+        top = Math.min(top, player.getPosition()[1]);
+      },
+      (time) => ({ up: time < 0.1 }),
+    );
     // v² / 2g
     expect(ground - top).toBeGreaterThan(0.9 * (81 / 20));
     expect(ground - top).toBeLessThan(1.02 * (81 / 20));

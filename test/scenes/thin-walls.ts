@@ -22,14 +22,16 @@ export function buildThinWalls(phys2D: Physics2DDevice, world: World): ThinWalls
     const y = row * CELL - height / 2;
     yard.wall(-width / 2, y - WALL / 2, width / 2, y + WALL / 2, { surface: mirror });
   }
-  const centres = Array.from({ length: COLUMNS * ROWS }, (_, i): Vec2 => [
-    ((i % COLUMNS) - (COLUMNS - 1) / 2) * CELL,
-    (Math.floor(i / COLUMNS) - (ROWS - 1) / 2) * CELL,
-  ]);
+  const centres = Array.from(
+    { length: COLUMNS * ROWS },
+    (_, i): Vec2 => [((i % COLUMNS) - (COLUMNS - 1) / 2) * CELL, (Math.floor(i / COLUMNS) - (ROWS - 1) / 2) * CELL],
+  );
   const bullets = centres.map(([x, y], i) => {
     const velocity: Vec2 = [180 * Math.cos(1 + i), 180 * Math.sin(1 + i)];
     const params = { surface: mirror, bullet: true, velocity, linearDrag: 0 };
-    return i % 2 === 0 ? yard.disc(x, y, 0.12, params) : yard.box(x, y, 0.3, 0.16, { ...params, rotation: i, inertia: Infinity });
+    return i % 2 === 0
+      ? yard.disc(x, y, 0.12, params)
+      : yard.box(x, y, 0.3, 0.16, { ...params, rotation: i, inertia: Infinity });
   });
   const escaped = (): number =>
     bullets.filter((body, i) => {

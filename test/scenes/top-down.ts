@@ -35,7 +35,12 @@ export function buildTopDown(phys2D: Physics2DDevice, world: World): TopDown {
     const angle = (2 * Math.PI * i) / 26;
     const position: [number, number] = [10.6 * Math.cos(angle), 6.9 * Math.sin(angle)];
     const size = i % 2 === 0 ? 0.4 : 0.5;
-    const cone = yard.box(0, 0, size, size, { position, rotation: angle, linearDrag: 0.9, surface: friction(0.3, 0.2) });
+    const cone = yard.box(0, 0, size, size, {
+      position,
+      rotation: angle,
+      linearDrag: 0.9,
+      surface: friction(0.3, 0.2),
+    });
     brake(cone, CONE_FRICTION);
     cones.push(cone);
   }

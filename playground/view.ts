@@ -1,0 +1,172 @@
+import { Physics2DDebugDraw, WebGLDebugDevice } from '../src/debug/index.js';
+import type { Vec2 } from '../src/index.js';
+import { BodyPainter } from './bodies.js';
+import type { DrawOption } from './settings.js';
+import type { Simulation } from './simulation.js';
+import { DARK, LIGHT } from './theme.js';
+
+/** The canvas: which part of the plane it shows, and what. */
+export class View {
+  /** Middle of the picture, m; px of the page per m. */
+  private x = 0;
+  private y = 0;
+  private scale = 1;
+  private following = true;
+  /** The seam of the picture and the window, px of the device for each of the page. */
+  private ratio = 1;
+  private readonly gl: WebGL2RenderingContext;
+  private debug!: Physics2DDebugDraw;
+  private painter!: BodyPainter;
+  private isDark = false;
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    const gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
+    if (gl === null) {
+      throw new Error('This browser has no WebGL 2.');
+    }
+    this.gl = gl;
+    this.prepare();
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => this.prepare());
+  }
+
+  /** m. Height of what is shown. */
+  get height(): number {
+    return this.canvas.clientHeight / this.scale;
+  }
+
+  /** m for each px of the page. */
+  get pixel(): number {
+    return 1 / this.scale;
+  }
+
+  private prepare(): void {
+    const { gl } = this;
+    const lineWidth = Math.max(1, 1.25 * Math.min(2, devicePixelRatio));
+    this.debug = Physics2DDebugDraw.create({ graphicsDevice: WebGLDebugDevice.create({ context: gl, lineWidth }) });
+    this.painter = new BodyPainter(gl);
+    this.setTheme(this.isDark);
+  }
+
+  setTheme(isDark: boolean): void {
+    this.isDark = isDark;
+    const { debug } = this;
+    const { joint, other, error, contact, detail } = isDark ? DARK : LIGHT;
+    for (const letter of ['A', 'B', 'C', 'D'] as const) {
+      const color = [...Array.from(letter === 'A' ? joint : other)] as [number, number, number, number];
+      const off = [...Array.from(error)] as [number, number, number, number];
+      debug[`constraintColor${letter}`] = color;
+      debug[`constraintSleepingColor${letter}`] = [color[0], color[1], color[2], 0.5];
+      debug[`constraintErrorColor${letter}`] = off;
+      debug[`constraintErrorSleepingColor${letter}`] = [off[0], off[1], off[2], 0.5];
+    }
+    const copy = (color: ArrayLike<number>): [number, number, number, number] => [color[0]!, color[1]!, color[2]!, 0.9];
+    debug.dynamicContactColor = copy(contact);
+    debug.staticContactColor = copy(contact);
+    debug.normalImpulseColor = copy(contact);
+    debug.frictionImpulseColor = copy(other);
+    debug.bodyDetailColor = copy(detail);
+    debug.shapeDetailColor = copy(detail);
+  }
+
+  /** Shows all of a scene. */
+  fit({ scene }: Simulation): void {
+    const [minX, minY, maxX, maxY] = scene.view;
+    const { clientWidth, clientHeight } = this.canvas;
+    this.x = (minX + maxX) / 2;
+    this.y = (minY + maxY) / 2;
+    this.scale = 0.97 * Math.min(clientWidth / (maxX - minX), clientHeight / (maxY - minY));
+    this.following = true;
+  }
+
+  /** The point of the plane at a point of the page. */
+  toWorld(clientX: number, clientY: number): Vec2 {
+    const box = this.canvas.getBoundingClientRect();
+    return [
+      this.x + (clientX - box.left - box.width / 2) / this.scale,
+      this.y + (clientY - box.top - box.height / 2) / this.scale,
+    ];
+  }
+
+  /** The point of the page at a point of the plane. */
+  toPage([x, y]: Vec2): Vec2 {
+    const box = this.canvas.getBoundingClientRect();
+    return [box.left + box.width / 2 + (x - this.x) * this.scale, box.top + box.height / 2 + (y - this.y) * this.scale];
+  }
+
+  /** Moves the picture by px of the page. */
+  pan(dx: number, dy: number): void {
+    this.x -= dx / this.scale;
+    this.y -= dy / this.scale;
+    this.following = false;
+  }
+
+  /** Larger by a factor, around a point of the page. */
+  zoom(factor: number, clientX: number, clientY: number): void {
+    const [x, y] = this.toWorld(clientX, clientY);
+    const scale = Math.min(2000, Math.max(1, this.scale * factor));
+    const change = this.scale / scale;
+    this.x = x + (this.x - x) * change;
+    this.y = y + (this.y - y) * change;
+    this.scale = scale;
+  }
+
+  /** Takes the size of the element. @returns whether that has changed. */
+  resize(): boolean {
+    const { canvas } = this;
+    this.ratio = Math.min(2, devicePixelRatio || 1);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
+      Math.max(1, Math.round(size * this.ratio)),
+    );
+    const changed = canvas.width !== width || canvas.height !== height;
+    if (changed) {
+      canvas.width = width!;
+      canvas.height = height!;
+    }
+    return changed;
+  }
+
+  draw(simulation: Simulation, draw: ReadonlySet<DrawOption>): void {
+    const { gl, debug, canvas } = this;
+    if (gl.isContextLost()) {
+      return;
+    }
+    const { world, runner, play } = simulation;
+    const smooth = simulation.playing && draw.has('smooth');
+    if (play.follow !== undefined && this.following) {
+      [this.x, this.y] = smooth ? runner.getPosition(play.follow) : play.follow.getPosition();
+      this.y -= this.height / 12;
+    }
+    const palette = this.isDark ? DARK : LIGHT;
+    const [r, g, b] = palette.paper;
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(r / 255, g / 255, b / 255, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    const scale = this.scale * this.ratio;
+    const [perX, perY] = [(2 * scale) / canvas.width, (2 * scale) / canvas.height];
+    const [halfWidth, halfHeight] = [1 / perX, 1 / perY];
+    if (!draw.has('debug')) {
+      const mapping = [perX, -perY, -this.x * perX, this.y * perY];
+      const inks = draw.has('fill') ? palette.inks : hollow(palette.inks);
+      this.painter.draw(world, runner, mapping, scale, 1.25 * this.ratio, inks, smooth);
+    }
+    debug.showRigidBodies = draw.has('debug') || draw.has('boxes') || draw.has('bodies');
+    debug.showColliderShapes = draw.has('debug') || draw.has('boxes');
+    debug.showSensorShapes = debug.showColliderShapes;
+    debug.showConstraints = draw.has('constraints');
+    debug.showContacts = draw.has('contacts') || draw.has('impulses');
+    debug.showContactImpulses = draw.has('impulses');
+    debug.showShapeDetail = draw.has('boxes');
+    debug.showBodyDetail = draw.has('bodies');
+    debug.interpolation = smooth ? runner.interpolation : 1;
+    debug.setPhysics2DViewport([this.x - halfWidth, this.y - halfHeight, this.x + halfWidth, this.y + halfHeight]);
+    debug.begin();
+    debug.drawWorld(world);
+    debug.end();
+  }
+}
+
+/** Inks that do not fill. */
+function hollow(inks: Uint8Array): Uint8Array {
+  return inks.map((value, i) => (i % 4 === 3 ? 0 : value));
+}
