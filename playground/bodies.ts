@@ -72,9 +72,11 @@ function inkOf(body: RigidBody): number {
   return body.sleeping ? INK.asleep : body.bullet ? INK.bullet : INK.awake;
 }
 
-/** A little of difference between neighbours, the same for a body at any time. */
-function shade(index: number): number {
-  return ((Math.imul(index + 1, 0x9e3779b1) >>> 24) / 255 - 0.5) * 0.24;
+/** How much of its fill a body gets: more, the denser it is, and a little of difference between neighbours. */
+function strength(body: RigidBody, index: number): number {
+  const density = body.shapes[0]?.getMaterial().getDensity() ?? 1;
+  const dice = (Math.imul(index + 1, 0x9e3779b1) >>> 24) / 255 - 0.5;
+  return Math.min(3, Math.max(0.3, Math.sqrt(density))) * (1 + 0.36 * dice);
 }
 
 export class BodyPainter {
@@ -86,6 +88,7 @@ export class BodyPainter {
   private readonly uniforms: Record<'mapping' | 'scale' | 'width', WebGLUniformLocation | null>;
   private poses = new Float32Array(0);
   private inks = new Uint8Array(0);
+  private strengths: number[] = [];
   private vertexCount = 0;
   private rows = 0;
   /** The bodies as they are in the buffer. */
@@ -177,7 +180,7 @@ export class BodyPainter {
       this.inks[4 * i] = inks[ink]!;
       this.inks[4 * i + 1] = inks[ink + 1]!;
       this.inks[4 * i + 2] = inks[ink + 2]!;
-      this.inks[4 * i + 3] = inks[ink + 3]! * (1 + shade(i));
+      this.inks[4 * i + 3] = Math.min(255, inks[ink + 3]! * this.strengths[i]!);
     });
   }
 
@@ -191,6 +194,7 @@ export class BodyPainter {
         addShape(numbers, shape, i);
       }
     });
+    this.strengths = bodies.map(strength);
     this.rows = Math.max(1, Math.ceil(bodies.length / ROW));
     this.poses = new Float32Array(4 * ROW * this.rows);
     this.inks = new Uint8Array(4 * ROW * this.rows);

@@ -17,10 +17,23 @@ const LOOK = 250;
 /** Steps made at a time on the way to the one that a link asks for. */
 const LEAP = 20;
 
+/** px of the picture from its edge to the other side of what lies over it there. */
+function covered(id: string): number {
+  const element = byId(id);
+  const below = byId('stage').clientHeight - element.offsetTop - element.offsetHeight;
+  return element.offsetHeight + Math.min(element.offsetTop, below) + 6;
+}
+
+/** Scrolls a list, and nothing else, so that an element of it is seen. */
+function reveal(element: HTMLElement, list: HTMLElement): void {
+  const [inner, outer] = [element.getBoundingClientRect(), list.getBoundingClientRect()];
+  list.scrollTop += Math.min(0, inner.top - outer.top - 8) + Math.max(0, inner.bottom - outer.bottom + 8);
+}
+
 /** The page: what is set, what runs, what is seen. `playground` in the console. */
 class Playground {
   readonly simulation = new Simulation(fromLink(location.hash));
-  readonly view = new View(byId('stage'));
+  readonly view = new View(byId('stage'), () => [covered('caption'), covered('dock')]);
   readonly pointers = new Pointers(this.view, this.simulation);
   private readonly panel = new Panel(
     (part) => this.change(part),
@@ -170,7 +183,7 @@ class Playground {
       const isThis = button.dataset.scene === scene.id;
       button.setAttribute('aria-current', String(isThis));
       if (isThis) {
-        button.scrollIntoView({ block: 'nearest' });
+        reveal(button, byId('scenes'));
       }
     }
     this.view.canvas.setAttribute('aria-label', `${scene.title}: ${scene.note}`);

@@ -27,8 +27,8 @@ export class Panel {
       return slider(world, label, least, most, 1, (value) => change({ [name]: value }));
     };
     this.sliders = {
-      gravityX: slider(world, 'Gravity, across', -20, 20, 0.5, gravity),
-      gravityY: slider(world, 'Gravity, down', -20, 20, 0.5, gravity),
+      gravityX: slider(world, 'Gravity across', -20, 20, 0.5, gravity),
+      gravityY: slider(world, 'Gravity down', -20, 20, 0.5, gravity),
       velocityIterations: whole('velocityIterations', 'Velocity iterations'),
       positionIterations: whole('positionIterations', 'Position iterations'),
       substeps: whole('substeps', 'Substeps'),

@@ -148,7 +148,7 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       {
         id: 'car',
         title: 'Car',
-        note: 'Springs, guides and a motor; it drives by itself. Arrow keys: faster, back, brake.',
+        note: 'Springs, guides and a motor; it drives by itself. Arrows: faster, back, brake.',
         view: [-7, -5, 7, 3],
         controls: true,
         build: buildHills,
@@ -156,7 +156,7 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       {
         id: 'platformer',
         title: 'Platformer',
-        note: 'Run and jump with the arrow keys.',
+        note: 'Run and jump with the arrows.',
         view: [-10, -7, 6, 4],
         controls: true,
         build: buildPlatformer,
@@ -164,7 +164,7 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       {
         id: 'top-down',
         title: 'Top-down car',
-        note: 'It drifts when the tyres lose grip. Steer with the arrow keys.',
+        note: 'It drifts when the tyres lose grip. Steer with the arrows.',
         view: [-12.6, -8.6, 12.6, 8.6],
         gravity: [0, 0],
         controls: true,
@@ -173,7 +173,7 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       {
         id: 'pinball',
         title: 'Pinball',
-        note: 'The left and right arrow move the flippers.',
+        note: 'The arrows left and right move the flippers.',
         view: [-6, -17, 6, 2],
         gravity: [0, 5],
         controls: true,

@@ -19,7 +19,11 @@ export class View {
   private painter!: BodyPainter;
   private isDark = false;
 
-  constructor(readonly canvas: HTMLCanvasElement) {
+  /** `margins`: px of the page above and below that are covered. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly margins: () => readonly [number, number],
+  ) {
     const gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
     if (gl === null) {
       throw new Error('This browser has no WebGL 2.');
@@ -70,12 +74,16 @@ export class View {
   }
 
   /** Shows all of a scene. */
-  fit({ scene }: Simulation): void {
+  fit({ scene, play }: Simulation): void {
     const [minX, minY, maxX, maxY] = scene.view;
     const { clientWidth, clientHeight } = this.canvas;
+    const [above, below] = this.margins();
+    const height = Math.max(50, clientHeight - above - below);
+    // What is followed need not be seen as a whole.
+    const wide = play.follow === undefined ? 0.97 : 1.7;
+    this.scale = Math.min((wide * clientWidth) / (maxX - minX), (0.97 * height) / (maxY - minY));
     this.x = (minX + maxX) / 2;
-    this.y = (minY + maxY) / 2;
-    this.scale = 0.97 * Math.min(clientWidth / (maxX - minX), clientHeight / (maxY - minY));
+    this.y = (minY + maxY) / 2 + (below - above) / 2 / this.scale;
     this.following = true;
   }
 

@@ -70,7 +70,7 @@ async function read(pathname: string): Promise<string> {
   if (pathname === '/readme.html') {
     return /```html\n(<canvas[\s\S]*?)```/.exec(readFileSync(join(root, 'README.md'), 'utf8'))![1]!;
   }
-  const [, folder, ...rest] = pathname.replace('/node_modules/phys2d/', '/').split('/');
+  const [, folder, ...rest] = pathname.replace(/^\/(some\/where|node_modules\/phys2d)\//, '/').split('/');
   if (folder === 'scenes') {
     const entry = join(root, 'test/scenes', rest.join('/').replace(/\.js$/, '.ts'));
     const { outputFiles } = await build({ entryPoints: [entry], bundle: true, format: 'esm', write: false });

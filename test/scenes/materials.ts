@@ -13,7 +13,7 @@ export interface Materials extends Play {
 const RISE = 6;
 const REACH = 2.2;
 /** s. When the lift begins to rise, is up, the pusher is out, is back, the lift is down again. */
-const TIMES = [3, 5, 6, 7, 8.5] as const;
+const TIMES = [2, 4.4, 5.4, 6.4, 8] as const;
 
 const GOODS: readonly MaterialParams[] = [
   { ...friction(1.2, 0.7), density: 1.1 },
@@ -32,7 +32,7 @@ function ramp(time: number, from: number, to: number): number {
 export function buildMaterials(phys2D: Physics2DDevice, world: World): Materials {
   const yard = new Builder(phys2D, world);
   const belt = friction(1.5);
-  yard.wall(-9.8, 0, 6, 0.4, { surface: belt, surfaceVelocity: [1.6, 0] });
+  yard.wall(-9.6, 0, 6, 0.4, { surface: belt, surfaceVelocity: [1.6, 0] });
   // The lower side of a belt runs the other way, so what is caught there is carried out.
   const deck: [number, number][] = [
     [-4, -RISE],
@@ -42,22 +42,23 @@ export function buildMaterials(phys2D: Physics2DDevice, world: World): Materials
   ];
   yard.polygon(deck, { type: 'static', surface: belt, surfaceVelocity: [-1.6, 0] });
   yard.wall(-10, -9, -9.6, 0.4);
-  yard.wall(8.05, -5.9, 8.45, 6.4);
+  yard.wall(8.05, -5.9, 8.45, 0.4);
+  yard.wall(8.05, -9, 8.45, -7.5);
   yard.wall(-10, -9.4, 10.8, -9);
   const slide: [number, number][] = [
     [-9.6, -2.6],
     [-9, -2.6],
-    [-7, -0.8],
-    [-9.6, -0.8],
+    [-6.8, 0],
+    [-9.6, 0],
   ];
   yard.polygon(slide, { type: 'static', surface: friction(0.1) });
   const smooth = { type: 'kinematic', surface: friction(0.15) } as const;
   const lift = yard.box(7.02, RISE / 2 + 0.1, 2, RISE + 0.2, smooth);
   const pusher = yard.box(9.3, -RISE - 0.75, 2.4, 1.4, smooth);
   const random = generator(11);
-  const goods = Array.from({ length: 40 }, (_, i) => {
+  const goods = Array.from({ length: 30 }, (_, i) => {
     const surface = GOODS[i % GOODS.length]!;
-    const [x, y] = [-8.4 + 1.1 * (i % 11), -1 - 0.9 * Math.floor(i / 11)];
+    const [x, y] = [-6 + 1.05 * (i % 11), -1 - 0.9 * Math.floor(i / 11)];
     const size = 0.45 + 0.2 * random();
     return random() < 0.4
       ? yard.disc(x, y, size / 2, { surface })

@@ -16,7 +16,7 @@ const STRENGTH = 90;
 /** A wall of bricks in mortar that breaks, and balls that are shot at it one after the other. */
 export function buildBreakableWall(phys2D: Physics2DDevice, world: World, rows = 12, columns = 5): BreakableWall {
   const yard = new Builder(phys2D, world);
-  yard.wall(-16, 0, 12, 1);
+  yard.wall(-60, 0, 24, 1);
   const welds: WeldConstraint[] = [];
   let broken = 0;
   const mortar = (bodyA: RigidBody, bodyB: RigidBody): void => {
