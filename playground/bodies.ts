@@ -6,7 +6,7 @@ import { INK } from './theme.js';
 // there in each frame, in a texture with a column of two texels for each body.
 
 /** Numbers of a vertex: x and y in the body, m; which body; then the distances from three edges, m, or for a disc its middle and radius; 1 for
- * a disc, and 2 more for a sensor. */
+ * a disc, 2 more for a sensor, 4 more for what is static and has no tick. */
 const VERTEX = 7;
 /** Bodies in a row of the textures. */
 const ROW = 1024;
@@ -50,14 +50,14 @@ void main() {
   if (disc) {
     vec2 spoke = local - edge.xy;
     depth = (edge.z - length(spoke)) * scale;
-    float across = (0.5 * width + 0.5 - abs(spoke.y) * scale) * step(edge.z * 0.4, spoke.x);
+    float across = (0.5 * width + 0.5 - abs(spoke.y) * scale) * step(edge.z * 0.4, spoke.x) * step(kind, 3.5);
     tick = clamp(across, 0.0, 1.0);
   } else {
     depth = min(edge.x, min(edge.y, edge.z)) * scale;
   }
   float inside = disc ? clamp(depth + 0.5, 0.0, 1.0) : 1.0;
   float rim = max(clamp(width + 0.5 - depth, 0.0, 1.0), tick);
-  float strength = kind > 1.5 ? 0.4 : 1.0;
+  float strength = mod(kind, 4.0) > 1.5 ? 0.4 : 1.0;
   shown = vec4(ink.rgb, strength * inside * mix(ink.a, 1.0, rim));
 }`;
 
@@ -206,7 +206,7 @@ export class BodyPainter {
 }
 
 function addShape(numbers: number[], shape: Shape, body: number): void {
-  const sensor = shape.sensor ? 2 : 0;
+  const kind = (shape.sensor ? 2 : 0) + (shape.body!.isStatic() ? 4 : 0);
   if (shape.type === 'CIRCLE') {
     const circle = shape as Circle;
     const radius = circle.getRadius();
@@ -221,15 +221,15 @@ function addShape(numbers: number[], shape: Shape, body: number): void {
       [1, 1],
       [-1, 1],
     ] as const) {
-      numbers.push(x + reach * dx, y + reach * dy, body, x, y, radius, 1 + sensor);
+      numbers.push(x + reach * dx, y + reach * dy, body, x, y, radius, 1 + kind);
     }
   } else {
-    addPolygon(numbers, (shape as Polygon).vertices, body, sensor);
+    addPolygon(numbers, (shape as Polygon).vertices, body, kind);
   }
 }
 
 /** A fan around the middle. Each triangle knows how far it is from its edge and from those beside it: near a corner these count, too. */
-function addPolygon(numbers: number[], vertices: ArrayLike<number>, body: number, sensor: number): void {
+function addPolygon(numbers: number[], vertices: ArrayLike<number>, body: number, kind: number): void {
   const count = vertices.length / 2;
   const corner = (i: number): Vec2 => {
     const k = 2 * ((i + count) % count);
@@ -246,7 +246,7 @@ function addPolygon(numbers: number[], vertices: ArrayLike<number>, body: number
   };
   for (let i = 0; i < count; i += 1) {
     for (const point of [[mx, my], corner(i), corner(i + 1)] as Vec2[]) {
-      numbers.push(...point, body, away(i - 1, point), away(i, point), away(i + 1, point), sensor);
+      numbers.push(...point, body, away(i - 1, point), away(i, point), away(i + 1, point), kind);
     }
   }
 }

@@ -17,11 +17,11 @@ const LOOK = 250;
 /** Steps made at a time on the way to the one that a link asks for. */
 const LEAP = 20;
 
-/** px of the picture from its edge to the other side of what lies over it there. */
+/** px of the picture from its edge to the other side of what lies over it there, if it is shown. */
 function covered(id: string): number {
   const element = byId(id);
   const below = byId('stage').clientHeight - element.offsetTop - element.offsetHeight;
-  return element.offsetHeight + Math.min(element.offsetTop, below) + 6;
+  return element.offsetParent === null ? 0 : element.offsetHeight + Math.min(element.offsetTop, below);
 }
 
 /** Scrolls a list, and nothing else, so that an element of it is seen. */
@@ -33,7 +33,7 @@ function reveal(element: HTMLElement, list: HTMLElement): void {
 /** The page: what is set, what runs, what is seen. `playground` in the console. */
 class Playground {
   readonly simulation = new Simulation(fromLink(location.hash));
-  readonly view = new View(byId('stage'), () => [covered('caption'), covered('dock')]);
+  readonly view = new View(byId('stage'), () => [covered('caption'), Math.max(covered('dock'), covered('pad'))]);
   readonly pointers = new Pointers(this.view, this.simulation);
   private readonly panel = new Panel(
     (part) => this.change(part),
@@ -223,8 +223,8 @@ class Playground {
       byId('actions').append(button);
     };
     action('copy', 'Copy link', () => this.copyLink());
-    action('theme', 'Light or dark', () => this.switchTheme());
-    action('open-help', 'Keyboard', () => byId<HTMLDialogElement>('help').showModal());
+    action('theme', 'Theme', () => this.switchTheme());
+    action('open-help', 'Keys', () => byId<HTMLDialogElement>('help').showModal());
   }
 
   private switchTheme(): void {

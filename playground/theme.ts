@@ -19,7 +19,7 @@ export interface Palette {
 }
 
 function palette(paper: Rgb, inks: readonly (readonly [...Rgb, number])[], lines: readonly Rgb[]): Palette {
-  const [joint, other, error, contact, detail] = lines.map(([r, g, b]): ColorLike => [r / 255, g / 255, b / 255, 0.9]);
+  const [joint, other, error, contact, detail] = lines.map(([r, g, b]): ColorLike => [r / 255, g / 255, b / 255, 0.75]);
   return {
     paper,
     inks: new Uint8Array(inks.flat()),

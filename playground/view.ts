@@ -56,6 +56,11 @@ export class View {
     this.isDark = isDark;
     const { debug } = this;
     const { joint, other, error, contact, detail } = isDark ? DARK : LIGHT;
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    debug.constraintAnchorRadius = 1.75 * ratio;
+    debug.constraintSpringRadius = 2.5 * ratio;
+    debug.constraintSpiralMinRadius = 6 * ratio;
+    debug.contactRadius = 2 * ratio;
     for (const letter of ['A', 'B', 'C', 'D'] as const) {
       const color = [...Array.from(letter === 'A' ? joint : other)] as [number, number, number, number];
       const off = [...Array.from(error)] as [number, number, number, number];
