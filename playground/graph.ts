@@ -4,6 +4,9 @@ import type { Times } from './simulation.js';
 const FRAMES = 150;
 const LEAST_TOP = 4;
 
+/** What is no phase of a step. */
+export const DRAWING = 'drawing';
+
 /** ms of the parts of the last frames, stacked; the newest on the right. */
 export class Graph {
   /** Names in the order in which they came. */
@@ -53,6 +56,7 @@ export class Graph {
     const style = getComputedStyle(canvas);
     const accent = style.color;
     const faint = style.borderTopColor;
+    const quiet = style.outlineColor;
     const most = Math.max(LEAST_TOP, ...frames.map((frame) => frame.reduce((sum, value) => sum + value, 0)));
     const top = [4, 8, 16, 32, 64, 128, 256].find((value) => value >= most) ?? most;
     context.clearRect(0, 0, width, height);
@@ -60,14 +64,15 @@ export class Graph {
     for (const share of [0, 0.5]) {
       context.fillRect(0, Math.round(height * share), width, ratio);
     }
-    context.fillStyle = accent;
     const bar = width / FRAMES;
     frames.forEach((frame, i) => {
       const x = width - (frames.length - i) * bar;
       let y = height;
       frame.forEach((value, part) => {
         const size = (value / top) * height;
-        context.globalAlpha = strength(part);
+        const isDrawing = this.names[part] === DRAWING;
+        context.fillStyle = isDrawing ? quiet : accent;
+        context.globalAlpha = isDrawing ? 0.5 : strength(part);
         context.fillRect(x, y - size, Math.max(ratio, bar - ratio / 2), size);
         y -= size;
       });
@@ -80,20 +85,23 @@ export class Graph {
     const items = this.names.map((name, i) => {
       const item = document.createElement('li');
       const mark = document.createElement('i');
-      mark.style.opacity = String(strength(i));
+      mark.className = name;
+      mark.style.opacity = name === DRAWING ? '' : String(strength(i));
       const value = document.createElement('b');
       value.textContent = (this.means.get(name) ?? 0).toFixed(2);
-      item.append(mark, `${name} `, value);
+      const label = document.createElement('span');
+      label.textContent = name;
+      item.append(mark, label, value);
       return item;
     });
     const scale = document.createElement('li');
     scale.className = 'scale';
-    scale.textContent = `full height ${top.toFixed(0)} ms`;
+    scale.textContent = `ms; full height ${top.toFixed(0)}`;
     this.legend.replaceChildren(...items, scale);
   }
 }
 
 /** Of the colour of a part. */
 function strength(part: number): number {
-  return [1, 0.5, 0.28, 0.75, 0.4, 0.2][part % 6]!;
+  return [1, 0.3, 0.6, 0.4, 0.85, 0.5, 0.25, 0.7, 0.4][part % 9]!;
 }

@@ -1,7 +1,7 @@
 import { Dock } from './dock.js';
 import { byId, make } from './elements.js';
 import { Figures } from './figures.js';
-import { Graph } from './graph.js';
+import { DRAWING, Graph } from './graph.js';
 import { buildPad, listen, type Shortcut } from './keys.js';
 import { Panel } from './panel.js';
 import { Pointers } from './pointer.js';
@@ -137,7 +137,7 @@ class Playground {
     const start = performance.now();
     view.draw(simulation, this.settings.draw);
     if (made) {
-      simulation.times.set('drawing', performance.now() - start);
+      simulation.times.set(DRAWING, performance.now() - start);
       graph.add(simulation.times);
     }
     if (now - this.looked > LOOK) {

@@ -1,4 +1,4 @@
-import { phys2D, type World } from '../src/index.js';
+import { type Phase, phys2D, type World } from '../src/index.js';
 import { FixedStepRunner } from '../src/runner.js';
 import { stateHash } from '../test/scenes/hash.js';
 import { type Controls, HANDS_OFF, type Play } from '../test/scenes/play.js';
@@ -6,6 +6,18 @@ import { type Scene, sceneOf } from './scenes.js';
 import type { Settings } from './settings.js';
 
 const DT = 1 / 60;
+
+const PHASES: readonly Phase[] = [
+  'pairs',
+  'foresight',
+  'islands',
+  'prepare',
+  'velocities',
+  'positions',
+  'store',
+  'continuous',
+  'events',
+];
 
 /** ms of a part of a frame. */
 export type Times = Map<string, number>;
@@ -45,6 +57,7 @@ export class Simulation {
       allowSleeping: settings.sleep,
       ...(settings.broadphase === 'sweep' ? { broadphase: phys2D.createSweepAndPruneBroadphase() } : {}),
     });
+    this.world.clock = () => performance.now();
     this.play = this.scene.build(phys2D, this.world);
     this.runner = FixedStepRunner.create({ world: this.world, deltaTime: DT, maxSteps: 4 });
     this.touched = false;
@@ -114,18 +127,10 @@ export class Simulation {
   }
 }
 
-/** Times of the phases of the last step where the world measures them, as parts of the time that all steps took. */
-function addTimes(times: Times, world: World, total: number): void {
-  const profile: unknown = 'profile' in world ? world.profile : undefined;
-  const phases = Object.entries(profile ?? {}).filter(
-    (entry): entry is [string, number] => typeof entry[1] === 'number' && !/^(total|step)$/.test(entry[0]),
-  );
-  const sum = phases.reduce((all, [, value]) => all + value, 0);
-  if (sum > 0) {
-    for (const [name, value] of phases) {
-      times.set(name, (total * value) / sum);
-    }
-  } else {
-    times.set('step', total);
+/** The time that all steps took, shared out as the phases of the last step did. */
+function addTimes(times: Times, { profile }: World, total: number): void {
+  const sum = PHASES.reduce((all, phase) => all + profile![phase], 0);
+  for (const phase of PHASES) {
+    times.set(phase, sum > 0 ? (total * profile![phase]) / sum : 0);
   }
 }

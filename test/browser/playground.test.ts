@@ -138,7 +138,7 @@ describe('scenes', () => {
     expect(await page.locator('#awake').textContent()).toBe('16');
     expect(Number(await page.locator('#contacts').textContent())).toBeGreaterThanOrEqual(32);
     expect(await page.locator('#hash').textContent()).toMatch(/^[0-9a-f]{16}$/);
-    expect(await page.locator('#legend').textContent()).toMatch(/\w+ \d+\.\d\d.*drawing \d+\.\d\d/);
+    expect(await page.locator('#legend').textContent()).toMatch(/velocities\d+\.\d\d.*drawing\d+\.\d\d/);
     const drawn = await ask<number>(`(() => {
       const canvas = document.querySelector('#graph');
       const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
