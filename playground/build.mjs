@@ -1,6 +1,6 @@
 // Builds the playground into dist/playground, as files that work from any path: node playground/build.mjs [--serve]
 // With --serve it is served, and built anew whenever it is asked for.
-import { copyFileSync, mkdirSync } from 'node:fs';
+import { copyFileSync, mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, context } from 'esbuild';
@@ -13,12 +13,14 @@ const options = {
   entryPoints: ['playground/main.ts', 'playground/style.css'],
   outdir,
   bundle: true,
-  format: 'esm',
+  // No module: browsers refuse those from a disk.
+  format: 'iife',
   target: 'es2022',
   minify: !isServed,
   sourcemap: isServed,
 };
 
+rmSync(outdir, { recursive: true, force: true });
 mkdirSync(outdir, { recursive: true });
 copyFileSync(join(root, 'playground/index.html'), join(outdir, 'index.html'));
 if (isServed) {

@@ -218,7 +218,7 @@ class Playground {
 
   private addActions(): void {
     const action = (id: string, label: string, run: () => void): void => {
-      const button = make('button', { type: 'button', id }, label);
+      const button = make('button', { type: 'button', id, class: 'plain' }, label);
       button.addEventListener('click', run);
       byId('actions').append(button);
     };

@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -11,6 +12,7 @@ import { launch, open } from './browser.js';
 
 // The built playground, as people use it: clicks, keys, fingers.
 
+const FOLDER = join(import.meta.dirname, '../../dist/playground');
 const HOME = '/dist/playground/index.html';
 const PHONE: BrowserContextOptions = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -86,8 +88,7 @@ afterAll(async () => {
 
 describe('the page', () => {
   it('is light: no more than 150 kB, and says how soon it paints', async () => {
-    const folder = join(import.meta.dirname, '../../dist/playground');
-    const weights = readdirSync(folder).map((name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length);
+    const weights = readdirSync(FOLDER).map((name) => gzipSync(readFileSync(join(FOLDER, name)), { level: 9 }).length);
     const weight = weights.reduce((sum, size) => sum + size, 0);
     const paint = await ask<number>(`performance.getEntriesByName('first-contentful-paint')[0].startTime`);
     console.log(`playground: ${(weight / 1000).toFixed(1)} kB gzipped, first paint after ${paint.toFixed(0)} ms`);
@@ -100,6 +101,13 @@ describe('the page', () => {
     await until('playground.simulation.steps > 5', elsewhere);
     expect(await elsewhere.title()).toContain('Arch');
     await elsewhere.close();
+
+    const onDisk = await browser.newPage();
+    onDisk.on('pageerror', (error) => errors.push(String(error)));
+    await onDisk.goto(`${pathToFileURL(join(FOLDER, 'index.html'))}#scene=bridge`);
+    await until('playground.simulation.steps > 5', onDisk);
+    expect(await onDisk.title()).toContain('Bridge');
+    await onDisk.close();
   });
 
   it('names every control', async () => {
@@ -116,8 +124,8 @@ describe('scenes', () => {
   it.each(scenes.map(({ id }) => id))('%s runs 300 steps, moves, is seen', async (id) => {
     const scene = scenes.find((each) => each.id === id)!;
     await page.getByRole('navigation').getByRole('button', { name: scene.title, exact: true }).click();
-    await until(`playground.simulation.scene.id === '${id}'`);
-    expect(await page.locator('#title').textContent()).toBe(scene.title);
+    await until(`document.querySelector('#title').textContent === ${JSON.stringify(scene.title)}`);
+    expect(await ask('playground.simulation.scene.id')).toBe(id);
     await ask(`playground.simulation.playing = false`);
     const before = await ask<string>('playground.simulation.hash()');
     await ask(`(() => {

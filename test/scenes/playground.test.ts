@@ -63,7 +63,7 @@ describe('every scene of the playground', () => {
       });
       expect(seen.length).toBeGreaterThan(0);
       const before = stateHash(world);
-      run(world, moving.length > 1000 ? 0.25 : 3, play);
+      run(world, moving.length > 150 ? 0.25 : 2, play);
       expect(stateHash(world)).not.toBe(before);
       for (const body of moving) {
         expect(body.getPosition().every(Number.isFinite)).toBe(true);
