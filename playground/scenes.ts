@@ -17,7 +17,6 @@ import { buildPyramid } from '../test/scenes/pyramid.js';
 import { buildRagdoll, buildStairs } from '../test/scenes/ragdoll.js';
 import { buildRatchet, hangWeight } from '../test/scenes/ratchet.js';
 import { buildSoftBodies } from '../test/scenes/soft-body.js';
-import { spinner } from '../test/scenes/speed/box2d.js';
 import { rain } from '../test/scenes/speed/piles.js';
 import type { SpeedScene } from '../test/scenes/speed/scene.js';
 import { drumOf } from '../test/scenes/speed/worlds.js';
@@ -188,7 +187,6 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       still('tiles', 'Tile floor', 'Nothing catches on the joints, at 16 m/s.', [-18, -3, 18, 11], buildTileRun),
       still('drum', 'Drum', '300 boxes in a drum that turns.', [-11, -11, 11, 11], ofBench(drumOf(300))),
       still('rain', 'Rain', '1,000 circles and polygons.', [-12.5, -21, 12.5, 2], ofBench(rain)),
-      still('spinner', 'Spinner', '3,038 bodies and an arm.', [-43, -43, 43, 43], ofBench(spinner)),
       still('crowd', '5,000 bodies', 'All of them awake at first.', [-31, -58, 31, 3], (phys2D, world) =>
         buildCrowd(phys2D, world),
       ),

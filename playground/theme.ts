@@ -3,7 +3,7 @@ import type { ColorLike } from '../src/debug/index.js';
 /** Places of the inks of bodies in a palette. */
 export const INK = { fixed: 0, driven: 1, awake: 2, asleep: 3, bullet: 4 } as const;
 
-type Rgb = readonly [number, number, number];
+export type Rgb = readonly [number, number, number];
 
 /** What is drawn in which colours. The page has its own, in style.css. */
 export interface Palette {

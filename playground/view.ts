@@ -1,9 +1,11 @@
-import { Physics2DDebugDraw, WebGLDebugDevice } from '../src/debug/index.js';
+import { Physics2DDebugDraw } from '../src/debug/index.js';
 import type { Vec2 } from '../src/index.js';
-import { BodyPainter } from './bodies.js';
+import { CanvasSurface } from './canvas.js';
 import type { DrawOption } from './settings.js';
 import type { Simulation } from './simulation.js';
+import type { Surface } from './surface.js';
 import { DARK, LIGHT } from './theme.js';
+import { WebGLSurface } from './webgl.js';
 
 /** The canvas: which part of the plane it shows, and what. */
 export class View {
@@ -14,9 +16,9 @@ export class View {
   private following = true;
   /** The seam of the picture and the window, px of the device for each of the page. */
   private ratio = 1;
-  private readonly gl: WebGL2RenderingContext;
+  private readonly gl: WebGL2RenderingContext | null;
   private debug!: Physics2DDebugDraw;
-  private painter!: BodyPainter;
+  private surface!: Surface;
   private isDark = false;
 
   /** `margins`: px of the page above and below that are covered. */
@@ -24,11 +26,7 @@ export class View {
     readonly canvas: HTMLCanvasElement,
     private readonly margins: () => readonly [number, number],
   ) {
-    const gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
-    if (gl === null) {
-      throw new Error('This browser has no WebGL 2.');
-    }
-    this.gl = gl;
+    this.gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
     this.prepare();
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.prepare());
@@ -45,10 +43,11 @@ export class View {
   }
 
   private prepare(): void {
-    const { gl } = this;
+    const { gl, canvas } = this;
     const lineWidth = Math.max(1, 1.25 * Math.min(2, devicePixelRatio));
-    this.debug = Physics2DDebugDraw.create({ graphicsDevice: WebGLDebugDevice.create({ context: gl, lineWidth }) });
-    this.painter = new BodyPainter(gl);
+    this.surface =
+      gl === null ? new CanvasSurface(canvas.getContext('2d')!, lineWidth) : new WebGLSurface(gl, lineWidth);
+    this.debug = Physics2DDebugDraw.create({ graphicsDevice: this.surface.device });
     this.setTheme(this.isDark);
   }
 
@@ -140,8 +139,8 @@ export class View {
   }
 
   draw(simulation: Simulation, draw: ReadonlySet<DrawOption>): void {
-    const { gl, debug, canvas } = this;
-    if (gl.isContextLost()) {
+    const { surface, debug, canvas } = this;
+    if (surface.isLost()) {
       return;
     }
     const { world, runner, play } = simulation;
@@ -151,17 +150,14 @@ export class View {
       this.y -= this.height / 12;
     }
     const palette = this.isDark ? DARK : LIGHT;
-    const [r, g, b] = palette.paper;
-    gl.viewport(0, 0, canvas.width, canvas.height);
-    gl.clearColor(r / 255, g / 255, b / 255, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
+    surface.clear(palette.paper);
     const scale = this.scale * this.ratio;
     const [perX, perY] = [(2 * scale) / canvas.width, (2 * scale) / canvas.height];
     const [halfWidth, halfHeight] = [1 / perX, 1 / perY];
     if (!draw.has('debug')) {
-      const mapping = [perX, -perY, -this.x * perX, this.y * perY];
+      const mapping = [perX, -perY, -this.x * perX, this.y * perY] as const;
       const inks = draw.has('fill') ? palette.inks : hollow(palette.inks);
-      this.painter.draw(world, runner, mapping, scale, 1.25 * this.ratio, inks, smooth);
+      surface.drawBodies({ world, runner, mapping, scale, rim: 1.25 * this.ratio, inks, smooth });
     }
     debug.showRigidBodies = draw.has('debug') || draw.has('boxes') || draw.has('bodies');
     debug.showColliderShapes = draw.has('debug') || draw.has('boxes');

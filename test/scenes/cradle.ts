@@ -1,4 +1,5 @@
 import type { Physics2DDevice, RigidBody, World } from '../../src/index.js';
+import { cos, sin } from '../../src/math/trig.js';
 import { Builder, friction } from './play.js';
 
 /** m. Radius of the balls, and length of what they hang on. */
@@ -15,7 +16,7 @@ export function buildCradle(phys2D: Physics2DDevice, world: World, count = 5): R
   return Array.from({ length: count }, (_, i) => {
     const x = (i - (count - 1) / 2) * pitch;
     const angle = i === 0 ? 0.8 : 0;
-    const position: [number, number] = [x - STRING * Math.sin(angle), -STRING + STRING * Math.cos(angle)];
+    const position: [number, number] = [x - STRING * sin(angle), -STRING + STRING * cos(angle)];
     const ball = yard.disc(0, 0, RADIUS, { position, surface: friction(0, 1), linearDrag: 0, angularDrag: 0 });
     const bodyA = phys2D.createRigidBody({ type: 'static', position: [x, -STRING] });
     const rod = { bodyA, bodyB: ball, lowerBound: STRING, upperBound: STRING };

@@ -1,4 +1,5 @@
 import type { Physics2DDevice, RigidBody, Vec2, World } from '../../src/index.js';
+import { cos } from '../../src/math/trig.js';
 import { Builder, friction, type Play } from './play.js';
 import { buildVehicle } from './vehicle.js';
 
@@ -40,7 +41,7 @@ function addHill(yard: Builder, [from, to, height]: readonly [number, number, nu
   const pieces = 16;
   const top = (i: number): Vec2 => [
     from + ((to - from) * i) / pieces,
-    0.2 - (height + 0.2) * (0.5 - 0.5 * Math.cos((2 * Math.PI * i) / pieces)),
+    0.2 - (height + 0.2) * (0.5 - 0.5 * cos((2 * Math.PI * i) / pieces)),
   ];
   for (let i = 0; i < pieces; i += 1) {
     const [left, right] = [top(i), top(i + 1)];

@@ -1,4 +1,5 @@
 import type { Physics2DDevice, RigidBody, Shape, Vec2, World } from '../../src/index.js';
+import { cos } from '../../src/math/trig.js';
 import { Builder, type Controls, friction, type Play } from './play.js';
 
 export interface Platformer extends Play {
@@ -53,7 +54,7 @@ export function buildPlatformer(phys2D: Physics2DDevice, world: World): Platform
   const beforeStep = (controls: Readonly<Controls>): void => {
     const time = world.simulatedTime + 1 / 60;
     for (const { body, from, to, period } of movers) {
-      const share = (1 - Math.cos((2 * Math.PI * time) / period)) / 2;
+      const share = (1 - cos((2 * Math.PI * time) / period)) / 2;
       const target: Vec2 = [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
       body.setVelocityFromPosition(target, 0, 1 / 60);
     }

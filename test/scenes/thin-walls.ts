@@ -1,4 +1,5 @@
 import type { Physics2DDevice, RigidBody, Vec2, World } from '../../src/index.js';
+import { cos, sin } from '../../src/math/trig.js';
 import { Builder, friction } from './play.js';
 
 export interface ThinWalls {
@@ -27,7 +28,7 @@ export function buildThinWalls(phys2D: Physics2DDevice, world: World): ThinWalls
     (_, i): Vec2 => [((i % COLUMNS) - (COLUMNS - 1) / 2) * CELL, (Math.floor(i / COLUMNS) - (ROWS - 1) / 2) * CELL],
   );
   const bullets = centres.map(([x, y], i) => {
-    const velocity: Vec2 = [180 * Math.cos(1 + i), 180 * Math.sin(1 + i)];
+    const velocity: Vec2 = [180 * cos(1 + i), 180 * sin(1 + i)];
     const params = { surface: mirror, bullet: true, velocity, linearDrag: 0 };
     return i % 2 === 0
       ? yard.disc(x, y, 0.12, params)

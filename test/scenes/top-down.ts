@@ -1,4 +1,5 @@
 import type { Physics2DDevice, RigidBody, Vec2, World } from '../../src/index.js';
+import { atan2, cos, sin } from '../../src/math/trig.js';
 import { Builder, type Controls, friction, type Play } from './play.js';
 
 export interface TopDown extends Play {
@@ -33,7 +34,7 @@ export function buildTopDown(phys2D: Physics2DDevice, world: World): TopDown {
   const cones: RigidBody[] = [];
   for (let i = 0; i < 26; i += 1) {
     const angle = (2 * Math.PI * i) / 26;
-    const position: [number, number] = [10.6 * Math.cos(angle), 6.9 * Math.sin(angle)];
+    const position: [number, number] = [10.6 * cos(angle), 6.9 * sin(angle)];
     const size = i % 2 === 0 ? 0.4 : 0.5;
     const cone = yard.box(0, 0, size, size, {
       position,
@@ -63,14 +64,14 @@ function steering({ left, right, up, down }: Readonly<Controls>): Vec2 {
 /** Drives to the right below the island, and around it: towards a point ahead on an ellipse. */
 function pilot(car: RigidBody): Vec2 {
   const [x, y] = car.getPosition();
-  const ahead = Math.atan2(y / 4.6, x / 8.6) - 0.5;
-  const [, side] = car.transformWorldVectorToLocal([8.6 * Math.cos(ahead) - x, 4.6 * Math.sin(ahead) - y]);
+  const ahead = atan2(y / 4.6, x / 8.6) - 0.5;
+  const [, side] = car.transformWorldVectorToLocal([8.6 * cos(ahead) - x, 4.6 * sin(ahead) - y]);
   return [0.7, Math.max(-1, Math.min(1, side))];
 }
 
 /** An axle: what drives it goes along its wheels; across them it holds as far as its grip goes. */
 function roll(car: RigidBody, end: 1 | -1, angle: number, force: number): void {
-  const along = car.transformLocalVectorToWorld([Math.cos(angle), Math.sin(angle)]);
+  const along = car.transformLocalVectorToWorld([cos(angle), sin(angle)]);
   const [ax, ay] = car.transformLocalVectorToWorld([end * AXLE, 0]);
   const [vx, vy] = car.getVelocity();
   const spin = car.getAngularVelocity();

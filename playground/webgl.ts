@@ -1,6 +1,7 @@
-import type { Circle, Polygon, RigidBody, Shape, Vec2, World } from '../src/index.js';
-import type { FixedStepRunner } from '../src/runner.js';
-import { INK } from './theme.js';
+import { type DebugGraphicsDevice, WebGLDebugDevice } from '../src/debug/index.js';
+import type { Circle, Polygon, RigidBody, Shape, Vec2 } from '../src/index.js';
+import { type Frame, inkOf, poseOf, type Surface, strengthOf } from './surface.js';
+import type { Rgb } from './theme.js';
 
 // Bodies as filled shapes with a rim, in one draw call. What a shape looks like in its body stays in the graphics card; placements and inks go
 // there in each frame, in a texture with a column of two texels for each body.
@@ -61,25 +62,8 @@ void main() {
   shown = vec4(ink.rgb, strength * inside * mix(ink.a, 1.0, rim));
 }`;
 
-/** Whether bodies are asleep, static, … decides on their ink. */
-function inkOf(body: RigidBody): number {
-  if (body.isStatic()) {
-    return INK.fixed;
-  }
-  if (body.isKinematic()) {
-    return INK.driven;
-  }
-  return body.sleeping ? INK.asleep : body.bullet ? INK.bullet : INK.awake;
-}
-
-/** How much of its fill a body gets: more, the denser it is, and a little of difference between neighbours. */
-function strength(body: RigidBody, index: number): number {
-  const density = body.shapes[0]?.getMaterial().getDensity() ?? 1;
-  const dice = (Math.imul(index + 1, 0x9e3779b1) >>> 24) / 255 - 0.5;
-  return Math.min(3, Math.max(0.3, Math.sqrt(density))) * (1 + 0.36 * dice);
-}
-
-export class BodyPainter {
+export class WebGLSurface implements Surface {
+  readonly device: DebugGraphicsDevice;
   private readonly program: WebGLProgram;
   private readonly array: WebGLVertexArrayObject;
   private readonly buffer: WebGLBuffer;
@@ -94,7 +78,11 @@ export class BodyPainter {
   /** The bodies as they are in the buffer. */
   private readonly drawn: RigidBody[] = [];
 
-  constructor(private readonly gl: WebGL2RenderingContext) {
+  constructor(
+    private readonly gl: WebGL2RenderingContext,
+    lineWidth: number,
+  ) {
+    this.device = WebGLDebugDevice.create({ context: gl, lineWidth });
     this.program = link(gl);
     this.array = gl.createVertexArray();
     this.buffer = gl.createBuffer();
@@ -111,29 +99,32 @@ export class BodyPainter {
     gl.bindVertexArray(null);
   }
 
-  /** `mapping` as of `DebugLines`; `scale`: px per m; `width` of the rim, px; `inks`: four bytes for each of `INK`. */
-  draw(
-    world: World,
-    runner: FixedStepRunner,
-    mapping: readonly number[],
-    scale: number,
-    width: number,
-    inks: Uint8Array,
-    smooth: boolean,
-  ): void {
+  isLost(): boolean {
+    return this.gl.isContextLost();
+  }
+
+  clear([r, g, b]: Rgb): void {
     const { gl } = this;
-    const { rigidBodies } = world;
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.clearColor(r / 255, g / 255, b / 255, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+  }
+
+  drawBodies(frame: Frame): void {
+    const { mapping } = frame;
+    const { gl } = this;
+    const { rigidBodies } = frame.world;
     if (rigidBodies.length !== this.drawn.length || rigidBodies.some((body, i) => body !== this.drawn[i])) {
       this.build(rigidBodies);
     }
     if (this.vertexCount === 0) {
       return;
     }
-    this.place(rigidBodies, runner, inks, smooth);
+    this.place(rigidBodies, frame);
     gl.useProgram(this.program);
-    gl.uniform4f(this.uniforms.mapping, mapping[0]!, mapping[1]!, mapping[2]!, mapping[3]!);
-    gl.uniform1f(this.uniforms.scale, scale);
-    gl.uniform1f(this.uniforms.width, width);
+    gl.uniform4f(this.uniforms.mapping, ...mapping);
+    gl.uniform1f(this.uniforms.scale, frame.scale);
+    gl.uniform1f(this.uniforms.width, frame.rim);
     this.send(0, this.poseTexture, gl.RGBA32F, gl.FLOAT, this.poses);
     this.send(1, this.inkTexture, gl.RGBA8, gl.UNSIGNED_BYTE, this.inks);
     gl.uniform1i(gl.getUniformLocation(this.program, 'poses'), 0);
@@ -161,17 +152,12 @@ export class BodyPainter {
     gl.texImage2D(gl.TEXTURE_2D, 0, format, ROW, this.rows, 0, gl.RGBA, type, data);
   }
 
-  private place(bodies: readonly RigidBody[], runner: FixedStepRunner, inks: Uint8Array, smooth: boolean): void {
+  private place(bodies: readonly RigidBody[], frame: Frame): void {
     const { poses } = this;
+    const { inks } = frame;
     const point: Vec2 = [0, 0];
     bodies.forEach((body, i) => {
-      const moves = smooth && !body.isStatic();
-      const angle = moves ? runner.getRotation(body) : body.getRotation();
-      if (moves) {
-        runner.getPosition(body, point);
-      } else {
-        body.getPosition(point);
-      }
+      const angle = poseOf(body, frame, point);
       poses[4 * i] = point[0];
       poses[4 * i + 1] = point[1];
       poses[4 * i + 2] = Math.cos(angle);
@@ -194,7 +180,7 @@ export class BodyPainter {
         addShape(numbers, shape, i);
       }
     });
-    this.strengths = bodies.map(strength);
+    this.strengths = bodies.map(strengthOf);
     this.rows = Math.max(1, Math.ceil(bodies.length / ROW));
     this.poses = new Float32Array(4 * ROW * this.rows);
     this.inks = new Uint8Array(4 * ROW * this.rows);

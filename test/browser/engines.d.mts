@@ -1,0 +1,2 @@
+/** Where an engine is. @throws if it is nowhere. */
+export function find(name: 'firefox' | 'jsc'): string;
