@@ -329,6 +329,23 @@ describe('settings', () => {
   });
 });
 
+it('the picture comes back after a lost context', async () => {
+  await show('scene=constraints', 30);
+  const before = await inked();
+  await ask(`(async () => {
+    const { gl, canvas } = playground.view;
+    const happens = (type) => new Promise((resolve) => canvas.addEventListener(type, resolve, { once: true }));
+    const extension = gl.getExtension('WEBGL_lose_context');
+    const lost = happens('webglcontextlost');
+    extension.loseContext();
+    await lost;
+    const restored = happens('webglcontextrestored');
+    setTimeout(() => extension.restoreContext(), 0);
+    await restored;
+  })()`);
+  expect(await inked()).toBe(before);
+});
+
 describe('a link', () => {
   it.each([
     ['scene=bridge', 'bridge', 150, {}],
@@ -511,6 +528,8 @@ describe('a phone', () => {
     await touch('touchEnd');
     expect(await ask('playground.simulation.world.constraints.length', phone)).toBe(0);
 
+    // The browser neither scrolls nor zooms instead.
+    expect(await ask(`getComputedStyle(playground.view.canvas).touchAction`, phone)).toBe('none');
     const before = await ask<number>('playground.view.pixel', phone);
     await touch('touchStart', [100, 200], [200, 200]);
     await touch('touchMove', [60, 200], [260, 200]);
