@@ -33,7 +33,7 @@ function reveal(element: HTMLElement, list: HTMLElement): void {
 /** The page: what is set, what runs, what is seen. `playground` in the console. */
 class Playground {
   readonly simulation = new Simulation(fromLink(location.hash));
-  readonly view = new View(byId('stage'), () => [covered('caption'), Math.max(covered('dock'), covered('pad'))]);
+  readonly view = new View(byId('stage'), () => this.margins());
   readonly pointers = new Pointers(this.view, this.simulation);
   private readonly panel = new Panel(
     (part) => this.change(part),
@@ -119,6 +119,12 @@ class Playground {
     const { simulation } = this;
     const steps = simulation.playing || simulation.touched ? null : simulation.steps;
     return `${location.href.replace(/#.*/, '')}#${toLink({ ...this.settings, steps })}`;
+  }
+
+  /** What is followed is in the middle, so the arrows may lie over the rest. */
+  private margins(): readonly [number, number] {
+    const pad = this.simulation.play.follow === undefined ? covered('pad') : 0;
+    return [covered('caption'), Math.max(covered('dock'), pad)];
   }
 
   private frame(now: number): void {

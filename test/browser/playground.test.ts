@@ -120,7 +120,7 @@ describe('the page', () => {
   });
 });
 
-describe('scenes', () => {
+describe('scenes', { timeout: 120_000 }, () => {
   it.each(scenes.map(({ id }) => id))('%s runs 300 steps, moves, is seen', async (id) => {
     const scene = scenes.find((each) => each.id === id)!;
     await page.getByRole('navigation').getByRole('button', { name: scene.title, exact: true }).click();

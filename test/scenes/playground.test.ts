@@ -41,7 +41,7 @@ function run(
 const xs = (bodies: readonly RigidBody[]): number[] => bodies.map((body) => body.getPosition()[0]);
 const ys = (bodies: readonly RigidBody[]): number[] => bodies.map((body) => body.getPosition()[1]);
 
-describe('every scene of the playground', () => {
+describe('every scene of the playground', { timeout: 120_000 }, () => {
   it('has a name of its own', () => {
     expect(scenes.length).toBeGreaterThanOrEqual(24);
     expect(new Set(scenes.map(({ id }) => id)).size).toBe(scenes.length);
@@ -394,7 +394,7 @@ describe('play', () => {
   });
 });
 
-describe('speed and size', () => {
+describe('speed and size', { timeout: 120_000 }, () => {
   it('no bullet leaves its cell', () => {
     const world = phys2D.createWorld({ gravity: [0, 0] });
     const { bullets, escaped } = buildThinWalls(phys2D, world);
