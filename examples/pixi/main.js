@@ -65,4 +65,4 @@ app.ticker.add(({ elapsedMS }) => {
 });
 
 // For the console, and the test.
-Object.assign(globalThis, { app, world, pictures, addBall });
+Object.assign(globalThis, { app, world, runner, pictures, addBall });

@@ -31,6 +31,16 @@ async function picture(page: Page): Promise<string> {
   return (await page.locator('canvas').screenshot()).toString('base64');
 }
 
+/** px. How far the farthest picture is from where the runner says that it belongs, after a frame. */
+const farthest = (page: Page, pictures: string, runner: string): Promise<number> =>
+  ask(
+    page,
+    `Math.max(...[...${pictures}].map(([body, { x, y }]) => {
+      const [bx, by] = ${runner}.getPosition(body);
+      return Math.hypot(x - 60 * bx, y - 60 * by);
+    }))`,
+  );
+
 beforeAll(async () => {
   browser = await launch();
 }, 60_000);
@@ -98,15 +108,7 @@ describe('examples', { timeout: 180_000 }, () => {
     await page.mouse.click(100, 100);
     await page.waitForFunction('world.rigidBodies.length === 23 && world.rigidBodies[22].getPosition()[1] > 4');
     expect(await picture(page)).not.toBe(before);
-    const off = await ask<number>(
-      page,
-      `Math.max(...[...pictures].map(([body, { x, y }]) => {
-        const [bx, by] = body.getPosition();
-        return Math.hypot(x - 60 * bx, y - 60 * by);
-      }))`,
-    );
-    // A picture is up to a step behind.
-    expect(off).toBeLessThan(15);
+    expect(await farthest(page, 'pictures', 'runner')).toBeLessThan(1e-6);
     await page.close();
   });
 
@@ -126,14 +128,7 @@ describe('examples', { timeout: 180_000 }, () => {
     await page.waitForFunction(`${body}.getPosition()[1] < ${y / 60 - 1}`);
     await page.mouse.up();
     await page.waitForFunction(`${scene}.world.constraints.length === 0`);
-    const placed = await ask<number>(
-      page,
-      `Math.max(...[...${scene}.pictures].map(([each, { x, y }]) => {
-        const [bx, by] = each.getPosition();
-        return Math.hypot(x - 60 * bx, y - 60 * by);
-      }))`,
-    );
-    expect(placed).toBeLessThan(20);
+    expect(await farthest(page, `${scene}.pictures`, `${scene}.runner`)).toBeLessThan(1e-6);
     await page.close();
   });
 
