@@ -1,8 +1,9 @@
 // Builds into dist/ what is published, and the examples: node build.mjs
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 
@@ -10,6 +11,8 @@ const root = fileURLToPath(new URL('.', import.meta.url));
 const dist = join(root, 'dist');
 // minifySyntax puts the numbers of named constants into the hot loops (a sixth of a step), and leaves the names readable.
 const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true, minifySyntax: true };
+
+const execFileAsync = promisify(execFile);
 
 // What a game that ships without it does not pay for is a module of its own.
 const modules = {
@@ -34,6 +37,7 @@ await Promise.all([
   buildUmd(false),
   buildUmd(true),
   buildExamples(),
+  buildPlayground(),
 ]);
 copyFileSync(join(dist, 'phys2d.umd.cjs'), join(dist, 'phys2d.umd.js'));
 printSizes();
@@ -103,6 +107,11 @@ function buildExamples() {
     .filter((name) => name.endsWith('.ts'))
     .map((name) => `examples/${name}`);
   return build({ ...common, entryPoints, outdir: 'dist/examples', format: 'esm', platform: 'node', plugins: [phys2d] });
+}
+
+/** The playground, as a program of its own. */
+function buildPlayground() {
+  return execFileAsync(process.execPath, ['playground/build.mjs'], { cwd: root });
 }
 
 /** Declarations of the public names: those of the modules and the files they lead to, and `umd.d.cts` for `require`. */

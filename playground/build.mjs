@@ -1,0 +1,32 @@
+// Builds the playground into dist/playground, as files that work from any path: node playground/build.mjs [--serve]
+// With --serve it is served, and built anew whenever it is asked for.
+import { copyFileSync, mkdirSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build, context } from 'esbuild';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+const outdir = join(root, 'dist/playground');
+const isServed = process.argv.includes('--serve');
+const options = {
+  absWorkingDir: root,
+  entryPoints: ['playground/main.ts', 'playground/style.css'],
+  outdir,
+  bundle: true,
+  // No module: browsers refuse those from a disk.
+  format: 'iife',
+  target: 'es2022',
+  minify: !isServed,
+  sourcemap: isServed,
+};
+
+rmSync(outdir, { recursive: true, force: true });
+mkdirSync(outdir, { recursive: true });
+copyFileSync(join(root, 'playground/index.html'), join(outdir, 'index.html'));
+if (isServed) {
+  const served = await context(options);
+  const { hosts, port } = await served.serve({ servedir: outdir, host: '127.0.0.1' });
+  console.log(`The playground is at http://${hosts[0]}:${port}/`);
+} else {
+  await build(options);
+}
