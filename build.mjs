@@ -27,7 +27,18 @@ printSizes();
 
 function buildEsm(name, minify) {
   const outfile = minify ? `dist/${name}.min.js` : `dist/${name}.js`;
-  return build({ ...common, entryPoints: [modules[name]], outfile, format: 'esm', ...minified(minify) });
+  const plugins = name === 'phys2d' ? [debugApart(minify)] : [];
+  return build({ ...common, entryPoints: [modules[name]], outfile, format: 'esm', plugins, ...minified(minify) });
+}
+
+/** The engine passes debug drawing on from its module: there is one of it, and who does not use it bundles nothing of it. */
+function debugApart(minify) {
+  const path = minify ? './debug.min.js' : './debug.js';
+  return {
+    name: 'debug apart',
+    setup: ({ onResolve }) =>
+      onResolve({ filter: /^\.\/debug\/index\.js$/ }, () => ({ path, external: true, sideEffects: false })),
+  };
 }
 
 /** Minified bundles have short names for internal members too. */
@@ -119,9 +130,12 @@ function buildTypes() {
     ]
       .flatMap(([, list, name]) => (name === undefined ? list.split(',').map((part) => part.trim()) : [name]))
       .filter((name) => /^[A-Z]\w*[a-z]/.test(name));
+  const own = types('index.d.ts');
   const aliases = [
-    ...types('index.d.ts').map((name) => `  type ${name} = names.${name};`),
-    ...types('debug/index.d.ts').map((name) => `  type ${name} = debug.${name};`),
+    ...own.map((name) => `  type ${name} = names.${name};`),
+    ...types('debug/index.d.ts')
+      .filter((name) => !own.includes(name))
+      .map((name) => `  type ${name} = debug.${name};`),
     ...types('runner.d.ts').map((name) => `  type ${name} = runner.${name};`),
   ];
   writeFileSync(

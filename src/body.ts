@@ -18,7 +18,9 @@ export type BodyHandler = (this: RigidBody) => void;
  * ignored during a step.
  */
 export class RigidBody extends BodyState {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal use `createRigidBody` */
   constructor(params?: RigidBodyParams) {

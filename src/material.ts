@@ -21,7 +21,9 @@ export interface MaterialParams {
  * How two materials combine at a contact: {@link mixElasticity}, {@link mixFriction}.
  */
 export class Material {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   /** Anything of yours. */
   userData: unknown;

@@ -30,7 +30,9 @@ import { type WorldParams, WorldState } from './world-state.js';
  * (in `preSolve` handlers) nothing can be added or removed; in all other handlers everything may be changed.
  */
 export class World extends WorldState {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal use `createWorld` */
   constructor(params?: WorldParams) {

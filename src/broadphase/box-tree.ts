@@ -26,7 +26,9 @@ export interface BoxTreeRayResult {
 
 /** A node as `getNodes` shows it: depth first, each followed by its subtrees. */
 export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal */
   constructor(
@@ -50,7 +52,9 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
  * be called before queries. Results come in no particular order.
  */
 export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   private readonly tree = new PackedTree<T>();
   private dirty = false;

@@ -22,7 +22,9 @@ const NEVER = -1e6;
  * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
  */
 export class Arbiter {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   /** The shape with the lower id. */
   shapeA: Shape;

@@ -28,7 +28,9 @@ const DEFAULT_SCALE = 60;
  * It only reads: it changes and wakes nothing, and may draw a world of any of the bundles.
  */
 export class Physics2DDebugDraw extends DebugSettings {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal */
   readonly lines = new LineBuffer();

@@ -14,7 +14,9 @@ export interface CircleParams extends ShapeParams {
 
 /** A disc. */
 export class Circle extends Shape {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   readonly type = 'CIRCLE';
 

@@ -19,7 +19,9 @@ export interface PolygonParams extends ShapeParams {
 
 /** A convex polygon with any number of corners. */
 export class Polygon extends Shape {
-  static readonly version = 1;
+  static get version(): number {
+    return 1;
+  }
 
   readonly type = 'POLYGON';
 
