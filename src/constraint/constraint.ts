@@ -12,6 +12,7 @@ import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
 import type { Island } from '../solver/sleep.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
+import type { CustomConstraint } from './custom.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
 
 export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
@@ -306,4 +307,9 @@ export function checkBounds(where: string, name: string, lower: number, upper: n
     const rule = isLower ? `<= upperBound (${upper})` : `>= lowerBound (${lower})`;
     throw rangeError(where, name, rule, isLower ? lower : upper);
   }
+}
+
+/** Asked by its type, as the class itself would be in every bundle that has a world. */
+export function isCustom(constraint: Constraint): constraint is CustomConstraint {
+  return constraint.type === 'CUSTOM';
 }
