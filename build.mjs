@@ -142,37 +142,42 @@ function buildTypes() {
   }
   rmSync(all, { recursive: true });
 
-  const types = (file) =>
-    [
-      ...readFileSync(join(dist, file), 'utf8').matchAll(
-        /export (?:type )?\{([^}]*)\}|export (?:declare )?(?:class|interface) (\w+)/g,
-      ),
-    ]
-      .flatMap(([, list, name]) => (name === undefined ? list.split(',').map((part) => part.trim()) : [name]))
-      .filter((name) => /^[A-Z]\w*[a-z]/.test(name));
-  const own = types('index.d.ts');
-  const aliases = [
-    ...own.map((name) => `  type ${name} = names.${name};`),
-    ...types('debug/index.d.ts')
-      .filter((name) => !own.includes(name))
-      .map((name) => `  type ${name} = debug.${name};`),
-    ...types('runner.d.ts').map((name) => `  type ${name} = runner.${name};`),
-  ];
-  writeFileSync(
-    join(dist, 'umd.d.cts'),
-    `import type * as debug from './debug/index.js' with { 'resolution-mode': 'import' };
+  writeFileSync(join(dist, 'umd.d.cts'), umdTypes());
+}
+
+/** Every public name as a member of one namespace: what `require` and the script tag give. */
+function umdTypes() {
+  const members = new Map();
+  for (const [module, file] of [
+    ['runner', 'runner.d.ts'],
+    ['debug', 'debug/index.d.ts'],
+    ['names', 'index.d.ts'],
+  ]) {
+    const exported = /export (type )?\{([^}]*)\}|export (?:declare )?(class|interface) (\w+)/g;
+    for (const [, type, list, kind, single] of readFileSync(join(dist, file), 'utf8').matchAll(exported)) {
+      for (const name of (list ?? single).split(',').map((part) => part.trim().replace(/.* as default$/, ''))) {
+        const isType = /^[A-Z]/.test(name);
+        const isValue = type === undefined && kind !== 'interface' && name !== '';
+        members.set(name, [
+          ...(isType ? [`  type ${name} = ${module}.${name};`] : []),
+          ...(isValue ? [`  const ${name}: typeof ${module}.${name};`] : []),
+        ]);
+      }
+    }
+  }
+  const lines = [...members.keys()].sort().flatMap((name) => members.get(name));
+  return `import type * as debug from './debug/index.js' with { 'resolution-mode': 'import' };
 import type * as names from './index.js' with { 'resolution-mode': 'import' };
 import type * as runner from './runner.js' with { 'resolution-mode': 'import' };
 
 /** A device that is ready to use, with every public class as a property. */
-declare const phys2D: names.Physics2DDevice & Omit<typeof names, 'default'> & typeof debug & typeof runner;
 declare namespace phys2D {
-${aliases.sort().join('\n')}
+${lines.join('\n')}
+  const vendor: string;
 }
 export = phys2D;
 export as namespace phys2D;
-`,
-  );
+`;
 }
 
 function printSizes() {

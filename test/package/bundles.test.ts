@@ -237,6 +237,8 @@ describe('the type declarations', () => {
       const module = apart?.[0] ?? 'names';
       expect(read('umd.d.cts'), name).toContain(`type ${name} = ${module}.${name};`);
     }
+    const values = [...read('umd.d.cts').matchAll(/^ {2}const (\w+):/gm)].map(([, name]) => name);
+    expect(values.sort()).toEqual([...Object.keys(names), 'vendor'].sort());
   });
 
   it('show nothing internal', () => {
@@ -399,7 +401,8 @@ import phys2D = require('phys2d');
 const graphicsDevice: SVGDebugDevice = SVGDebugDevice.create({ width: 1, height: 1 });
 const debug: phys2D.Physics2DDebugDraw = Physics2DDebugDraw.create({ graphicsDevice });
 const same: phys2D.Physics2DDebugDraw = phys2D.Physics2DDebugDraw.create({ graphicsDevice });
-export const used = [debug, same, FixedStepRunner.create({ world: phys2D.createWorld() })];`,
+const device: phys2D.Physics2DDevice = phys2D;
+export const used = [debug, same, device, FixedStepRunner.create({ world: phys2D.createWorld() })];`,
       'script.ts': 'const world: phys2D.World = phys2D.createWorld();\nworld.step(1 / 60);\n',
     };
     for (const [name, code] of Object.entries(files)) {
