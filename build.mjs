@@ -173,7 +173,7 @@ import type * as runner from './runner.js' with { 'resolution-mode': 'import' };
 /** A device that is ready to use, with every public class as a property. */
 declare namespace phys2D {
 ${lines.join('\n')}
-  const vendor: string;
+  const vendor: names.Physics2DDevice['vendor'];
 }
 export = phys2D;
 export as namespace phys2D;
