@@ -18,7 +18,7 @@ export interface MaterialParams {
 
 /**
  * What a shape is made of. Immutable apart from `userData`; sharing one between shapes is normal.
- * How two materials combine at a contact: {@link mixElasticity}, {@link mixFriction}.
+ * Two combine at a contact to the mean of their elasticities and the geometric mean of their frictions.
  */
 export class Material {
   static get version(): number {
