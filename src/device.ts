@@ -25,10 +25,12 @@ import type { WorldParams } from './world-state.js';
  * import as well: a bundle has of those what it uses, and of a device everything.
  */
 export class Physics2DDevice {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }
 
+  /** Who made the engine. */
   readonly vendor = 'phys2d';
 
   /** A device; one is as good as another. */

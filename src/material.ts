@@ -21,6 +21,7 @@ export interface MaterialParams {
  * Two combine at a contact to the mean of their elasticities and the geometric mean of their frictions.
  */
 export class Material {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }
@@ -51,14 +52,17 @@ export class Material {
     this.userData = given.userData === undefined ? null : given.userData;
   }
 
+  /** As given to `createMaterial`. */
   getElasticity(): number {
     return this.elasticity;
   }
 
+  /** As given to `createMaterial`. */
   getStaticFriction(): number {
     return this.staticFriction;
   }
 
+  /** As given to `createMaterial`. */
   getDynamicFriction(): number {
     return this.dynamicFriction;
   }

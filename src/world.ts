@@ -30,6 +30,7 @@ import { type WorldParams, WorldState } from './world-state.js';
  * (in `preSolve` handlers) nothing can be added or removed; in all other handlers everything may be changed.
  */
 export class World extends WorldState {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }

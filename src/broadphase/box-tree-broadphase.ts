@@ -47,6 +47,7 @@ class TreePair<T> {
  * static costs nothing.
  */
 export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }

@@ -26,6 +26,7 @@ export interface BoxTreeRayResult {
 
 /** A node as `getNodes` shows it: depth first, each followed by its subtrees. */
 export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }
@@ -42,6 +43,7 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     public externalNode: T | undefined,
   ) {}
 
+  /** Whether it has a box of its own, and no children. */
   isLeaf(): boolean {
     return this.externalNode !== undefined;
   }
@@ -52,6 +54,7 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
  * be called before queries. Results come in no particular order.
  */
 export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }

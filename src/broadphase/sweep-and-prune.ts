@@ -107,6 +107,7 @@ class SweepList<T> {
  * are spread out along x and of similar width; one very wide static handle makes all static ones behind its start be looked at.
  */
 export class SweepAndPrune<T = unknown> implements Broadphase<T> {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }

@@ -15,6 +15,7 @@ const ray = /* @__PURE__ */ new RayTest();
  * nothing is changed.
  */
 export class CollisionUtils {
+  /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }

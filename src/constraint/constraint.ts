@@ -15,8 +15,10 @@ import type { World } from '../world.js';
 import type { CustomConstraint } from './custom.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
 
+/** The kinds of constraints. */
 export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
 
+/** What constraints tell their listeners. */
 export type ConstraintEventType = 'wake' | 'sleep' | 'break';
 
 /** Called without arguments, `this` = the constraint. */
@@ -30,6 +32,7 @@ export type ConstraintHandler = (this: Constraint) => void;
  * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
  */
 export abstract class Constraint {
+  /** Tells the kinds apart. */
   abstract readonly type: ConstraintType;
   /** How many numbers its error is made of. */
   readonly dimension: number;
@@ -119,6 +122,7 @@ export abstract class Constraint {
     return this.owner;
   }
 
+  /** Asleep, together with its bodies or because it was put to sleep. */
   get sleeping(): boolean {
     return this.asleep;
   }
@@ -136,10 +140,12 @@ export abstract class Constraint {
     this.rouse();
   }
 
+  /** Whether it acts when it is in a world. */
   isEnabled(): boolean {
     return this.enabled;
   }
 
+  /** Whether it does nothing, even in a world. */
   isDisabled(): boolean {
     return !this.enabled;
   }

@@ -15,6 +15,7 @@ export interface MotorConstraintParams extends TwoBodyParams {
  *     ratio · ωB − ωA = rate
  */
 export class MotorConstraint extends TwoBodyConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'MOTOR';
 
   private rate: number;
@@ -28,6 +29,7 @@ export class MotorConstraint extends TwoBodyConstraint {
     this.positional = false;
   }
 
+  /** Turns of body A for one of body B. */
   getRatio(): number {
     return this.ratio;
   }
@@ -42,6 +44,7 @@ export class MotorConstraint extends TwoBodyConstraint {
     return this.rate;
   }
 
+  /** Sets the rate, rad/s. Wakes the constraint if changed. */
   setRate(rate: number): void {
     finite('MotorConstraint.setRate', 'rate', rate);
     if (rate !== this.rate) {

@@ -17,6 +17,7 @@ export interface TwoAnchorParams extends TwoBodyParams {
   anchorB?: Vec2Like | undefined;
 }
 
+/** Between which values what is constrained may be. */
 export interface Bounds {
   /** Not above `upperBound`, −`Infinity` for none. If both are equal the constraint is an equality. */
   lowerBound?: number | undefined;
@@ -37,10 +38,12 @@ export abstract class TwoBodyConstraint extends Constraint {
     super(where, dimension, [checkedBody(where, 'bodyA', bodyA), checkedBody(where, 'bodyB', bodyB), ...more], params);
   }
 
+  /** The first body. */
   get bodyA(): RigidBody {
     return this.members[0]!;
   }
 
+  /** The second body. */
   get bodyB(): RigidBody {
     return this.members[1]!;
   }
@@ -75,6 +78,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     return vec2(this.anchors[0]!, this.anchors[1]!, dst);
   }
 
+  /** Sets the anchor on body A, in its coordinates, m. */
   setAnchorA(anchor: Vec2Like): void {
     this.setAnchor('A', 0, anchor);
   }
@@ -86,6 +90,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     return vec2(this.anchors[2]!, this.anchors[3]!, dst);
   }
 
+  /** Sets the anchor on body B, in its coordinates, m. */
   setAnchorB(anchor: Vec2Like): void {
     this.setAnchor('B', 1, anchor);
   }
