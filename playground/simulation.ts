@@ -1,6 +1,5 @@
 import { type Phase, phys2D, type World } from '../src/index.js';
 import { FixedStepRunner } from '../src/runner.js';
-import { stateHash } from '../test/scenes/hash.js';
 import { type Controls, HANDS_OFF, type Play } from '../test/scenes/play.js';
 import { type Scene, sceneOf } from './scenes.js';
 import type { Settings } from './settings.js';
@@ -108,7 +107,7 @@ export class Simulation {
   }
 
   hash(): string {
-    return stateHash(this.world);
+    return this.world.hash();
   }
 
   private before(): void {

@@ -13,6 +13,7 @@ import {
   vector,
 } from './validate.js';
 
+/** What moves a body; see `RigidBodyParams.type`. */
 export type BodyType = 'dynamic' | 'kinematic' | 'static';
 
 /** Options of `createRigidBody`. */

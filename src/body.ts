@@ -7,6 +7,7 @@ import { Shape } from './shape/shape.js';
 import { callable, finite, instance, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
 import type { World } from './world.js';
 
+/** What bodies tell their listeners. */
 export type BodyEventType = 'wake' | 'sleep';
 
 /** Called without arguments, `this` = the body. */
@@ -18,7 +19,10 @@ export type BodyHandler = (this: RigidBody) => void;
  * ignored during a step.
  */
 export class RigidBody extends BodyState {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal use `createRigidBody` */
   constructor(params?: RigidBodyParams) {
@@ -35,14 +39,17 @@ export class RigidBody extends BodyState {
     return this.asleep;
   }
 
+  /** Moved by forces and contacts. */
   isDynamic(): boolean {
     return this.kind === DYNAMIC;
   }
 
+  /** Moved by its velocity alone. */
   isKinematic(): boolean {
     return this.kind === KINEMATIC;
   }
 
+  /** Not moved at all. */
   isStatic(): boolean {
     return this.kind === STATIC;
   }
@@ -202,6 +209,7 @@ export class RigidBody extends BodyState {
     }
   }
 
+  /** Share of the velocity lost per second. */
   getLinearDrag(): number {
     return this.linearDrag;
   }
@@ -212,6 +220,7 @@ export class RigidBody extends BodyState {
     this.rouse();
   }
 
+  /** Share of the angular velocity lost per second. */
   getAngularDrag(): number {
     return this.angularDrag;
   }
@@ -349,6 +358,7 @@ export class RigidBody extends BodyState {
     return result;
   }
 
+  /** A point of the world in body coordinates, m. */
   transformWorldPointToLocal(worldPoint: Vec2Like): Vec2;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst: T): T;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst?: T): T | Vec2 {
@@ -356,6 +366,7 @@ export class RigidBody extends BodyState {
     return this.toLocal(worldPoint[0]! - this.x, worldPoint[1]! - this.y, dst);
   }
 
+  /** A direction of the world in body coordinates. */
   transformWorldVectorToLocal(worldVector: Vec2Like): Vec2;
   transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst: T): T;
   transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst?: T): T | Vec2 {
@@ -363,6 +374,7 @@ export class RigidBody extends BodyState {
     return this.toLocal(worldVector[0]!, worldVector[1]!, dst);
   }
 
+  /** A point in body coordinates in those of the world, m. */
   transformLocalPointToWorld(localPoint: Vec2Like): Vec2;
   transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst: T): T;
   transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst?: T): T | Vec2 {
@@ -370,6 +382,7 @@ export class RigidBody extends BodyState {
     return this.toWorld(localPoint, this.x, this.y, dst);
   }
 
+  /** A direction in body coordinates in those of the world. */
   transformLocalVectorToWorld(localVector: Vec2Like): Vec2;
   transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst: T): T;
   transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst?: T): T | Vec2 {

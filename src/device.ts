@@ -1,32 +1,36 @@
-import { RigidBody } from './body.js';
+import type { RigidBody } from './body.js';
 import type { RigidBodyParams } from './body-params.js';
-import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
-import { SweepAndPrune } from './broadphase/sweep-and-prune.js';
-import { CollisionUtils } from './collide/utils.js';
-import { AngleConstraint, type AngleConstraintParams } from './constraint/angle.js';
-import { CustomConstraint, type CustomConstraintParams } from './constraint/custom.js';
-import { DistanceConstraint, type DistanceConstraintParams } from './constraint/distance.js';
-import { LineConstraint, type LineConstraintParams } from './constraint/line.js';
-import { MotorConstraint, type MotorConstraintParams } from './constraint/motor.js';
-import { PointConstraint, type PointConstraintParams } from './constraint/point.js';
-import { PulleyConstraint, type PulleyConstraintParams } from './constraint/pulley.js';
-import { WeldConstraint, type WeldConstraintParams } from './constraint/weld.js';
+import type { CollisionUtils } from './collide/utils.js';
+import type { AngleConstraint, AngleConstraintParams } from './constraint/angle.js';
+import type { CustomConstraint, CustomConstraintParams } from './constraint/custom.js';
+import type { DistanceConstraint, DistanceConstraintParams } from './constraint/distance.js';
+import type { LineConstraint, LineConstraintParams } from './constraint/line.js';
+import type { MotorConstraint, MotorConstraintParams } from './constraint/motor.js';
+import type { PointConstraint, PointConstraintParams } from './constraint/point.js';
+import type { PulleyConstraint, PulleyConstraintParams } from './constraint/pulley.js';
+import type { WeldConstraint, WeldConstraintParams } from './constraint/weld.js';
+import * as create from './create.js';
 import { createBoxVertices, createRectangleVertices, createRegularPolygonVertices } from './geometry/vertices.js';
-import { DEFAULT_MATERIAL, Material, type MaterialParams } from './material.js';
+import type { Material, MaterialParams } from './material.js';
 import type { Vec2 } from './math/vectors.js';
-import { Circle, type CircleParams } from './shape/circle.js';
-import { Polygon, type PolygonParams } from './shape/polygon.js';
-import { World } from './world.js';
+import type { Circle, CircleParams } from './shape/circle.js';
+import type { Polygon, PolygonParams } from './shape/polygon.js';
+import type { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 
 /**
  * The factory for everything else. Holds no state: all devices are equal, and `phys2D` is one that is ready to use. Bad
- * arguments throw before anything is made; the message names the function, the argument, the rule and the value.
+ * arguments throw before anything is made; the message names the function, the argument, the rule and the value. Each method is a function to
+ * import as well: a bundle has of those what it uses, and of a device everything.
  */
 export class Physics2DDevice {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
+  /** Who made the engine. */
   readonly vendor = 'phys2d';
 
   /** A device; one is as good as another. */
@@ -34,84 +38,89 @@ export class Physics2DDevice {
     return new Physics2DDevice();
   }
 
+  /** A world without bodies. */
   createWorld(params?: WorldParams): World {
-    return new World(params);
+    return create.createWorld(params);
   }
 
   /** A broadphase for any scene; the default of `createWorld`. */
   createBoxTreeBroadphase(): Broadphase {
-    return new BoxTreeBroadphase();
+    return create.createBoxTreeBroadphase();
   }
 
   /** A broadphase for scenes spread out along x. */
   createSweepAndPruneBroadphase(): Broadphase {
-    return new SweepAndPrune();
+    return create.createSweepAndPruneBroadphase();
   }
 
+  /** A body, in no world yet; dynamic unless `params.type` says otherwise. */
   createRigidBody(params?: RigidBodyParams): RigidBody {
-    return new RigidBody(params);
+    return create.createRigidBody(params);
   }
 
   /** The material of shapes made without one: always the same object. */
   getDefaultMaterial(): Material {
-    return DEFAULT_MATERIAL;
+    return create.getDefaultMaterial();
   }
 
+  /** What surfaces are made of: density, elasticity, friction. Shapes may share it. */
   createMaterial(params?: MaterialParams): Material {
-    return new Material(params);
+    return create.createMaterial(params);
   }
 
+  /** A disc, of no body yet. */
   createCircleShape(params: CircleParams): Circle {
-    return new Circle(params);
+    return create.createCircleShape(params);
   }
 
+  /** A convex polygon, of no body yet. */
   createPolygonShape(params: PolygonParams): Polygon {
-    return new Polygon(params);
+    return create.createPolygonShape(params);
   }
 
   /** Distances, intersections, rays and sweeps of shapes, without a world. */
   createCollisionUtils(): CollisionUtils {
-    return new CollisionUtils();
+    return create.createCollisionUtils();
   }
 
   /** Two points of two bodies coincide. */
   createPointConstraint(params: PointConstraintParams): PointConstraint {
-    return new PointConstraint(params);
+    return create.createPointConstraint(params);
   }
 
   /** Two points of two bodies coincide, and the bodies keep their angle. */
   createWeldConstraint(params: WeldConstraintParams): WeldConstraint {
-    return new WeldConstraint(params);
+    return create.createWeldConstraint(params);
   }
 
   /** The angle between two bodies stays between bounds; with a ratio, a gear. */
   createAngleConstraint(params: AngleConstraintParams): AngleConstraint {
-    return new AngleConstraint(params);
+    return create.createAngleConstraint(params);
   }
 
   /** The distance of two points of two bodies stays between bounds: rod, rope, spring. */
   createDistanceConstraint(params: DistanceConstraintParams): DistanceConstraint {
-    return new DistanceConstraint(params);
+    return create.createDistanceConstraint(params);
   }
 
   /** A point of body B stays on a line of body A, between bounds along it. */
   createLineConstraint(params: LineConstraintParams): LineConstraint {
-    return new LineConstraint(params);
+    return create.createLineConstraint(params);
   }
 
   /** Two bodies turn against each other at a rate. */
   createMotorConstraint(params: MotorConstraintParams): MotorConstraint {
-    return new MotorConstraint(params);
+    return create.createMotorConstraint(params);
   }
 
   /** A rope over two bodies: its two links have a length together. */
   createPulleyConstraint(params: PulleyConstraintParams): PulleyConstraint {
-    return new PulleyConstraint(params);
+    return create.createPulleyConstraint(params);
   }
 
   /** A constraint of your own, given by its error and its Jacobian. */
   createCustomConstraint(params: CustomConstraintParams): CustomConstraint {
-    return new CustomConstraint(params);
+    return create.createCustomConstraint(params);
   }
 
   /** Corners of a `width` × `height` box around the origin, clockwise from the upper left. m, > 0. */
@@ -131,4 +140,4 @@ export class Physics2DDevice {
 }
 
 /** A device that is ready to use. */
-export const phys2D: Physics2DDevice = Physics2DDevice.create();
+export const phys2D: Physics2DDevice = /* @__PURE__ */ Physics2DDevice.create();

@@ -31,6 +31,26 @@ export { WeldConstraint } from './constraint/weld.js';
 export { Arbiter } from './contact/arbiter.js';
 export { Contact } from './contact/contact.js';
 export { Hit } from './contact/hit.js';
+export {
+  createAngleConstraint,
+  createBoxTreeBroadphase,
+  createCircleShape,
+  createCollisionUtils,
+  createCustomConstraint,
+  createDistanceConstraint,
+  createLineConstraint,
+  createMaterial,
+  createMotorConstraint,
+  createPointConstraint,
+  createPolygonShape,
+  createPulleyConstraint,
+  createRigidBody,
+  createSweepAndPruneBroadphase,
+  createWeldConstraint,
+  createWorld,
+  getDefaultMaterial,
+} from './create.js';
+export { Physics2DDebugDraw } from './debug/index.js';
 export { Physics2DDevice, phys2D, phys2D as default } from './device.js';
 export { createBoxVertices, createRectangleVertices, createRegularPolygonVertices } from './geometry/vertices.js';
 export type { MaterialParams } from './material.js';

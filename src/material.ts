@@ -18,10 +18,13 @@ export interface MaterialParams {
 
 /**
  * What a shape is made of. Immutable apart from `userData`; sharing one between shapes is normal.
- * How two materials combine at a contact: {@link mixElasticity}, {@link mixFriction}.
+ * Two combine at a contact to the mean of their elasticities and the geometric mean of their frictions.
  */
 export class Material {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** Anything of yours. */
   userData: unknown;
@@ -49,14 +52,17 @@ export class Material {
     this.userData = given.userData === undefined ? null : given.userData;
   }
 
+  /** As given to `createMaterial`. */
   getElasticity(): number {
     return this.elasticity;
   }
 
+  /** As given to `createMaterial`. */
   getStaticFriction(): number {
     return this.staticFriction;
   }
 
+  /** As given to `createMaterial`. */
   getDynamicFriction(): number {
     return this.dynamicFriction;
   }

@@ -47,6 +47,7 @@ export class Profile {
   manifolds = 0;
   /** Contacts in the solver, of one and of two points; and how many of them are in parts that are swept over more often. */
   contacts = 0;
+  /** How many of `contacts` are in parts that are swept over more often. */
   hardContacts = 0;
   /** Constraints in the solver. */
   joints = 0;

@@ -4,6 +4,7 @@ import { type NumberSink, type Vec2, vec2 } from './math/vectors.js';
 import { callable, integer, nonNegative, optional, options, positive, typeError } from './validate.js';
 import type { World } from './world.js';
 
+/** Options of `FixedStepRunner.create`. */
 export interface FixedStepRunnerParams {
   world: World;
   /** Length of each step, s, > 0. Default 1/60. */
@@ -40,6 +41,7 @@ export class FixedStepRunner {
     this.maxSteps = integer(where, 'maxSteps', optional(given.maxSteps, 5), 1);
   }
 
+  /** A runner of a world. @throws if an option is not valid. */
   static create(params: FixedStepRunnerParams): FixedStepRunner {
     return new FixedStepRunner(params);
   }

@@ -36,7 +36,9 @@ const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 's
 
 /** What a world is made of: its lists, its settings, and the parts it owns. {@link World} is its public face. */
 export abstract class WorldState {
+  /** All bodies in this world. */
   readonly rigidBodies: RigidBody[] = [];
+  /** All constraints in this world. */
   readonly constraints: Constraint[] = [];
   /** Dynamic bodies that are awake. */
   readonly liveDynamics: RigidBody[] = [];
@@ -48,6 +50,7 @@ export abstract class WorldState {
   readonly dynamicArbiters: Arbiter[] = [];
   /** Awake interactions, running or cached, with a static or kinematic body. */
   readonly staticArbiters: Arbiter[] = [];
+  /** What finds pairs of shapes that are near each other. */
   readonly broadphase: Broadphase;
   /** Told at the end of each step where bodies are, before events; `null` for none. A `PoseBuffer`, or anything with such a method. */
   poses: { update(): void } | null = null;

@@ -33,7 +33,10 @@ import { type WorldParams, WorldState } from './world-state.js';
  * `validate(world)`, imported apart from `phys2d/validate`, checks that all that a world consists of is consistent.
  */
 export class World extends WorldState {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal use `createWorld` */
   constructor(params?: WorldParams) {

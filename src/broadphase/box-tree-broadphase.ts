@@ -47,7 +47,10 @@ class TreePair<T> {
  * static costs nothing.
  */
 export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   private readonly moving = new PackedTree<TreeHandle<T>>();
   private readonly still = new PackedTree<TreeHandle<T>>();

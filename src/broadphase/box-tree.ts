@@ -26,7 +26,10 @@ export interface BoxTreeRayResult {
 
 /** A node as `getNodes` shows it: depth first, each followed by its subtrees. */
 export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal */
   constructor(
@@ -40,6 +43,7 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     public externalNode: T | undefined,
   ) {}
 
+  /** Whether it has a box of its own, and no children. */
   isLeaf(): boolean {
     return this.externalNode !== undefined;
   }
@@ -50,7 +54,10 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
  * be called before queries. Results come in no particular order.
  */
 export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   private readonly tree = new PackedTree<T>();
   private dirty = false;

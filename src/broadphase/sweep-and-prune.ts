@@ -107,7 +107,10 @@ class SweepList<T> {
  * are spread out along x and of similar width; one very wide static handle makes all static ones behind its start be looked at.
  */
 export class SweepAndPrune<T = unknown> implements Broadphase<T> {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   private readonly moving = new SweepList<T>();
   private readonly still = new SweepList<T>();

@@ -7,15 +7,18 @@ import { containsPoint } from './contains.js';
 import { gapBetween } from './gap.js';
 import { RayTest, rayShape } from './rays.js';
 
-const sweep = new Sweep();
-const ray = new RayTest();
+const sweep = /* @__PURE__ */ new Sweep();
+const ray = /* @__PURE__ */ new RayTest();
 
 /**
  * Geometry of shapes where their bodies are now, in a world or not. Every shape must have a body. Sensors, groups and masks play no part, and
  * nothing is changed.
  */
 export class CollisionUtils {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** Whether a shape contains a world point; its boundary counts. */
   containsPoint(shape: Shape, point: Vec2Like): boolean {

@@ -14,6 +14,7 @@ export interface AngleConstraintParams extends TwoBodyParams, Bounds {
  *     lower ≤ ratio · θB − θA ≤ upper
  */
 export class AngleConstraint extends TwoBodyConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'ANGLE';
 
   /** @internal use `createAngleConstraint` */
@@ -24,6 +25,7 @@ export class AngleConstraint extends TwoBodyConstraint {
     takeBounds(this, where, params, 0, 0);
   }
 
+  /** Turns of body A for one of body B. */
   getRatio(): number {
     return this.ratio;
   }

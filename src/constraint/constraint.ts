@@ -13,10 +13,13 @@ import type { Island } from '../solver/sleep.js';
 import type { Tape } from '../state/tape.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
+import type { CustomConstraint } from './custom.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
 
+/** The kinds of constraints. */
 export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
 
+/** What constraints tell their listeners. */
 export type ConstraintEventType = 'wake' | 'sleep' | 'break';
 
 /** Called without arguments, `this` = the constraint. */
@@ -30,6 +33,7 @@ export type ConstraintHandler = (this: Constraint) => void;
  * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
  */
 export abstract class Constraint {
+  /** Tells the kinds apart. */
   abstract readonly type: ConstraintType;
   /** How many numbers its error is made of. */
   readonly dimension: number;
@@ -119,6 +123,7 @@ export abstract class Constraint {
     return this.owner;
   }
 
+  /** Asleep, together with its bodies or because it was put to sleep. */
   get sleeping(): boolean {
     return this.asleep;
   }
@@ -136,10 +141,12 @@ export abstract class Constraint {
     this.rouse();
   }
 
+  /** Whether it acts when it is in a world. */
   isEnabled(): boolean {
     return this.enabled;
   }
 
+  /** Whether it does nothing, even in a world. */
   isDisabled(): boolean {
     return !this.enabled;
   }
@@ -330,4 +337,9 @@ export function checkBounds(where: string, name: string, lower: number, upper: n
     const rule = isLower ? `<= upperBound (${upper})` : `>= lowerBound (${lower})`;
     throw rangeError(where, name, rule, isLower ? lower : upper);
   }
+}
+
+/** Asked by its type, as the class itself would be in every bundle that has a world. */
+export function isCustom(constraint: Constraint): constraint is CustomConstraint {
+  return constraint.type === 'CUSTOM';
 }

@@ -44,6 +44,7 @@ type CallbackName = 'position' | 'jacobian' | 'velocityClamp' | 'positionClamp';
 
 /** A constraint given by callbacks: any number of rows and bodies, through the same solver as the built-in kinds. */
 export class CustomConstraint extends Constraint {
+  /** Tells the kinds apart. */
   readonly type = 'CUSTOM';
   /** The bodies of the Jacobian's columns. Do not modify. */
   readonly bodies: readonly RigidBody[];

@@ -13,6 +13,7 @@ export interface DistanceConstraintParams extends TwoAnchorParams, Bounds {}
  *     lower ≤ |wB − wA| ≤ upper,   w = x + R(θ) · anchor
  */
 export class DistanceConstraint extends AnchoredConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'DISTANCE';
 
   private readonly link = new Link(0, 1);

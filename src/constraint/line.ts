@@ -18,6 +18,7 @@ export interface LineConstraintParams extends TwoAnchorParams, Bounds {
  * Body A gets the impulse at B's anchor, so its arm is rA + d.
  */
 export class LineConstraint extends AnchoredConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'LINE';
 
   private axisX: number;

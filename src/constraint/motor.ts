@@ -16,6 +16,7 @@ export interface MotorConstraintParams extends TwoBodyParams {
  *     ratio · ωB − ωA = rate
  */
 export class MotorConstraint extends TwoBodyConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'MOTOR';
 
   private rate: number;
@@ -29,6 +30,7 @@ export class MotorConstraint extends TwoBodyConstraint {
     this.positional = false;
   }
 
+  /** Turns of body A for one of body B. */
   getRatio(): number {
     return this.ratio;
   }
@@ -43,6 +45,7 @@ export class MotorConstraint extends TwoBodyConstraint {
     return this.rate;
   }
 
+  /** Sets the rate, rad/s. Wakes the constraint if changed. */
   setRate(rate: number): void {
     finite('MotorConstraint.setRate', 'rate', rate);
     if (rate !== this.rate) {

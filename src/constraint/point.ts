@@ -11,6 +11,7 @@ export interface PointConstraintParams extends TwoAnchorParams {}
  *     J = [−1, 0, rA.y, 1, 0, −rB.y;  0, −1, −rA.x, 0, 1, rB.x]
  */
 export class PointConstraint extends AnchoredConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'POINT';
 
   /** @internal use `createPointConstraint` */

@@ -16,6 +16,7 @@ import {
 export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
   /** May be bodyB. */
   bodyC: RigidBody;
+  /** Where the second link ends. */
   bodyD: RigidBody;
   /** Body C coordinates, m. Default `[0, 0]`. */
   anchorC?: Vec2Like | undefined;
@@ -31,6 +32,7 @@ export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
  *     lower ≤ |wB − wA| + ratio · |wD − wC| ≤ upper,   w = x + R(θ) · anchor
  */
 export class PulleyConstraint extends AnchoredConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'PULLEY';
 
   private readonly first = new Link(0, 1);
@@ -47,10 +49,12 @@ export class PulleyConstraint extends AnchoredConstraint {
     takeBounds(this, where, params, 0, 0);
   }
 
+  /** Where the second link begins. */
   get bodyC(): RigidBody {
     return this.members[2]!;
   }
 
+  /** Where the second link ends. */
   get bodyD(): RigidBody {
     return this.members[3]!;
   }
@@ -62,6 +66,7 @@ export class PulleyConstraint extends AnchoredConstraint {
     return vec2(this.anchors[4]!, this.anchors[5]!, dst);
   }
 
+  /** Sets the anchor on body C, in its coordinates, m. */
   setAnchorC(anchor: Vec2Like): void {
     this.setAnchor('C', 2, anchor);
   }
@@ -73,10 +78,12 @@ export class PulleyConstraint extends AnchoredConstraint {
     return vec2(this.anchors[6]!, this.anchors[7]!, dst);
   }
 
+  /** Sets the anchor on body D, in its coordinates, m. */
   setAnchorD(anchor: Vec2Like): void {
     this.setAnchor('D', 3, anchor);
   }
 
+  /** Length of rope that the first link gives for a unit of the second. */
   getRatio(): number {
     return this.ratio;
   }

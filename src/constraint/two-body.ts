@@ -18,6 +18,7 @@ export interface TwoAnchorParams extends TwoBodyParams {
   anchorB?: Vec2Like | undefined;
 }
 
+/** Between which values what is constrained may be. */
 export interface Bounds {
   /** Not above `upperBound`, −`Infinity` for none. If both are equal the constraint is an equality. */
   lowerBound?: number | undefined;
@@ -38,10 +39,12 @@ export abstract class TwoBodyConstraint extends Constraint {
     super(where, dimension, [checkedBody(where, 'bodyA', bodyA), checkedBody(where, 'bodyB', bodyB), ...more], params);
   }
 
+  /** The first body. */
   get bodyA(): RigidBody {
     return this.members[0]!;
   }
 
+  /** The second body. */
   get bodyB(): RigidBody {
     return this.members[1]!;
   }
@@ -88,6 +91,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     return vec2(this.anchors[0]!, this.anchors[1]!, dst);
   }
 
+  /** Sets the anchor on body A, in its coordinates, m. */
   setAnchorA(anchor: Vec2Like): void {
     this.setAnchor('A', 0, anchor);
   }
@@ -99,6 +103,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     return vec2(this.anchors[2]!, this.anchors[3]!, dst);
   }
 
+  /** Sets the anchor on body B, in its coordinates, m. */
   setAnchorB(anchor: Vec2Like): void {
     this.setAnchor('B', 1, anchor);
   }

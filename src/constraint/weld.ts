@@ -17,6 +17,7 @@ export interface WeldConstraintParams extends TwoAnchorParams {
  *     C = (wB − wA, θB − θA − phase) = 0,   w = x + R(θ) · anchor
  */
 export class WeldConstraint extends AnchoredConstraint {
+  /** Tells the kinds apart. */
   readonly type = 'WELD';
 
   private phase: number;
@@ -32,6 +33,7 @@ export class WeldConstraint extends AnchoredConstraint {
     return this.phase;
   }
 
+  /** Sets the angle that the bodies keep, rad. */
   setPhase(phase: number): void {
     finite('WeldConstraint.setPhase', 'phase', phase);
     if (phase !== this.phase) {

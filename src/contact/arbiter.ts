@@ -22,7 +22,10 @@ const NEVER = -1e6;
  * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
  */
 export class Arbiter {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** The shape with the lower id. */
   shapeA: Shape;
@@ -165,18 +168,22 @@ export class Arbiter {
     return vec3(x, y, w, dst);
   }
 
+  /** Of this pair, of both materials unless set; `undefined` until they are combined. */
   getElasticity(): number | undefined {
     return this.material(c.ELASTICITY);
   }
 
+  /** As `getElasticity`. */
   getStaticFriction(): number | undefined {
     return this.material(c.STATIC_FRICTION);
   }
 
+  /** As `getElasticity`. */
   getDynamicFriction(): number | undefined {
     return this.material(c.DYNAMIC_FRICTION);
   }
 
+  /** As `getElasticity`, m. */
   getRollingFriction(): number | undefined {
     return this.material(c.ROLLING_FRICTION);
   }
@@ -210,14 +217,17 @@ export class Arbiter {
     this.release(FIXED_ELASTICITY);
   }
 
+  /** Back to what the materials come to. */
   setStaticFrictionFromShapes(): void {
     this.release(FIXED_STATIC);
   }
 
+  /** Back to what the materials come to. */
   setDynamicFrictionFromShapes(): void {
     this.release(FIXED_DYNAMIC);
   }
 
+  /** Back to what the materials come to. */
   setRollingFrictionFromShapes(): void {
     this.release(FIXED_ROLLING);
   }

@@ -7,7 +7,10 @@ import * as c from './layout.js';
 
 /** One point of a collision. Recycled by the engine: do not keep it beyond the next step. */
 export class Contact {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal */
   constructor(

@@ -18,6 +18,7 @@ export interface CanvasContextLike {
   stroke(): void;
 }
 
+/** Options of `CanvasDebugDevice.create`. */
 export interface CanvasDebugDeviceParams {
   /** The 2D context of a canvas; what it shows already stays below the lines, its state is kept. */
   context: CanvasContextLike;
@@ -48,6 +49,7 @@ export class CanvasDebugDevice implements DebugGraphicsDevice {
     this.context = context;
   }
 
+  /** A device that draws on a 2D context. */
   static create(params: CanvasDebugDeviceParams): CanvasDebugDevice {
     return new CanvasDebugDevice(params);
   }

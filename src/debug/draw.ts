@@ -11,6 +11,7 @@ import type { ColorLike, DebugGraphicsDevice } from './device.js';
 import { LineBuffer } from './lines.js';
 import { checkedColor, DebugSettings } from './settings.js';
 
+/** Options of `Physics2DDebugDraw.create`. */
 export interface DebugDrawParams {
   /** What it draws with. */
   graphicsDevice: DebugGraphicsDevice;
@@ -28,7 +29,10 @@ const DEFAULT_SCALE = 60;
  * It only reads: it changes and wakes nothing, and may draw a world of any of the bundles.
  */
 export class Physics2DDebugDraw extends DebugSettings {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
   /** @internal */
   readonly lines = new LineBuffer();
@@ -44,6 +48,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     this.device = checkedDevice(options('Physics2DDebugDraw.create', params, true).graphicsDevice);
   }
 
+  /** Draws on a graphics device, whatever it is. */
   static create(params: DebugDrawParams): Physics2DDebugDraw {
     return new Physics2DDebugDraw(params);
   }
@@ -156,6 +161,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     addConstraint(this, constraint);
   }
 
+  /** A line between two points of the world, m. */
   drawLine(x1: number, y1: number, x2: number, y2: number, color: ColorLike): void {
     const where = this.drawing('Physics2DDebugDraw.drawLine');
     checkEnds(where, x1, y1, x2, y2);

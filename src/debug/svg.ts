@@ -2,6 +2,7 @@ import { optional, options, positive, typeError } from '../validate.js';
 import { alphaOf, Cutter, packedColor, redGreenBlue } from './cutter.js';
 import type { DebugGraphicsDevice, DebugLines } from './device.js';
 
+/** Options of `SVGDebugDevice.create`. */
 export interface SVGDebugDeviceParams {
   /** px, > 0. */
   width: number;
@@ -36,6 +37,7 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
     this.title = escaped(where, 'title', optional(given.title, ''));
   }
 
+  /** A device that collects what is drawn as a picture. */
   static create(params: SVGDebugDeviceParams): SVGDebugDevice {
     return new SVGDebugDevice(params);
   }

@@ -67,6 +67,7 @@ export interface WebGL2ContextLike {
   viewport(x: number, y: number, width: number, height: number): void;
 }
 
+/** Options of `WebGLDebugDevice.create`. */
 export interface WebGLDebugDeviceParams {
   /** A WebGL 2 context. */
   context: WebGL2ContextLike;
@@ -151,6 +152,7 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
     this.context = context;
   }
 
+  /** A device that draws on a WebGL 2 context. */
   static create(params: WebGLDebugDeviceParams): WebGLDebugDevice {
     return new WebGLDebugDevice(params);
   }

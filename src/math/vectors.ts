@@ -27,8 +27,11 @@ export interface NumberSink {
   [index: number]: number;
 }
 
+/** A vector as getters create it: `[x, y]`. */
 export type Vec2 = [number, number];
+/** Three numbers as getters create them, such as `[x, y, angular]`. */
 export type Vec3 = [number, number, number];
+/** A rectangle as getters create it: `[minX, minY, maxX, maxY]`, m. */
 export type Rect = [number, number, number, number];
 
 /** Stores two numbers into `dst` and returns it; without `dst` makes a new array. */

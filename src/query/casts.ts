@@ -12,6 +12,7 @@ import { near } from './queries.js';
 
 /** What a cast hit. */
 export interface CastResult {
+  /** What was hit. */
   shape: Shape;
   /** World point on the shape, m. */
   hitPoint: Vec2;

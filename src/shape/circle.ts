@@ -14,8 +14,12 @@ export interface CircleParams extends ShapeParams {
 
 /** A disc. */
 export class Circle extends Shape {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
+  /** Tells circles from polygons. */
   readonly type = 'CIRCLE';
 
   /** @internal */
@@ -43,6 +47,7 @@ export class Circle extends Shape {
     this.originY = origin[1]!;
   }
 
+  /** m. */
   getRadius(): number {
     return this.radius;
   }

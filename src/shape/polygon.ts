@@ -19,8 +19,12 @@ export interface PolygonParams extends ShapeParams {
 
 /** A convex polygon with any number of corners. */
 export class Polygon extends Shape {
-  static readonly version = 1;
+  /** Of the class, as in Turbulenz. */
+  static get version(): number {
+    return 1;
+  }
 
+  /** Tells polygons from circles. */
   readonly type = 'POLYGON';
 
   /** @internal */

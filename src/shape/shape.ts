@@ -25,6 +25,7 @@ export interface ShapeEvents {
   hit: HitHandler;
 }
 
+/** What shapes tell their listeners. */
 export type ShapeEventType = keyof ShapeEvents;
 
 /** Options that circles and polygons share. */
@@ -51,10 +52,12 @@ let nextId = 0;
  * After every change of geometry or material the body's mass and inertia follow, unless they were given.
  */
 export abstract class Shape {
+  /** Tells circles from polygons. */
   abstract readonly type: 'CIRCLE' | 'POLYGON';
 
   /** Grows with creation order, unique in the program. The lower id of a pair is `shapeA`. */
   readonly id: number;
+  /** Tells what passes, and collides with nothing. */
   readonly sensor: boolean;
   /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
   readonly arbiters: Arbiter[] = [];
@@ -107,6 +110,7 @@ export abstract class Shape {
     return this.owner;
   }
 
+  /** Bits that the masks of others are compared with. */
   getGroup(): number {
     return this.group;
   }
@@ -117,6 +121,7 @@ export abstract class Shape {
     this.owner?.rouse();
   }
 
+  /** Which groups it meets. */
   getMask(): number {
     return this.mask;
   }
@@ -127,6 +132,7 @@ export abstract class Shape {
     this.owner?.rouse();
   }
 
+  /** What it is made of. */
   getMaterial(): Material {
     return this.material;
   }

@@ -1,5 +1,6 @@
 import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
-import { CustomConstraint } from '../constraint/custom.js';
+import { isCustom } from '../constraint/constraint.js';
+import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -18,7 +19,7 @@ export function packBlock(data: SolverData, joint: Joint): void {
   const { records: r, bodies } = data.joints;
   const { at, layout, constraint, first } = joint;
   r.fill(0, at + layout.impulse, at + layout.size);
-  if (constraint instanceof CustomConstraint) {
+  if (isCustom(constraint)) {
     constraint.failed = false;
   }
   r[at + layout.low] = -Infinity;
@@ -43,9 +44,8 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   const joint = joints[index]!;
   const { at, layout, constraint } = joint;
   const { rows } = layout;
-  const isCustom = constraint instanceof CustomConstraint;
   const { isElastic } = constraint;
-  if (isFirst || !isCustom) {
+  if (isFirst || !isCustom(constraint)) {
     measure(data, joint, layout.jacobian, false, isElastic);
   } else if (isElastic) {
     foresee(data, joint);
@@ -200,7 +200,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
     const old = r[at + impulse + n]!;
     r[at + work + n] = (1 - feedback) * old + r[at + work + n]!;
   }
-  if (constraint instanceof CustomConstraint) {
+  if (isCustom(constraint)) {
     clampCustom(data, joint, constraint);
   }
   if (r[at + j.CHECKED] !== 0 && isBroken(data, joint)) {
@@ -339,7 +339,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
     r[at + work + n] = -(r[at + layout.error + n]! + rowDot(data, joint, turned, n, true));
   }
   solve(r, joint, push, 0);
-  if (constraint instanceof CustomConstraint && constraint.callbacks.positionClamp !== undefined) {
+  if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
     showPoses(data, joint, true);
     constraint.clamp('positionClamp', r, at + work);
     if (constraint.failed) {
@@ -420,7 +420,7 @@ export function finishBlock(data: SolverData, joint: Joint): void {
       r[g] = r[g]! + r[at + jacobian + 3 * n * members + k]! * lambda;
     }
   }
-  if (constraint instanceof CustomConstraint && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {
+  if (isCustom(constraint) && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {
     r.copyWithin(at + jacobian, at + turned, at + turned + 3 * members * rows);
   }
 }

@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { MAX_SPEED } from '../config.js';
-import { CustomConstraint } from '../constraint/custom.js';
+import { isCustom } from '../constraint/constraint.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cos, cosSin, sin } from '../math/trig.js';
 import type { World } from '../world.js';
@@ -121,13 +121,13 @@ export function measure(data: SolverData, joint: Joint, jacobian: number, moving
   const { rows, members, error } = layout;
   r.fill(0, at + error, at + error + rows);
   r.fill(0, at + jacobian, at + jacobian + 3 * rows * members);
-  if (constraint instanceof CustomConstraint) {
+  if (isCustom(constraint)) {
     showPoses(data, joint, moving);
   } else {
     findPoses(data, joint, moving);
   }
   constraint.measure(data.joints.pose, r, at + error, at + jacobian, withError);
-  if (constraint instanceof CustomConstraint && constraint.failed) {
+  if (isCustom(constraint) && constraint.failed) {
     data.joints.silence(joint);
     return;
   }

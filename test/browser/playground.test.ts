@@ -6,7 +6,6 @@ import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { type Scene, scenes } from '../../playground/scenes.js';
 import { phys2D } from '../../src/index.js';
-import { stateHash } from '../scenes/hash.js';
 import { HANDS_OFF } from '../scenes/play.js';
 import { launch, open } from './browser.js';
 
@@ -56,7 +55,7 @@ function hashOf(scene: Scene, count: number, params: object = {}): string {
     play.beforeStep?.(HANDS_OFF);
     world.step(1 / 60);
   }
-  return stateHash(world);
+  return world.hash();
 }
 
 /** How many of the pixels of the picture are not as the paper. */

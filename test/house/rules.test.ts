@@ -21,6 +21,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['solver'],
   ['query', 'debug', 'runner', 'audit', 'state'],
   ['world'],
+  ['create'],
   ['device'],
   ['index'],
   ['umd'],

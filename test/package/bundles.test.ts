@@ -169,11 +169,12 @@ describe.each(['debug', 'runner', 'state', 'validate'] as const)('%s as a module
   });
 });
 
-it('the engine has nothing of debug drawing, the runner and validation', () => {
-  for (const name of ESM) {
-    const { sources } = JSON.parse(read(`${name}.map`)) as { sources: string[] };
-    expect(sources.filter((file) => /debug|runner|body-pose|audit/.test(file))).toEqual([]);
-  }
+it.each(ESM)('%s has debug drawing from its module, and nothing of the runner and validation', async (name) => {
+  const { sources } = JSON.parse(read(`${name}.map`)) as { sources: string[] };
+  expect(sources.filter((file) => /debug\/(?!index)|runner|body-pose|audit/.test(file))).toEqual([]);
+  const apart = pathToFileURL(join(dist, name.replace('phys2d', 'debug'))).href;
+  const { Physics2DDebugDraw } = (await import(/* @vite-ignore */ apart)) as typeof debug;
+  expect((await importBundle(name)).Physics2DDebugDraw).toBe(Physics2DDebugDraw);
 });
 
 describe('the state', () => {
@@ -319,9 +320,12 @@ describe('the type declarations', () => {
     expect(files).toContain('index.d.ts');
     expect(read('world.d.ts')).toMatch(/\bstep\(deltaTime: number\): void/);
     for (const name of CLASSES) {
-      const module = Object.entries(APART).find(([, exported]) => name in exported)?.[0] ?? 'names';
+      const apart = Object.entries(APART).find(([, exported]) => name in exported && !(name in source));
+      const module = apart?.[0] ?? 'names';
       expect(read('umd.d.cts'), name).toContain(`type ${name} = ${module}.${name};`);
     }
+    const values = [...read('umd.d.cts').matchAll(/^ {2}const (\w+):/gm)].map(([, name]) => name);
+    expect(values.sort()).toEqual([...Object.keys(names), 'vendor'].sort());
   });
 
   it('show nothing internal', () => {
@@ -488,7 +492,8 @@ import phys2D = require('phys2d');
 const graphicsDevice: SVGDebugDevice = SVGDebugDevice.create({ width: 1, height: 1 });
 const debug: phys2D.Physics2DDebugDraw = Physics2DDebugDraw.create({ graphicsDevice });
 const same: phys2D.Physics2DDebugDraw = phys2D.Physics2DDebugDraw.create({ graphicsDevice });
-export const used = [debug, same, FixedStepRunner.create({ world: phys2D.createWorld() })];`,
+const device: phys2D.Physics2DDevice = phys2D;
+export const used = [debug, same, device, FixedStepRunner.create({ world: phys2D.createWorld() })];`,
       'script.ts': 'const world: phys2D.World = phys2D.createWorld();\nworld.step(1 / 60);\n',
     };
     for (const [name, code] of Object.entries(files)) {

@@ -1,0 +1,80 @@
+// What users of the types write. The errors that are expected are part of the test: where one is missing, the compiler says so.
+
+const USE = `
+const world: World = phys2D.createWorld({ gravity: [0, 10], substeps: 2 });
+const vertices: Vec2[] = phys2D.createBoxVertices(1, 1);
+const box: Polygon = createPolygonShape({ vertices, userData: { name: 'box' } });
+const body: RigidBody = phys2D.createRigidBody({ shapes: [box], position: new Float32Array(2) });
+const made: World = createWorld({ gravity: undefined });
+const params: RigidBodyParams = { type: 'kinematic', userData: 7 };
+const added: boolean = world.addRigidBody(body) && made.addRigidBody(phys2D.createRigidBody(params));
+const place: [number, number] = body.getPosition();
+const into: Float64Array = body.getPosition(new Float64Array(2));
+const kind: boolean = body.isDynamic();
+const isWorld: boolean = world instanceof World;
+const device: Physics2DDevice = phys2D;
+const hinge = phys2D.createPointConstraint({ bodyA: body, bodyB: phys2D.createRigidBody() });
+const hingeType: 'POINT' = hinge.type;
+const joint: Constraint = hinge;
+box.addEventListener('hit', function (arbiter, other, hit) {
+  const shape: Shape = this;
+  const numbers: number[] = [hit.approachSpeed, hit.impulse];
+  const flag: boolean = arbiter.active;
+  // @ts-expect-error userData is unknown until it is looked at
+  const name: string = other.userData.name;
+  void [shape, numbers, flag, name];
+});
+body.addEventListener('wake', () => {});
+joint.addEventListener('break', () => {});
+const name: string = typeof box.userData === 'string' ? box.userData : '';
+// @ts-expect-error no such event
+box.addEventListener('hitt', () => {});
+// @ts-expect-error an event of constraints
+body.addEventListener('break', () => {});
+// @ts-expect-error unknown option
+phys2D.createWorld({ grvity: [0, 10] });
+// @ts-expect-error no such type of a body
+phys2D.createRigidBody({ type: 'dynamc' });
+// @ts-expect-error a required option
+phys2D.createCircleShape({});
+// @ts-expect-error read-only
+body.world = world;
+// @ts-expect-error internal member
+world.stepping;
+// @ts-expect-error internal member
+body.vx;
+void [added, place, into, kind, isWorld, device, hingeType, name];
+`;
+
+const NAMES = 'Constraint, Physics2DDevice, Polygon, RigidBody, RigidBodyParams, Shape, Vec2'.split(', ');
+
+export const TYPES: Readonly<Record<string, string>> = {
+  'import.mts': `import phys2D, { createPolygonShape, createWorld, World } from 'phys2d';
+import type { ${NAMES.join(', ')} } from 'phys2d';
+import { CanvasDebugDevice, Physics2DDebugDraw, SVGDebugDevice, type DebugGraphicsDevice } from 'phys2d/debug';
+import { Physics2DDebugDraw as Same } from 'phys2d';
+import { FixedStepRunner } from 'phys2d/runner';
+${USE}
+const graphicsDevice: DebugGraphicsDevice = SVGDebugDevice.create({ width: 10, height: 10 });
+const debug: Physics2DDebugDraw = Same.create({ graphicsDevice });
+const runner: FixedStepRunner = FixedStepRunner.create({ world });
+debug.interpolation = runner.interpolation;
+declare const canvas: HTMLCanvasElement;
+CanvasDebugDevice.create({ context: canvas.getContext('2d')! });
+`,
+  'named.cts': `import { createPolygonShape, createWorld, phys2D, World } from 'phys2d';
+import type { ${NAMES.join(', ')} } from 'phys2d';
+import { Physics2DDebugDraw, SVGDebugDevice } from 'phys2d/debug';
+import { FixedStepRunner } from 'phys2d/runner';
+${USE}
+const debug: Physics2DDebugDraw = Physics2DDebugDraw.create({ graphicsDevice: SVGDebugDevice.create({ width: 1, height: 1 }) });
+const runner: FixedStepRunner = FixedStepRunner.create({ world });
+debug.interpolation = runner.interpolation;
+`,
+  'require.cts': `import phys2D = require('phys2d');
+import createWorld = phys2D.createWorld;
+import createPolygonShape = phys2D.createPolygonShape;
+import World = phys2D.World;
+${NAMES.map((name) => `type ${name} = phys2D.${name};`).join('\n')}
+${USE}`,
+};
