@@ -246,7 +246,7 @@ describe('boxes that turn in cells with thin walls', { timeout: 120_000 }, () =>
     { wall: 0.02, elasticity: 1, speed: 60, spin: 500 },
   ])('none leaves, at $speed m/s and $spin rad/s, elasticity $elasticity, walls of $wall m', (params) => {
     const runs = [true, false].map((bullet) => {
-      const world = phys2D.createWorld();
+      const world = phys2D.createWorld({ gravity: [0, 0] });
       return { world, left: buildCells(phys2D, world, { ...params, side: 8, bullet }) };
     });
     for (let i = 0; i < 600; i += 1) {

@@ -14,7 +14,7 @@ export interface CellsParams {
 
 const CELL = 2.4;
 
-/** A square of cells with thin walls, without friction, drag and gravity; in each a box of 0.3 × 0.16 m flies and turns. @returns how many have left their cell. */
+/** A square of cells with thin walls, without friction and drag; in each a box of 0.3 × 0.16 m flies and turns. @returns how many have left their cell. */
 export function buildCells(phys2D: Physics2DDevice, world: World, params: CellsParams): () => number {
   const { side, wall, elasticity, speed, spin, bullet } = params;
   const material = phys2D.createMaterial({ elasticity, staticFriction: 0, dynamicFriction: 0 });
