@@ -220,11 +220,14 @@ function setPoint(data: SolverData, pair: Arbiter, which: number): void {
 }
 
 /**
- * The velocity that a bounce ends with, with the sign changed. A velocity that the next sub-step starts from is by half of what forces add in one
- * behind the true one: so that is added for the bounce, which keeps the height of a bouncing ball.
+ * The least velocity that a bounce ends with, with the sign changed: −e times the one before, also for a point that is leaving and that the bounce of
+ * another turns back, to bounce in its turn (Moreau 1988). If it had to keep from coming back, both would leave faster than they came.
+ * A velocity that the next sub-step starts from is by half of what forces add in one behind the true one: so that is added for the bounce, which
+ * keeps the height of a bouncing ball.
  */
 function bounceSpeed(elasticity: number, comes: number, gain: number): number {
-  return elasticity * comes < -BOUNCE_THRESHOLD ? elasticity * (comes + 0.5 * gain) + 0.5 * gain : 0;
+  const leaves = elasticity * comes;
+  return leaves > BOUNCE_THRESHOLD ? leaves : leaves < -BOUNCE_THRESHOLD ? leaves + 0.5 * (elasticity + 1) * gain : 0;
 }
 
 function solvePoint(pair: Arbiter, point: Point): void {
