@@ -186,6 +186,15 @@ export abstract class BodyState {
     return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
   }
 
+  /** @internal an impulse has an effect on it */
+  canBePushed(): boolean {
+    this.refreshMass();
+    return (
+      this.kind === DYNAMIC &&
+      ((this.mass > 0 && this.mass < Infinity) || (this.inertia > 0 && this.inertia < Infinity))
+    );
+  }
+
   /** @internal after a teleport or a change of type: constraints look at the body anew */
   touchConstraints(): void {
     for (const constraint of this.constraints) {
@@ -219,9 +228,12 @@ export abstract class BodyState {
 
   /** @internal */
   refreshMass(): void {
-    if (!this.massStale) {
-      return;
+    if (this.massStale) {
+      this.renewMass();
     }
+  }
+
+  private renewMass(): void {
     this.massStale = false;
     this.mass = this.fixedMass >= 0 ? this.fixedMass : this.computeMassFromShapes();
     this.inertia = this.fixedInertia >= 0 ? this.fixedInertia : this.computeInertiaFromShapes();

@@ -130,6 +130,11 @@ export class Circle extends Shape {
   }
 
   /** @internal */
+  override isRound(): boolean {
+    return this.originX === 0 && this.originY === 0;
+  }
+
+  /** @internal */
   override thickness(): number {
     return this.radius;
   }

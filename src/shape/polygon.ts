@@ -56,6 +56,11 @@ export class Polygon extends Shape {
     this.refreshEdges();
   }
 
+  /** @internal */
+  get radius(): number {
+    return 0;
+  }
+
   /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
   setVertices(vertices: ArrayLike<Vec2Like>): void {
     const checked = convexVertices('Polygon.setVertices', 'vertices', vertices);
@@ -146,6 +151,11 @@ export class Polygon extends Shape {
       squared = Math.max(squared, x * x + y * y);
     }
     return Math.sqrt(squared);
+  }
+
+  /** @internal */
+  override isRound(): boolean {
+    return false;
   }
 
   /** @internal */

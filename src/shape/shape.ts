@@ -66,6 +66,8 @@ export abstract class Shape {
 
   /** @internal */
   abstract readonly kind: ShapeKind;
+  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon */
+  abstract readonly radius: number;
   /** @internal */
   material: Material;
   /** @internal */
@@ -278,6 +280,9 @@ export abstract class Shape {
 
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;
+
+  /** @internal it looks the same however its body is turned */
+  abstract isRound(): boolean;
 
   /** @internal half of the least width */
   abstract thickness(): number;

@@ -1,9 +1,10 @@
 import type { RigidBody } from '../body.js';
 import { STATIC } from '../body-kind.js';
-import { roundness, visibleTurn } from '../collide/along.js';
+import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
 import { isHitHeard } from '../events/events.js';
@@ -11,7 +12,7 @@ import { asksFirst } from '../events/pre-solve.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { canGiveWay, noteApproach } from './find-pairs.js';
+import { canGiveWay } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings } from './meetings.js';
 import { goesFar, type Mover } from './movers.js';
@@ -131,7 +132,7 @@ function open(world: World, { a, b, time }: Meeting): void {
   }
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
-  if (visibleTurn(a, one.spin, b, two.spin) > SOLVED_TURN) {
+  if ((a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin) > SOLVED_TURN) {
     return;
   }
   openAt(world, pair, one, two, time);
@@ -144,10 +145,8 @@ function openAtEnd(world: World, pair: Arbiter): void {
 
 function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: number): void {
   const { shapeA: a, shapeB: b } = pair;
-  const movers = one.body.kind === STATIC ? [two] : two.body.kind === STATIC ? [one] : [one, two];
-  for (const mover of movers) {
-    mover.putAt(time);
-  }
+  putAt(one, time);
+  putAt(two, time);
   a.place(one.body);
   b.place(two.body);
   if (!touch(pair) && time < 1) {
@@ -158,15 +157,20 @@ function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: numbe
     noteApproach(pair);
   }
   moveBack(pair, one, two, time);
-  for (const mover of movers) {
-    mover.putAt(0);
-  }
+  putAt(one, 0);
+  putAt(two, 0);
   a.place(one.body);
   b.place(two.body);
   pair.near = pair.manifold.count > 0;
   pair.foreseen = pair.near;
   one.body.turnAhead = one.turn;
   two.body.turnAhead = two.turn;
+}
+
+function putAt(mover: Mover, time: number): void {
+  if (mover.body.kind !== STATIC) {
+    mover.putAt(time);
+  }
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */

@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -13,7 +14,6 @@ import type { World } from '../world.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import { noteApproach } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
@@ -115,10 +115,14 @@ const inverse = { massA: 0.5, massB: 0.5, inertiaA: 0.5, inertiaB: 0.5 };
  */
 export function solveImpact(world: World, pair: Arbiter): void {
   const { numbers: n, count } = pair.manifold;
-  inverse.massA = pair.bodyA.inverseMass();
-  inverse.massB = pair.bodyB.inverseMass();
-  inverse.inertiaA = pair.bodyA.inverseInertia();
-  inverse.inertiaB = pair.bodyB.inverseInertia();
+  const { bodyA: a, bodyB: b } = pair;
+  a.refreshMass();
+  b.refreshMass();
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+  inverse.massA = a.kind === DYNAMIC && a.mass > 0 ? 1 / a.mass : 0;
+  inverse.massB = b.kind === DYNAMIC && b.mass > 0 ? 1 / b.mass : 0;
+  inverse.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
+  inverse.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
   for (let which = 0; which < 2; which += 1) {
     const point = points[which]!;
     point.isUsed = which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP;

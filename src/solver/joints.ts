@@ -53,7 +53,8 @@ export function packJoints(world: World, h: number): void {
   if (joints.runs.length > 0) {
     packPoses(world);
   }
-  for (const { kernel, start, end } of joints.runs) {
+  for (let i = 0; i < joints.runs.length; i += 1) {
+    const { kernel, start, end } = joints.runs[i]!;
     for (let k = start; k < end && (isTouched || kernel !== POINT); k += 1) {
       packJoint(data, joints.joints[k]!);
     }
@@ -128,7 +129,8 @@ export function warmStartJoints(data: SolverData, isFirst: boolean): void {
     worst[1] = group.tolerance * group.tolerance;
     strained[0] = group.end;
     strained[1] = group.start;
-    for (const { kernel, start, end } of group.runs) {
+    for (let n = 0; n < group.runs.length; n += 1) {
+      const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
         warmStartPoints(data, start, end);
       } else {
@@ -211,7 +213,8 @@ function solveVelocityRun(data: SolverData, kernel: number, start: number, end: 
 /** Custom constraints, whose callbacks are called once in each iteration. */
 function solveVelocityCustoms(data: SolverData): void {
   const { runs, joints } = data.joints;
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel === CUSTOM; k += 1) {
       solveVelocityBlock(data, joints[k]!);
     }
@@ -277,7 +280,8 @@ function pushRunFurther(data: SolverData, kernel: number, start: number, end: nu
 function linearise(data: SolverData, { runs }: Group): boolean {
   const { joints } = data.joints;
   let found = false;
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
       found = lineariseBlock(data, joints[k]!) || found;
     }
@@ -288,7 +292,8 @@ function linearise(data: SolverData, { runs }: Group): boolean {
 function pushCustoms(data: SolverData): boolean {
   const { runs, joints, records } = data.joints;
   let found = false;
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel === CUSTOM; k += 1) {
       const joint = joints[k]!;
       lineariseBlock(data, joint);
@@ -305,7 +310,8 @@ export function finishJoints(data: SolverData): void {
   for (let k = 0; k < groups.length; k += 1) {
     dropMomentum(data, groups[k]!);
   }
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
       finishPoints(data, start, end);
     } else {
@@ -328,7 +334,8 @@ export function storeJoints(world: World): void {
   const data = world.solver;
   const { joints } = data;
   hidePoses(data);
-  for (const joint of joints.joints) {
+  for (let i = 0; i < joints.joints.length; i += 1) {
+    const joint = joints.joints[i]!;
     if (joint.kernel === POINT) {
       storePoint(data, joint);
     } else {
@@ -339,8 +346,9 @@ export function storeJoints(world: World): void {
 }
 
 function breakJoints(world: World, joints: JointData): void {
-  for (const { constraint } of joints.broken) {
-    world.breakConstraint(constraint);
+  const { broken } = joints;
+  for (let i = 0; i < broken.length; i += 1) {
+    world.breakConstraint(broken[i]!.constraint);
   }
-  joints.broken.length = 0;
+  broken.length = 0;
 }

@@ -1,11 +1,14 @@
 import { JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
-import { cos, cosSin, sin } from '../math/trig.js';
+import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
+
+/** Angle, cosine, sine: scratch. */
+const around = new Float64Array(3);
 
 /**
  * Rigid point joints that do not break; all others are block joints. The error is C = Δ(x + r) between the bodies, and by velocities
@@ -214,10 +217,14 @@ export function notePoints(data: SolverData, start: number, end: number, isAfter
     if (r[i + j.POINT_TOUCHED] !== 0) {
       const a = bodies[first]!;
       const b = bodies[first + 1]!;
-      const ca = cos(q[a + d.QW]!) - 1;
-      const sa = sin(q[a + d.QW]!);
-      const cb = cos(q[b + d.QW]!) - 1;
-      const sb = sin(q[b + d.QW]!);
+      around[0] = q[a + d.QW]!;
+      cosSin(around);
+      const ca = around[1]! - 1;
+      const sa = around[2]!;
+      around[0] = q[b + d.QW]!;
+      cosSin(around);
+      const cb = around[1]! - 1;
+      const sb = around[2]!;
       const ax = r[i + j.ARM_AX]!;
       const ay = r[i + j.ARM_AY]!;
       const bx = r[i + j.ARM_BX]!;
