@@ -25,8 +25,6 @@ export class Circle extends Shape {
   /** @internal */
   readonly kind = 0;
   /** @internal */
-  radius: number;
-  /** @internal */
   originX: number;
   /** @internal */
   originY: number;

@@ -56,11 +56,6 @@ export class Polygon extends Shape {
     this.refreshEdges();
   }
 
-  /** @internal */
-  get radius(): number {
-    return 0;
-  }
-
   /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
   setVertices(vertices: ArrayLike<Vec2Like>): void {
     const checked = convexVertices('Polygon.setVertices', 'vertices', vertices);

@@ -66,8 +66,6 @@ export abstract class Shape {
 
   /** @internal */
   abstract readonly kind: ShapeKind;
-  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon */
-  abstract readonly radius: number;
   /** @internal */
   material: Material;
   /** @internal */
@@ -90,6 +88,8 @@ export abstract class Shape {
   grounds: Arbiter | null = null;
   /** @internal */
   groundStamp = -1;
+  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
+  radius = 0;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
   readonly bounds = doubles(4);
 

@@ -29,19 +29,8 @@ export function foresee(world: World, dt: number): void {
   movers.ahead = dt;
   movers.gain = average * dt;
   const pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
-  for (let i = 0; i < world.liveDynamics.length; i += 1) {
-    const body = world.liveDynamics[i]!;
-    const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
-    if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
-      foreseeFalling(world, body);
-    }
-  }
-  for (let i = 0; i < world.liveKinematics.length; i += 1) {
-    const body = world.liveKinematics[i]!;
-    if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
-      movers.add(body).aim(body, movers);
-    }
-  }
+  foreseeDynamics(world, dt, pull);
+  foreseeKinematics(world, dt);
   if (movers.count > 0) {
     findMeetings(world, FORESIGHT_DEPTH);
     const { meetings } = movers;
@@ -59,6 +48,26 @@ export function foresee(world: World, dt: number): void {
   }
   world.closing.length = 0;
   movers.clear();
+}
+
+/** `pull`: what gravity may add to a velocity on the average of the step. */
+function foreseeDynamics(world: World, dt: number, pull: number): void {
+  for (let i = 0; i < world.liveDynamics.length; i += 1) {
+    const body = world.liveDynamics[i]!;
+    const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
+    if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
+      foreseeFalling(world, body);
+    }
+  }
+}
+
+function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void {
+  for (let i = 0; i < liveKinematics.length; i += 1) {
+    const body = liveKinematics[i]!;
+    if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
+      movers.add(body).aim(body, movers);
+    }
+  }
 }
 
 /** Of a dynamic body, with what forces add on the average of the step. */
