@@ -130,10 +130,12 @@ export function solveImpact(world: World, pair: Arbiter): void {
       setPoint(world.solver, pair, which);
     }
   }
-  for (let i = 0; i < IMPACT_ITERATIONS; i += 1) {
+  let isSolved = false;
+  for (let i = 0; i < IMPACT_ITERATIONS && !isSolved; i += 1) {
+    isSolved = true;
     for (let which = 0; which < 2; which += 1) {
-      if (points[which]!.isUsed) {
-        solvePoint(pair, points[which]!);
+      if (points[which]!.isUsed && solvePoint(pair, points[which]!)) {
+        isSolved = false;
       }
     }
   }
@@ -231,11 +233,13 @@ function bounceSpeed(elasticity: number, comes: number, gain: number): number {
   return elasticity * comes < -BOUNCE_THRESHOLD ? elasticity * (comes + 0.5 * gain) + 0.5 * gain : 0;
 }
 
-function solvePoint(pair: Arbiter, point: Point): void {
+/** @returns whether that changed an impulse. */
+function solvePoint(pair: Arbiter, point: Point): boolean {
   const { bodyA: a, bodyB: b } = pair;
   const nx = pair.manifold.numbers[g.NX]!;
   const ny = pair.manifold.numbers[g.NY]!;
   measureRelative(pair, point);
+  const { tangent: before } = point;
   const limit = point.friction * point.normal;
   const slide = nx * relative.y - ny * relative.x - (a.surfaceX + b.surfaceX);
   const tangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
@@ -246,10 +250,12 @@ function solvePoint(pair: Arbiter, point: Point): void {
   measureRelative(pair, point);
   const approach = nx * relative.x + ny * relative.y + point.leave;
   const normal = Math.max(0, point.normal - approach * point.normalMass);
+  const hasChanged = tangent !== before || normal !== point.normal;
   impulse.x = nx * (normal - point.normal);
   impulse.y = ny * (normal - point.normal);
   push(pair, point);
   point.normal = normal;
+  return hasChanged;
 }
 
 /** Gives B the impulse and A the opposite. */
