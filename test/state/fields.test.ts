@@ -13,8 +13,8 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   solver: ['bodyCount', 'impulseScale', 'hardCount', 'crowded'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
   shape: ['groundStamp', 'stateIndex', 'centreX', 'centreY', 'halfWidth'],
-  // Only whether it has failed in this step.
-  constraint: ['failed'],
+  // Only whether it has failed in this step; where the solver has its numbers.
+  constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
   group: ['start', 'end', 'tolerance', 'error', 'pushed'],
   manifold: [],
