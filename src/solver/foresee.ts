@@ -28,8 +28,10 @@ export function foresee(world: World, dt: number): void {
   const average = (world.substeps + 1) / (2 * world.substeps);
   movers.ahead = dt;
   movers.gain = average * dt;
-  const pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
-  foreseeDynamics(world, dt, pull);
+  movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
+  for (let i = 0; i < world.liveDynamics.length; i += 1) {
+    foreseeDynamic(world, world.liveDynamics[i]!);
+  }
   foreseeKinematics(world, dt);
   if (movers.count > 0) {
     findMeetings(world, FORESIGHT_DEPTH);
@@ -50,14 +52,12 @@ export function foresee(world: World, dt: number): void {
   movers.clear();
 }
 
-/** `pull`: what gravity may add to a velocity on the average of the step. */
-function foreseeDynamics(world: World, dt: number, pull: number): void {
-  for (let i = 0; i < world.liveDynamics.length; i += 1) {
-    const body = world.liveDynamics[i]!;
-    const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
-    if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
-      foreseeFalling(world, body);
-    }
+/** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */
+function foreseeDynamic(world: World, body: RigidBody): void {
+  const { ahead, pull } = world.movers;
+  const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
+  if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
+    foreseeFalling(world, body);
   }
 }
 
