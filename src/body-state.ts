@@ -174,6 +174,11 @@ export abstract class BodyState {
     return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
   }
 
+  /** @internal */
+  shapesChanged(): void {
+    this.massStale = true;
+  }
+
   /** @internal 0 for everything that cannot be pushed */
   inverseMass(): number {
     this.refreshMass();
@@ -191,6 +196,18 @@ export abstract class BodyState {
     for (const constraint of this.constraints) {
       constraint.touch();
     }
+  }
+
+  /** @internal */
+  putAt(x: number, y: number, angle: number): void {
+    if (angle !== this.angle) {
+      this.angle = angle;
+      this.refreshTurn();
+    }
+    this.x = x;
+    this.y = y;
+    this.touchConstraints();
+    this.moved();
   }
 
   /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
@@ -245,4 +262,7 @@ export abstract class BodyState {
 
   /** @internal */
   abstract attach(shape: Shape): void;
+
+  /** @internal */
+  abstract moved(): void;
 }

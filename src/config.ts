@@ -220,6 +220,12 @@ export const VERTEX_TOLERANCE = 1e-9;
 /** Relative: a vertex whose distance from the line of its neighbours is below this times their distance lies on it. */
 export const COLLINEAR_TOLERANCE = 1e-9;
 
+/** m, rad, and either per second. A body whose place, motion or gain in a sub-step is more, or no number, is frozen: beyond, squares are infinite. */
+export const FAR = 1e150;
+
+/** m. No shape is larger or farther from the origin of its body: its moment of inertia grows with the fourth power, and would be infinite. */
+export const MAX_SIZE = 1e75;
+
 /** Default of `World.velocityIterations` and `World.positionIterations`: totals per step, spread over the sub-steps. */
 export const DEFAULT_ITERATIONS = 8;
 

@@ -1,8 +1,9 @@
 import type { RigidBody } from '../body.js';
+import { MAX_SIZE } from '../config.js';
 import { EDGE_STRIDE } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
-import { convexVertices } from '../geometry/vertices.js';
+import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
 import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { options } from '../validate.js';
@@ -11,7 +12,7 @@ import { Shape, type ShapeParams } from './shape.js';
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
   /**
-   * At least three distinct corners of a convex polygon in body coordinates, m. Clockwise on screen; counter-clockwise
+   * At least three distinct corners of a convex polygon in body coordinates, m, each at most 1e75. Clockwise on screen; counter-clockwise
    * input is reversed, corners inside an edge are dropped. Copied.
    */
   vertices: ArrayLike<Vec2Like>;
@@ -172,20 +173,21 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
-  protected override scaleGeometry(scaleX: number, scaleY: number): void {
-    this.mapGeometry(scaleX, 0, 0, scaleY, 0, 0);
-  }
-
-  /** @internal */
-  protected override mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void {
-    const vertices = this.vertices;
+  protected override mapGeometry(m: ArrayLike<number>): boolean {
+    const { vertices } = this;
+    const mapped = doubles(vertices.length);
     for (let i = 0; i < vertices.length; i += 2) {
       const x = vertices[i]!;
       const y = vertices[i + 1]!;
-      vertices[i] = m0 * x + m2 * y + m4;
-      vertices[i + 1] = m1 * x + m3 * y + m5;
+      mapped[i] = m[0]! * x + m[2]! * y + m[4]!;
+      mapped[i + 1] = m[1]! * x + m[3]! * y + m[5]!;
     }
+    if (!mapped.every((value) => Math.abs(value) <= MAX_SIZE) || repeatedVertex(mapped) >= 0) {
+      return false;
+    }
+    vertices.set(mapped);
     this.refreshEdges();
+    return true;
   }
 
   private refreshEdges(): void {

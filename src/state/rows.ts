@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
-import { MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
+import { FAR, MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import type { Material } from '../material.js';
@@ -22,8 +22,6 @@ export const GROUP = 5;
 export const LISTED = 6;
 
 const MOST = 0x3fffffff;
-/** m, rad. Nothing is farther away; beyond, bounds could not be told. */
-const FAR = 1e150;
 /** Numbers that name features of shapes. */
 const FEATURES = 0xffffff;
 
