@@ -1,6 +1,7 @@
 import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
 import type { Shape } from '../shape/shape.js';
 import { Arbiter } from './arbiter.js';
+import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 
 function before(a: Arbiter, b: Arbiter): boolean {
@@ -31,6 +32,7 @@ export class Pairs {
   readonly arriving: Arbiter[] = [];
   /** @internal */
   readonly reported: [Shape, Shape][] = [];
+  private readonly crowd = new Crowd();
   /** @internal */
   readonly pool: Arbiter[] = [];
   /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
@@ -83,11 +85,11 @@ export class Pairs {
   /** … and they may interact. */
   report(shapeA: Shape, shapeB: Shape, stamp: number): void {
     const pair = this.table.find(shapeA, shapeB);
-    if (pair === null) {
-      this.reported.push([shapeA, shapeB]);
-    } else {
+    if (pair !== null) {
       this.table.see(pair, stamp);
       this.arrive(pair);
+    } else if (!this.crowd.take(shapeA, shapeB)) {
+      this.reported.push([shapeA, shapeB]);
     }
   }
 
@@ -99,6 +101,7 @@ export class Pairs {
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
   makeReported(stamp: number): void {
     const { reported } = this;
+    this.crowd.drainTo(reported);
     if (reported.length > 1) {
       reported.sort(byShapes);
     }

@@ -77,6 +77,8 @@ export abstract class Shape {
   owner: RigidBody | null = null;
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
+  /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
+  readonly partners: Shape[] = [];
   /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
