@@ -3,7 +3,7 @@ import type { RigidBodyParams } from './body-params.js';
 import { BodyState } from './body-state.js';
 import { FAR } from './config.js';
 import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './listeners.js';
-import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
 import { callable, finite, instance, leadsTo, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
 import type { World } from './world.js';
@@ -354,25 +354,6 @@ export class RigidBody extends BodyState {
     return true;
   }
 
-  /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
-  computeWorldBounds(): Rect;
-  computeWorldBounds<T extends NumberSink>(dst: T): T;
-  computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
-    const result = dst ?? ([0, 0, 0, 0] as Rect);
-    result[0] = Infinity;
-    result[1] = Infinity;
-    result[2] = -Infinity;
-    result[3] = -Infinity;
-    this.place();
-    for (const { bounds } of this.shapes) {
-      result[0] = Math.min(result[0]!, bounds[0]!);
-      result[1] = Math.min(result[1]!, bounds[1]!);
-      result[2] = Math.max(result[2]!, bounds[2]!);
-      result[3] = Math.max(result[3]!, bounds[3]!);
-    }
-    return result;
-  }
-
   /** A point of the world in body coordinates, m. */
   transformWorldPointToLocal(worldPoint: Vec2Like): Vec2;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst: T): T;
@@ -458,7 +439,7 @@ export class RigidBody extends BodyState {
   }
 
   /** @internal brings turned geometry and bounds up to date */
-  place(): void {
+  override place(): void {
     if (!this.placeStale) {
       return;
     }

@@ -207,12 +207,17 @@ export function optional<T>(value: T | undefined, fallback: T): T {
 }
 
 /** The options object of a factory; `undefined` counts as "no options" unless the factory needs one. */
-export function options<T extends object>(where: string, value: T | undefined, required: boolean): Partial<T> {
+export function options<T extends object>(
+  where: string,
+  value: T | undefined,
+  required: boolean,
+  name = 'params',
+): Partial<T> {
   if (value === undefined && !required) {
     return {};
   }
   if (typeof value !== 'object' || value === null) {
-    throw typeError(where, 'params', 'an object of options', value);
+    throw typeError(where, name, 'an object of options', value);
   }
   return value;
 }

@@ -328,7 +328,7 @@ export class World extends WorldState {
   restore(snapshot: ArrayBuffer, held: Iterable<RigidBody | Shape | Constraint> = []): void {
     const where = 'World.restore';
     this.refuseInside(where);
-    restoreTo(where, this, snapshot, held);
+    restoreTo(where, this, snapshot, checkedHeld(where, held));
   }
 
   /**
@@ -471,6 +471,19 @@ function shapeOfBody(where: string, shape: Shape): void {
   if (instance(where, 'shape', shape, Shape, 'a Shape').owner === null) {
     throw typeError(where, 'shape', 'a shape of a body', shape);
   }
+}
+
+function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {
+  if (typeof held !== 'object' || held === null || !(Symbol.iterator in held)) {
+    throw typeError(where, 'held', 'a list of bodies, shapes and constraints', held);
+  }
+  const list = [...(held as Iterable<unknown>)];
+  const isRight = (each: unknown) => [RigidBody, Shape, Constraint].some((kind) => each instanceof kind);
+  const wrong = list.findIndex((each) => !isRight(each));
+  if (wrong >= 0) {
+    throw typeError(where, `held[${wrong}]`, 'a RigidBody, Shape or Constraint', list[wrong]);
+  }
+  return list as (RigidBody | Shape | Constraint)[];
 }
 
 function optionalCallable<T>(where: string, callback: T | undefined): T | null {

@@ -5,7 +5,7 @@ import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/
 import type { Outline } from '../geometry/outline.js';
 import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
-import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options } from '../validate.js';
 import { Shape, type ShapeParams } from './shape.js';
 
@@ -88,9 +88,9 @@ export class Polygon extends Shape {
   override computeCenterOfMass(): Vec2;
   override computeCenterOfMass<T extends NumberSink>(dst: T): T;
   override computeCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
-    const centre = dst ?? ([0, 0] as Vec2);
+    const centre: Vec2 = [0, 0];
     polygonCentre(this.vertices, centre);
-    return centre;
+    return vec2(centre[0], centre[1], dst);
   }
 
   override clone(): this {
