@@ -77,7 +77,7 @@ describe('deserialize', () => {
     const source = plain();
     source.bodies.length = Math.min(source.bodies.length, 40);
     let taken = 0;
-    for (let i = 0; i < 600; i += 1) {
+    for (let i = 0; i < 300; i += 1) {
       const data = plainCopy(i % 2 === 0 ? plainSmall : source);
       const [object, key] = pick(placesIn(data));
       object[key] = pick(HOSTILE);
@@ -140,7 +140,7 @@ it.each(['events', 'constraints', 'drum'])(
     const snapshot = world.snapshot();
     const random = generator(11);
     let taken = 0;
-    for (let i = 0; i < 400; i += 1) {
+    for (let i = 0; i < 200; i += 1) {
       const forged = new Uint8Array(snapshot.byteLength);
       forged.set(new Uint8Array(snapshot));
       for (let k = Math.floor(3 * random()); k >= 0; k -= 1) {
