@@ -4,9 +4,10 @@ import { checkedParams, type RigidBodyParams } from './body-params.js';
 import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
 import { cos, cosSin, sin } from './math/trig.js';
-import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
+import { sink } from './validate.js';
 import type { World } from './world.js';
 
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
@@ -184,6 +185,31 @@ export abstract class BodyState {
     return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
   }
 
+  /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
+  computeWorldBounds(): Rect;
+  computeWorldBounds<T extends NumberSink>(dst: T): T;
+  computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
+    const result = dst === undefined ? ([0, 0, 0, 0] as Rect) : dst;
+    sink('RigidBody.computeWorldBounds', 'dst', result);
+    result[0] = Infinity;
+    result[1] = Infinity;
+    result[2] = -Infinity;
+    result[3] = -Infinity;
+    this.place();
+    for (const { bounds } of this.shapes) {
+      result[0] = Math.min(result[0]!, bounds[0]!);
+      result[1] = Math.min(result[1]!, bounds[1]!);
+      result[2] = Math.max(result[2]!, bounds[2]!);
+      result[3] = Math.max(result[3]!, bounds[3]!);
+    }
+    return result;
+  }
+
+  /** @internal */
+  shapesChanged(): void {
+    this.massStale = true;
+  }
+
   /** @internal 0 for everything that cannot be pushed */
   inverseMass(): number {
     this.refreshMass();
@@ -210,6 +236,18 @@ export abstract class BodyState {
     for (const constraint of this.constraints) {
       constraint.touch();
     }
+  }
+
+  /** @internal */
+  putAt(x: number, y: number, angle: number): void {
+    if (angle !== this.angle) {
+      this.angle = angle;
+      this.refreshTurn();
+    }
+    this.x = x;
+    this.y = y;
+    this.touchConstraints();
+    this.moved();
   }
 
   /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
@@ -267,4 +305,10 @@ export abstract class BodyState {
 
   /** @internal becomes the body of a shape, which is not in the list yet */
   abstract claim(shape: Shape): void;
+
+  /** @internal */
+  abstract moved(): void;
+
+  /** @internal */
+  abstract place(): void;
 }

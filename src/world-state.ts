@@ -6,6 +6,7 @@ import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
+import { type Listeners, NO_LISTENERS } from './listeners.js';
 import type { Vec2Like } from './math/vectors.js';
 import { type Clock, Profile } from './profile.js';
 import type { Shape } from './shape/shape.js';
@@ -15,6 +16,13 @@ import { JointData } from './solver/joint-data.js';
 import { Movers } from './solver/movers.js';
 import type { Tape } from './state/tape.js';
 import { boolean, callable, integer, optional, options, typeError, vector } from './validate.js';
+import type { World } from './world.js';
+
+/** What worlds tell their listeners. */
+export type WorldEventType = 'nonfinite';
+
+/** Called with the body that was frozen, `this` = the world. */
+export type WorldHandler = (this: World, body: RigidBody) => void;
 
 /** Options of `createWorld`. */
 export interface WorldParams {
@@ -87,6 +95,10 @@ export abstract class WorldState {
   readonly islandWork = new IslandWork();
   /** @internal what moved fast in this step */
   readonly movers = new Movers();
+  /** @internal what cannot be moved in this step, as its motion is not finite */
+  readonly frozen = new Set<RigidBody>();
+  /** @internal */
+  listeners: Listeners<WorldHandler> = NO_LISTENERS;
 
   /** @internal */
   protected time = 0;

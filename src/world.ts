@@ -2,6 +2,7 @@ import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
+import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './listeners.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { type CastResult, castRay, castRayThrough, castShape } from './query/casts.js';
 import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapesMeeting } from './query/queries.js';
@@ -24,7 +25,7 @@ import {
   typeError,
   vector,
 } from './validate.js';
-import { type WorldParams, WorldState } from './world-state.js';
+import { type WorldEventType, type WorldHandler, type WorldParams, WorldState } from './world-state.js';
 
 /**
  * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
@@ -327,7 +328,24 @@ export class World extends WorldState {
   restore(snapshot: ArrayBuffer, held: Iterable<RigidBody | Shape | Constraint> = []): void {
     const where = 'World.restore';
     this.refuseInside(where);
-    restoreTo(where, this, snapshot, held);
+    restoreTo(where, this, snapshot, checkedHeld(where, held));
+  }
+
+  /**
+   * Adds a handler. `nonfinite`: a body was frozen in the step, as its motion would not have been finite, or farther than 1e150 m. It is where it was,
+   * without velocity, force and torque, and moved nothing else. Causes are forces and masses of no measure, and custom constraints.
+   *
+   * @returns `false` for an unknown type or a handler already present.
+   */
+  addEventListener(eventType: WorldEventType, handler: WorldHandler): boolean {
+    callable('World.addEventListener', 'handler', handler);
+    return addListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
+  }
+
+  /** Removes a handler. @returns whether it was there. */
+  removeEventListener(eventType: WorldEventType, handler: WorldHandler): boolean {
+    callable('World.removeEventListener', 'handler', handler);
+    return removeListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
   }
 
   private refuseInside(where: string): void {
@@ -453,6 +471,19 @@ function shapeOfBody(where: string, shape: Shape): void {
   if (instance(where, 'shape', shape, Shape, 'a Shape').owner === null) {
     throw typeError(where, 'shape', 'a shape of a body', shape);
   }
+}
+
+function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {
+  if (typeof held !== 'object' || held === null || !(Symbol.iterator in held)) {
+    throw typeError(where, 'held', 'a list of bodies, shapes and constraints', held);
+  }
+  const list = [...(held as Iterable<unknown>)];
+  const isRight = (each: unknown) => [RigidBody, Shape, Constraint].some((kind) => each instanceof kind);
+  const wrong = list.findIndex((each) => !isRight(each));
+  if (wrong >= 0) {
+    throw typeError(where, `held[${wrong}]`, 'a RigidBody, Shape or Constraint', list[wrong]);
+  }
+  return list as (RigidBody | Shape | Constraint)[];
 }
 
 function optionalCallable<T>(where: string, callback: T | undefined): T | null {

@@ -77,7 +77,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.insert', bounds);
+      throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
     }
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
     const handle = new TreeHandle<T>(data, isStatic, this, this.takeBox());
@@ -89,7 +89,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
     if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.update', bounds);
+      throw badBounds('BoxTreeBroadphase.update', 'bounds', bounds);
     }
     const own = this.owned('BoxTreeBroadphase.update', handle);
     const becomesStatic =
@@ -176,7 +176,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     thisObject?: unknown,
   ): void {
     if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.sample', bounds);
+      throw badBounds('BoxTreeBroadphase.sample', 'bounds', bounds);
     }
     callable('BoxTreeBroadphase.sample', 'callback', callback);
     this.report(bounds, true, callback, thisObject);

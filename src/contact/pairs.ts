@@ -2,6 +2,7 @@ import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
 import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 import { Arbiter } from './arbiter.js';
+import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 
 function before(a: Report, b: Report): boolean {
@@ -32,6 +33,7 @@ export class Pairs {
   private readonly reported: Report[] = [];
   /** @internal */
   reportedCount = 0;
+  private readonly crowd = new Crowd();
   /** @internal */
   readonly pool: Arbiter[] = [];
   /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
@@ -84,15 +86,16 @@ export class Pairs {
   /** … and they may interact. */
   report(shapeA: Shape, shapeB: Shape, stamp: number): void {
     const pair = this.table.find(shapeA, shapeB);
-    if (pair === null) {
-      this.note(shapeA, shapeB);
-    } else {
+    if (pair !== null) {
       this.table.see(pair, stamp);
       this.arrive(pair);
+    } else if (!this.crowd.take(shapeA, shapeB)) {
+      this.note(shapeA, shapeB);
     }
   }
 
-  private note(shapeA: Shape, shapeB: Shape): void {
+  /** @internal the pair of two shapes is to be made */
+  note(shapeA: Shape, shapeB: Shape): void {
     if (this.reportedCount === this.reported.length) {
       this.reported.push({ shapeA, shapeB });
     }
@@ -109,6 +112,7 @@ export class Pairs {
 
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
   makeReported(stamp: number): void {
+    this.crowd.drainTo(this);
     const { reported, reportedCount } = this;
     sortFirst(reported, reportedCount, before);
     for (let i = 0; i < reportedCount; i += 1) {

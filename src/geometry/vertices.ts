@@ -1,4 +1,4 @@
-import { COLLINEAR_TOLERANCE, VERTEX_TOLERANCE } from '../config.js';
+import { COLLINEAR_TOLERANCE, MAX_SIZE, VERTEX_TOLERANCE } from '../config.js';
 import { cos, sin } from '../math/trig.js';
 import type { Vec2, Vec2Like } from '../math/vectors.js';
 import { finite, integer, positive, typeError, vector } from '../validate.js';
@@ -76,7 +76,7 @@ export function convexVertices(where: string, name: string, value: unknown): num
   }
   const flat: number[] = [];
   for (let i = 0; i < count; i += 1) {
-    const point = vector(where, `${name}[${i}]`, list[i], 2);
+    const point = vector(where, `${name}[${i}]`, list[i], 2, MAX_SIZE);
     flat.push(point[0]!, point[1]!);
   }
   refuseRepeats(where, name, flat);
@@ -88,16 +88,26 @@ export function convexVertices(where: string, name: string, value: unknown): num
 }
 
 function refuseRepeats(where: string, name: string, flat: readonly number[]): void {
+  const i = repeatedVertex(flat);
+  if (i >= 0) {
+    const j = (i + 1) % (flat.length / 2);
+    const rule = `must have distinct vertices, got vertex ${j} equal to vertex ${i}`;
+    throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`);
+  }
+}
+
+/** The first vertex that the next one is equal to, or −1. */
+export function repeatedVertex(flat: ArrayLike<number>): number {
   const count = flat.length / 2;
   for (let i = 0; i < count; i += 1) {
     const j = (i + 1) % count;
     const dx = flat[2 * j]! - flat[2 * i]!;
     const dy = flat[2 * j + 1]! - flat[2 * i + 1]!;
     if (dx * dx + dy * dy <= VERTEX_TOLERANCE * VERTEX_TOLERANCE) {
-      const rule = `must have distinct vertices, got vertex ${j} equal to vertex ${i}`;
-      throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`);
+      return i;
     }
   }
+  return -1;
 }
 
 function reverse(flat: number[]): void {

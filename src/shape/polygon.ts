@@ -1,17 +1,18 @@
 import type { RigidBody } from '../body.js';
+import { MAX_SIZE } from '../config.js';
 import { EDGE_STRIDE } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
-import { convexVertices } from '../geometry/vertices.js';
+import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
-import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options } from '../validate.js';
 import { Shape, type ShapeParams } from './shape.js';
 
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
   /**
-   * At least three distinct corners of a convex polygon in body coordinates, m. Clockwise on screen; counter-clockwise
+   * At least three distinct corners of a convex polygon in body coordinates, m, each at most 1e75. Clockwise on screen; counter-clockwise
    * input is reversed, corners inside an edge are dropped. Copied.
    */
   vertices: ArrayLike<Vec2Like>;
@@ -135,9 +136,9 @@ export class Polygon extends Shape {
   override computeCenterOfMass(): Vec2;
   override computeCenterOfMass<T extends NumberSink>(dst: T): T;
   override computeCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
-    const centre = dst ?? ([0, 0] as Vec2);
+    const centre: Vec2 = [0, 0];
     polygonCentre(this.vertices, centre);
-    return centre;
+    return vec2(centre[0], centre[1], dst);
   }
 
   override clone(): this {
@@ -225,19 +226,18 @@ export class Polygon extends Shape {
   }
 
   /** @internal */
-  protected override scaleGeometry(scaleX: number, scaleY: number): void {
-    this.mapGeometry(scaleX, 0, 0, scaleY, 0, 0);
-  }
-
-  /** @internal */
-  protected override mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void {
+  protected override mapGeometry(m: ArrayLike<number>): boolean {
     const mapped = [...this.vertices];
     for (let i = 0; i < mapped.length; i += 2) {
       const x = mapped[i]!;
       const y = mapped[i + 1]!;
-      mapped[i] = m0 * x + m2 * y + m4;
-      mapped[i + 1] = m1 * x + m3 * y + m5;
+      mapped[i] = m[0]! * x + m[2]! * y + m[4]!;
+      mapped[i + 1] = m[1]! * x + m[3]! * y + m[5]!;
+    }
+    if (!mapped.every((value) => Math.abs(value) <= MAX_SIZE) || repeatedVertex(mapped) >= 0) {
+      return false;
     }
     this.takeVertices(mapped);
+    return true;
   }
 }

@@ -1,5 +1,6 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { MAX_SIZE } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Hit } from '../contact/hit.js';
 import type { Outline } from '../geometry/outline.js';
@@ -8,7 +9,7 @@ import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
-import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
+import { bits, boolean, callable, finite, instance, nonNegative, optional, rangeError, vector } from '../validate.js';
 
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
@@ -76,6 +77,8 @@ export abstract class Shape {
   owner: RigidBody | null = null;
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
+  /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
+  readonly partners: Shape[] = [];
   /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
@@ -169,6 +172,8 @@ export abstract class Shape {
   /**
    * Scales about the body origin. A circle uses `scaleX` alone. Nothing happens for factors ≤ 0, during a step, or for a
    * static body in a world. Wakes the body.
+   *
+   * @throws RangeError, as `translate`, `rotate` and `transform`, if corners would coincide or be farther than 1e75 m from the body origin.
    */
   scale(scaleX: number, scaleY: number = scaleX): void {
     finite('Shape.scale', 'scaleX', scaleX);
@@ -176,8 +181,7 @@ export abstract class Shape {
     if (this.isLocked() || scaleX <= 0 || (this.type === 'POLYGON' && scaleY <= 0)) {
       return;
     }
-    this.scaleGeometry(scaleX, scaleY);
-    this.geometryChanged();
+    this.map('Shape.scale', 'scaleX', scaleX, [scaleX, 0, 0, this.type === 'POLYGON' ? scaleY : scaleX, 0, 0]);
   }
 
   /** Moves the shape within its body. Ignored during a step and for a static body in a world. Wakes the body. */
@@ -186,8 +190,7 @@ export abstract class Shape {
     if (this.isLocked()) {
       return;
     }
-    this.mapGeometry(1, 0, 0, 1, translation[0]!, translation[1]!);
-    this.geometryChanged();
+    this.map('Shape.translate', 'translation', translation, [1, 0, 0, 1, translation[0]!, translation[1]!]);
   }
 
   /** Turns the shape about the body origin, clockwise on screen. Ignored as `translate` is. Wakes the body. */
@@ -198,8 +201,7 @@ export abstract class Shape {
     }
     const c = cos(clockwiseRadians);
     const s = sin(clockwiseRadians);
-    this.mapGeometry(c, s, -s, c, 0, 0);
-    this.geometryChanged();
+    this.map('Shape.rotate', 'clockwiseRadians', clockwiseRadians, [c, s, -s, c, 0, 0]);
   }
 
   /**
@@ -211,7 +213,13 @@ export abstract class Shape {
     if (this.isLocked() || !(m[0]! * m[3]! - m[2]! * m[1]! > 0)) {
       return;
     }
-    this.mapGeometry(m[0]!, m[1]!, m[2]!, m[3]!, m[4]!, m[5]!);
+    this.map('Shape.transform', 'matrix', matrix, m);
+  }
+
+  private map(where: string, name: string, value: unknown, matrix: ArrayLike<number>): void {
+    if (!this.mapGeometry(matrix)) {
+      throw rangeError(where, name, `one that leaves points apart, and within ${MAX_SIZE} m`, value);
+    }
     this.geometryChanged();
   }
 
@@ -287,11 +295,8 @@ export abstract class Shape {
   /** @internal half of the least width */
   abstract thickness(): number;
 
-  /** @internal */
-  protected abstract scaleGeometry(scaleX: number, scaleY: number): void;
-
-  /** @internal */
-  protected abstract mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void;
+  /** @internal by a matrix as that of `transform`. @returns `false`, without effect, if that would be no shape: too large, or with points that coincide. */
+  protected abstract mapGeometry(matrix: ArrayLike<number>): boolean;
 
   /** @internal options for `clone` */
   protected commonParams(): ShapeParams {

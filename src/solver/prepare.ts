@@ -5,6 +5,7 @@ import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
+import { holdWild } from './freeze.js';
 import { packJoints } from './joints.js';
 import { packContacts } from './pack-contacts.js';
 
@@ -44,6 +45,7 @@ function packBodies(world: World, h: number): void {
     drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : keep;
     drive[at + d.KEEP_ANGULAR] =
       invInertia === 0 ? 1 : body.angularDrag === drag ? keep : keepAfter(body.angularDrag, h);
+    holdWild(world, body);
     slot += 1;
   }
   for (let i = 0; i < kinematics.length; i += 1) {
@@ -54,6 +56,7 @@ function packBodies(world: World, h: number): void {
     data.drive[at + d.KEEP_LINEAR] = 1;
     data.drive[at + d.KEEP_ANGULAR] = 1;
     data.drive[at + d.REST_RADIUS] = -1;
+    holdWild(world, body);
     slot += 1;
   }
 }
