@@ -16,7 +16,6 @@ export const MARKS = {
   point: 'createPointConstraint',
   pulley: 'createPulleyConstraint',
   weld: 'createWeldConstraint',
-  polygon: 'createPolygonShape',
   utils: 'CollisionUtils.',
   sweep: 'SweepAndPrune',
   debug: 'Physics2DDebugDraw',
@@ -38,7 +37,7 @@ const DEVICE = 'const { createWorld, createRigidBody, createCircleShape } = phys
 
 /** Parts of the engine itself, in the order of the programs that have more and more of them. */
 const TIES: readonly Part[] = ['angle', 'custom', 'distance', 'line', 'motor', 'point', 'pulley', 'weld'];
-const REST: readonly Part[] = ['polygon', 'utils', 'sweep'];
+const REST: readonly Part[] = ['utils', 'sweep'];
 
 export interface Program {
   name: string;
