@@ -304,6 +304,14 @@ export class Arbiter {
     this.forget();
   }
 
+  /** @internal alive again, in a world that is restored; what a snapshot has of it is set next */
+  revive(): void {
+    this.dead = false;
+    this.near = false;
+    this.foreseen = false;
+    this.before = null;
+  }
+
   /** @internal drops what is only kept while an interaction runs or is cached */
   forget(): void {
     this.shown = 0;

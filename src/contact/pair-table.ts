@@ -88,14 +88,17 @@ export class PairTable {
     this.size = 0;
   }
 
-  /** Moves all arbiters to the end of a list. */
-  drainTo(list: Arbiter[]): void {
-    for (const arbiter of this.arbiters) {
+  /** Marks all arbiters as dead, and forgets when they were reported. */
+  bury(): void {
+    const { arbiters, places } = this;
+    for (let i = 0; i < arbiters.length; i += 1) {
+      const arbiter = arbiters[i]!;
       if (arbiter !== null) {
-        list.push(arbiter);
+        arbiter.dead = true;
+        arbiter.awake = false;
+        places[i * PLACE + SEEN] = FREE;
       }
     }
-    this.clear();
   }
 
   private placeOf(idA: number, idB: number): number {

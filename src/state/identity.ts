@@ -63,7 +63,7 @@ export function resolve(
     Math.min(inside, outside, attached, loose, ties) >= 0 &&
     ids.length === HEAD + 2 * inside + 3 * (attached + loose) + ties + 2 * outside;
   tape.require(isWhole, 'the list of its objects is too short');
-  const finder = new Finder(tape, world, held);
+  const finder = new Finder(tape, world, held, known === null);
   const scene: Scene = { ...emptyScene(), inside, attached, isCopy: known === null };
   const { bodies, shapes, counts, constraints } = scene;
   let at = HEAD;
@@ -117,12 +117,13 @@ class Finder {
     private readonly tape: Tape,
     private readonly world: World,
     held: Iterable<unknown>,
+    isNeeded: boolean,
   ) {
-    for (const object of held) {
-      this.add(object);
+    for (const list of isNeeded ? [held, world.rigidBodies, world.constraints] : []) {
+      for (const object of list) {
+        this.add(object);
+      }
     }
-    world.rigidBodies.forEach(this.add, this);
-    world.constraints.forEach(this.add, this);
   }
 
   private add(object: unknown): void {

@@ -7,13 +7,14 @@ import { countIgnoring, release } from '../solver/ties.js';
 import { instance } from '../validate.js';
 import type { World } from '../world.js';
 import { describe, ranksOf, resolve } from './identity.js';
-import { keepGroup } from './rows.js';
+import { keepGroup, ROWS } from './rows.js';
 import { emptyScene, gather, type Objects, type Scene } from './scene.js';
 import { Tape } from './tape.js';
 import { walk } from './walk.js';
+import { endsRow } from './walk-pairs.js';
 
 /** Scratch: nothing in them lives on. */
-const tape = new Tape();
+const tape = new Tape([...ROWS, endsRow]);
 const scene = emptyScene();
 
 /** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
@@ -94,7 +95,7 @@ export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held
 /** What joints that hang together remember, unless they are about to be listed anew. */
 function walkGroups(on: Tape, world: World): void {
   const { groups } = world.solver.joints;
-  on.begins(0);
+  on.begins();
   on.checksOnto(true);
   const isListed = on.flag(!world.jointsStale);
   const count = on.count(isListed ? groups.length : 0);

@@ -10,7 +10,7 @@ import { walkPairs } from './walk-pairs.js';
 
 /** Passes all that influences the future of a world over a tape, except which objects there are and what the solver keeps of joints. */
 export function walk(tape: Tape, world: World, scene: Scene): void {
-  tape.begins(rows.WORLD);
+  tape.begins();
   world.keep(tape);
   if (!tape.hashes) {
     walkMaterials(tape, scene);
@@ -26,7 +26,7 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
     walkShape(tape, scene, first);
   }
   for (const constraint of constraints) {
-    tape.begins(rows.CONSTRAINT);
+    tape.begins();
     constraint.keep(tape);
   }
   for (const body of bodies) {
@@ -86,7 +86,7 @@ function walkShape(tape: Tape, { shapes, materials, isCopy }: Scene, i: number):
   const shape = shapes[i]!;
   const { material } = shape;
   if (tape.hashes) {
-    tape.list(rows.materialNumbers(material));
+    tape.shared(rows.materialNumbers(material), Infinity);
     return rows.keepShape(tape, shape);
   }
   const which = tape.index(tape.holds ? 0 : materials.indexOf(material), materials.length);
