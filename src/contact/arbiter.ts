@@ -304,9 +304,10 @@ export class Arbiter {
     this.forget();
   }
 
-  /** @internal alive again, in a world that is restored; what a snapshot has of it is set next */
+  /** @internal in a world that is restored, with what a snapshot has of it, which is set next */
   revive(): void {
     this.dead = false;
+    this.awake = false;
     this.near = false;
     this.foreseen = false;
     this.before = null;

@@ -62,13 +62,13 @@ export class Pairs {
 
   /** For a world that is restored: a pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
   restore(shapeA: Shape, shapeB: Shape): Arbiter {
-    const there = this.table.find(shapeA, shapeB);
-    if (there?.dead) {
+    const there = this.table.claim(shapeA, shapeB);
+    if (there !== null) {
       there.revive();
       return there;
     }
     const pair = this.make(shapeA, shapeB);
-    this.table.add(pair);
+    this.table.addClaimed(pair);
     return pair;
   }
 
@@ -208,14 +208,14 @@ export class Pairs {
 
   /** … and the pairs that were not brought back. */
   dropUnclaimed(): void {
-    for (const pair of this.table.arbiters.filter((arbiter) => arbiter?.dead)) {
-      this.retire(pair!);
+    for (const pair of this.table.unclaimed()) {
+      this.retire(pair);
     }
   }
 
-  /** For a world that is restored: nothing is listed, and pairs are dead unless brought back. */
+  /** For a world that is restored: nothing is listed, and pairs are dropped unless brought back. */
   reset(): void {
-    this.table.bury();
+    this.table.release();
     for (const list of [this.cut, this.cutBefore]) {
       for (const pair of list) {
         this.pool.push(pair);
