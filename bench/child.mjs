@@ -269,10 +269,10 @@ function hash({ base, steps }) {
 }
 
 /**
- * 1,000 boxes in a pile, awake: milliseconds to take a snapshot, and to restore it after four more steps, and its bytes. What an engine without a
- * restore in place needs to drop its old world is not timed.
+ * 1,000 boxes in a pile, awake: milliseconds to take a snapshot, and to restore it after four more steps, and its bytes. An engine that cannot restore in
+ * place makes a new world, and drops the old one.
  */
-async function snapshot({ engine, times }) {
+async function snapshot({ engine, warmUp, times }) {
   const device = await engines[engine].load();
   const world = device.createWorld({ allowSleeping: false });
   const box = (width, height, params) => {
@@ -285,17 +285,21 @@ async function snapshot({ engine, times }) {
   }
   repeat(120, () => world.step(DT));
   let taken;
-  const take = [];
-  const restore = [];
-  repeat(times, () => {
-    const start = performance.now();
-    taken = world.snapshot(taken);
-    take.push(performance.now() - start);
-    repeat(4, () => world.step(DT));
-    const back = performance.now();
-    world.restore(taken);
-    restore.push(performance.now() - back);
-    world.step(DT);
-  });
-  return { take, restore, bytes: world.snapshot().byteLength };
+  const run = (count) => {
+    const take = [];
+    const restore = [];
+    repeat(count, () => {
+      take.push(
+        ...time(1, () => {
+          taken = world.snapshot(taken);
+        }),
+      );
+      repeat(4, () => world.step(DT));
+      restore.push(...time(1, () => world.restore(taken)));
+      world.step(DT);
+    });
+    return { take, restore };
+  };
+  run(warmUp);
+  return { ...run(times), bytes: world.snapshot().byteLength };
 }

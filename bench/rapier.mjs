@@ -128,8 +128,7 @@ class RapierWorld extends PeerWorld {
 
   /** Makes a new world: the bodies that there are do not belong to it. */
   restore(snapshot) {
-    this.dropped?.free();
-    this.dropped = this.world;
+    this.world.free();
     this.world = RAPIER.World.restoreSnapshot(snapshot);
   }
 
