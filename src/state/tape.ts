@@ -10,9 +10,7 @@ const HASH = 3;
 /** There is always room for so many more of either. */
 const ROOM = 64;
 
-/**
- * The fields of objects of one kind, 32 of them at most; one that is the same as in the last row takes one bit.
- */
+/** The fields of objects of one kind, 32 of them at most; one that is the same as in the last row takes one bit. */
 export class Row {
   readonly numbers: Float64Array;
   readonly integers: Int32Array;
@@ -256,7 +254,7 @@ export class Tape {
     return this.takes ? ((words[flags]! >>> bit) & 1) !== 0 : value;
   }
 
-  /** A number within bounds. */
+  /** A number, not NaN. */
   number(value: number): number {
     const at = this.atNumber;
     this.atNumber = at + 1;
