@@ -78,8 +78,8 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   tape.pass(bodyRow);
   const flags = integers[0]!;
   if (tape.checks) {
-    tape.require(flags >= 0 && flags >> 3 <= 2, 'a body is of no kind');
-    tape.require(isNear(n[0]!, n[1]!, n[2]!) && Math.abs(n[3]!) <= 1 && Math.abs(n[4]!) <= 1, 'a body is nowhere');
+    tape.require(flags >= 0 && flags >> 3 <= 2);
+    tape.require(isNear(n[0]!, n[1]!, n[2]!) && Math.abs(n[3]!) <= 1 && Math.abs(n[4]!) <= 1);
   }
   if (tape.takes) {
     b.asleep = (flags & 1) !== 0;
@@ -130,7 +130,7 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
   tape.pass(shapeRow);
   const [stamp, group, mask, entered] = [integers[0]!, n[0]!, n[1]!, n[2]!];
   const [radius, x, y] = [n[3]!, n[4]!, n[5]!];
-  tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && isNear(radius, x, y), 'a number is out of its range');
+  tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && isNear(radius, x, y));
   if (tape.takes) {
     shape.group = group;
     shape.mask = mask;
@@ -151,7 +151,7 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
 function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   const { vertices } = polygon;
   const stored = tape.shared(vertices, FAR);
-  tape.require(stored.length >= 6 && stored.length % 2 === 0, 'a polygon has no corners');
+  tape.require(stored.length >= 6 && stored.length % 2 === 0);
   if (stored !== vertices) {
     polygon.takeVertices(stored);
   }
@@ -257,9 +257,9 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
 function checkPair(tape: Tape, flags: number, integers: Int32Array): void {
   const isRight =
     flags >> FLAGS_END === 0 && ((flags >> COUNT) & 3) < 3 && ((flags >> FACE) & 3) < 3 && ((flags >> SHOWN) & 3) < 3;
-  tape.require(isRight, 'a pair has more than two points');
+  tape.require(isRight);
   for (let i = 1; i < integers.length; i += 1) {
-    tape.require(integers[i]! >= -1 && integers[i]! <= (i < 6 ? FEATURES : MOST), 'an integer is out of its range');
+    tape.require(integers[i]! >= -1 && integers[i]! <= (i < 6 ? FEATURES : MOST));
   }
 }
 

@@ -143,7 +143,7 @@ export class Tape {
 
   /** Ends a check. */
   finish(): void {
-    this.require(this.atNumber === this.endNumber && this.atWord === this.endWord, 'its parts do not fit its length');
+    this.require(this.atNumber === this.endNumber && this.atWord === this.endWord);
   }
 
   /** Begins to read what is right. */
@@ -151,10 +151,10 @@ export class Tape {
     this.begin(READ);
   }
 
-  /** Within a check: something has to be so. */
-  require(holds: boolean, otherwise: string): void {
+  /** Within a check: something has to be so. What comes here has the right checksum, so it was forged. */
+  require(holds: boolean): void {
     if (!holds && this.mode === CHECK) {
-      throw new RangeError(`${this.where}: the snapshot is damaged: ${otherwise}`);
+      throw new RangeError(`${this.where}: the snapshot is damaged: it contradicts itself`);
     }
   }
 
@@ -230,7 +230,7 @@ export class Tape {
       if ((mask & 1) !== 0) {
         numbers[i] = track[at]!;
         at += 1;
-        this.require(this.mode !== CHECK || !Number.isNaN(numbers[i]), 'a number is none');
+        this.require(this.mode !== CHECK || !Number.isNaN(numbers[i]));
       }
       mask >>>= 1;
     }
@@ -264,14 +264,14 @@ export class Tape {
       return value;
     }
     const stored = this.numbers[at]!;
-    this.require(!Number.isNaN(stored), 'a number is none');
+    this.require(!Number.isNaN(stored));
     return this.takes ? stored : value;
   }
 
   /** An integer of at most 32 bits, within bounds. */
   integer(value: number, least: number, most: number): number {
     const stored = this.word(value);
-    this.require(stored >= least && stored <= most, 'an integer is out of its range');
+    this.require(stored >= least && stored <= most);
     return this.takes ? stored : value;
   }
 
@@ -306,15 +306,12 @@ export class Tape {
       return values;
     }
     const length = this.count(0);
-    this.require(length > 0 || before !== null, 'there is no array before the first');
+    this.require(length > 0 || before !== null);
     let stored = before!;
     if (length > 0) {
       stored = this.numbers.slice(this.atNumber, this.atNumber + length);
       this.atNumber += length;
-      this.require(
-        stored.length === length && stored.every((value) => Math.abs(value) <= most),
-        'a number is out of its range',
-      );
+      this.require(stored.length === length && stored.every((value) => Math.abs(value) <= most));
     }
     this.before = stored;
     return !this.takes || areEqual(values, stored) ? values : stored.slice();
@@ -323,7 +320,7 @@ export class Tape {
   /** How many there are of something. @returns what is stored, also on a check. */
   count(value: number, most: number = this.endWord + this.endNumber): number {
     const stored = this.word(value);
-    this.require(stored >= 0 && stored <= most, 'a count is out of its range');
+    this.require(stored >= 0 && stored <= most);
     return stored;
   }
 
@@ -331,7 +328,7 @@ export class Tape {
   index(value: number, count: number): number {
     const stored = (this.place + this.word(value - this.place)) | 0;
     this.place = stored;
-    this.require(stored >= 0 && stored < count, 'an index is out of its range');
+    this.require(stored >= 0 && stored < count);
     return stored;
   }
 

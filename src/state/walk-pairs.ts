@@ -35,7 +35,7 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
   );
   const cut = tape.count(tape.holds ? 0 : world.events.ended.count);
   const count = tape.count(pairs.length);
-  tape.require(awake + cut <= count && (count === 0 || shapes.length > 1), 'it has more pairs than there can be');
+  tape.require(awake + cut <= count && (count === 0 || shapes.length > 1));
   places.ofShapes.clear();
   places.ofWorld.clear();
   const scratch = tape.checks && count > 0 ? new Arbiter(shapes[0]!, shapes[1]!) : null;
@@ -48,7 +48,7 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
     }
     tape.pass(endsRow);
     const limit = isCut ? shapes.length : attached;
-    tape.require(isWithin(ends[A]!, limit) && isWithin(ends[B]!, limit), 'an index is out of its range');
+    tape.require(isWithin(ends[A]!, limit) && isWithin(ends[B]!, limit));
     if (tape.holds) {
       pairs[i] = takeEnds(tape, world, scene, scratch, i, i < awake, isCut);
     }
@@ -98,12 +98,12 @@ function takeEnds(
   const { integers: ends } = endsRow;
   const shapeA = shapes[ends[A]!]!;
   const shapeB = shapes[ends[B]!]!;
-  tape.require(isCut || shapeA.id < shapeB.id, 'the shapes of a pair are not in order');
+  tape.require(isCut || shapeA.id < shapeB.id);
   let pair = scratch;
   if (pair === null) {
     pair = isCut ? world.pairs.restoreCut(shapeA, shapeB) : world.pairs.restore(shapeA, shapeB);
   } else {
-    tape.require(i === 0 || !isAwake || isBefore(pair, shapeA.id, shapeB.id), 'pairs are not in order');
+    tape.require(i === 0 || !isAwake || isBefore(pair, shapeA.id, shapeB.id));
     pair.reuse(shapeA, shapeB);
     pair.dead = isCut;
   }
@@ -135,7 +135,7 @@ function enlist(world: World, pair: Arbiter, isAwake: boolean, isCut: boolean): 
 
 /** Puts the pairs into their lists. */
 function link(tape: Tape, world: World, { pairs, shapes, attached }: Scene, { ofShapes, ofWorld }: Places): void {
-  tape.require(ofShapes.sort(attached) && ofWorld.sort(2), 'pairs have no place in a list');
+  tape.require(ofShapes.sort(attached) && ofWorld.sort(2));
   if (!tape.reads) {
     return;
   }

@@ -46,7 +46,7 @@ function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
   for (let i = 0; i < count; i += 1) {
     const own = materials[i] === undefined ? new Float64Array(5) : rows.materialNumbers(materials[i]!);
     const stored = tape.shared(own, Infinity);
-    tape.require(stored.length === 5, 'a material is none');
+    tape.require(stored.length === 5);
     if (tape.checks && (materials[i] === undefined || stored !== own)) {
       materials[i] = shapes.find(({ material }) => isMadeOf(material, stored))?.material ?? makeMaterial(stored);
     }
@@ -110,7 +110,7 @@ function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constr
   const found = new Set<Constraint>();
   for (let i = 0; i < count; i += 1) {
     const constraint = constraints[tape.index(own[i]?.index ?? 0, constraints.length)]!;
-    tape.require(!found.has(constraint) && constraint.members.includes(body), 'a constraint is not of its body');
+    tape.require(!found.has(constraint) && constraint.members.includes(body));
     found.add(constraint);
     if (tape.reads) {
       list.push(constraint);
@@ -124,7 +124,7 @@ function walkAwake<T extends RigidBody | Constraint>(tape: Tape, list: T[], all:
   const found = new Uint8Array(allCount);
   for (let i = 0; i < count; i += 1) {
     const at = tape.index(tape.holds ? 0 : list[i]!.index, allCount);
-    tape.require(found[at] === 0, 'something is awake twice');
+    tape.require(found[at] === 0);
     found[at] = 1;
     if (tape.reads) {
       list[i] = all[at]!;

@@ -180,6 +180,24 @@ describe('World.restore', () => {
     expect(two.hash()).toBe(one.hash());
   });
 
+  it('tells what is wrong where the copy of another world does not fit', () => {
+    const circle = (radius: number): RigidBody => plainBody({ shapes: [phys2D.createCircleShape({ radius })] });
+    const [one, two, three] = [weightless(), weightless(), weightless()];
+    one.addRigidBody(circle(1));
+    one.addRigidBody(circle(2));
+    two.addRigidBody(boxBody(1, 1));
+    two.addRigidBody(boxBody(1, 1));
+    const [late, early] = [circle(1), circle(2)].reverse();
+    three.addRigidBody(late!);
+    three.addRigidBody(early!);
+    const copy = copyOf(one.snapshot());
+    const refused = 'World.restore: the snapshot cannot be restored here: ';
+    const hashes = [two, three].map((world) => world.hash());
+    expect(() => two.restore(copy)).toThrow(`${refused}a shape of it is of another kind`);
+    expect(() => three.restore(copy)).toThrow(`${refused}its shapes were created in another order`);
+    expect([two, three].map((world) => world.hash())).toEqual(hashes);
+  });
+
   it('is refused within handlers and callbacks, as are hash and snapshot', () => {
     const world = weightless();
     const body = plainBody();
