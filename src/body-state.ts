@@ -16,7 +16,7 @@ const turn = new Float64Array(3);
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState {
   /** Attached shapes. Do not modify. */
-  readonly shapes: Shape[] = [];
+  readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
   /** Is swept against other dynamic bodies too; takes effect in the next step. */
@@ -132,11 +132,21 @@ export abstract class BodyState {
     this.asleep = given.sleeping;
     this.bullet = given.bullet;
     this.userData = given.userData;
-    for (const shape of given.shapes) {
+    this.shapes = this.own(given.shapes);
+  }
+
+  /** Takes those that are free, into the list itself, which is no longer than it must be: one that grows has room for many. */
+  private own(shapes: Shape[]): Shape[] {
+    let count = 0;
+    for (const shape of shapes) {
       if (shape.owner === null) {
-        this.attach(shape);
+        this.claim(shape);
+        shapes[count] = shape;
+        count += 1;
       }
     }
+    shapes.length = count;
+    return shapes;
   }
 
   /** Σ density · area, kg. Overlaps count twice, sensors count. */
@@ -212,6 +222,15 @@ export abstract class BodyState {
     return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
   }
 
+  /** @internal an impulse has an effect on it */
+  canBePushed(): boolean {
+    this.refreshMass();
+    return (
+      this.kind === DYNAMIC &&
+      ((this.mass > 0 && this.mass < Infinity) || (this.inertia > 0 && this.inertia < Infinity))
+    );
+  }
+
   /** @internal after a teleport or a change of type: constraints look at the body anew */
   touchConstraints(): void {
     for (const constraint of this.constraints) {
@@ -257,9 +276,12 @@ export abstract class BodyState {
 
   /** @internal */
   refreshMass(): void {
-    if (!this.massStale) {
-      return;
+    if (this.massStale) {
+      this.renewMass();
     }
+  }
+
+  private renewMass(): void {
     this.massStale = false;
     this.mass = this.fixedMass >= 0 ? this.fixedMass : this.computeMassFromShapes();
     this.inertia = this.fixedInertia >= 0 ? this.fixedInertia : this.computeInertiaFromShapes();
@@ -281,8 +303,8 @@ export abstract class BodyState {
     return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, dst);
   }
 
-  /** @internal */
-  abstract attach(shape: Shape): void;
+  /** @internal becomes the body of a shape, which is not in the list yet */
+  abstract claim(shape: Shape): void;
 
   /** @internal */
   abstract moved(): void;

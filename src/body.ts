@@ -331,7 +331,8 @@ export class RigidBody extends BodyState {
     if (shape.owner !== null || this.isLocked()) {
       return false;
     }
-    this.attach(shape);
+    this.claim(shape);
+    this.shapes.push(shape);
     this.owner?.shapeAdded(shape);
     this.rouse();
     return true;
@@ -451,10 +452,8 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** @internal */
-  override attach(shape: Shape): void {
+  override claim(shape: Shape): void {
     shape.owner = this;
-    this.shapes.push(shape);
     this.shapesChanged();
     this.moved();
   }

@@ -33,12 +33,16 @@ export class Crowd {
     }
   }
 
-  /** Appends the pairs that are to be made to a list, some twice; of each the shape with the lower id comes first. */
-  drainTo(list: [Shape, Shape][]): void {
+  /** Tells the pairs that are to be made, some twice; of each the shape with the lower id comes first. */
+  drain(note: (shapeA: Shape, shapeB: Shape) => void): void {
     for (const shape of this.shapes) {
       keepFirst(shape);
       for (const partner of shape.partners) {
-        list.push(shape.id < partner.id ? [shape, partner] : [partner, shape]);
+        if (shape.id < partner.id) {
+          note(shape, partner);
+        } else {
+          note(partner, shape);
+        }
       }
       shape.partners.length = 0;
     }

@@ -26,8 +26,6 @@ export class Circle extends Shape {
   /** @internal */
   readonly kind = 0;
   /** @internal */
-  radius: number;
-  /** @internal */
   originX: number;
   /** @internal */
   originY: number;
@@ -128,6 +126,11 @@ export class Circle extends Shape {
   /** @internal */
   override reach(): number {
     return Math.sqrt(this.originX * this.originX + this.originY * this.originY) + this.radius;
+  }
+
+  /** @internal */
+  override isRound(): boolean {
+    return this.originX === 0 && this.originY === 0;
   }
 
   /** @internal */

@@ -91,6 +91,8 @@ export abstract class Shape {
   grounds: Arbiter | null = null;
   /** @internal */
   groundStamp = -1;
+  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
+  radius = 0;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
   readonly bounds = doubles(4);
 
@@ -286,6 +288,9 @@ export abstract class Shape {
 
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;
+
+  /** @internal it looks the same however its body is turned */
+  abstract isRound(): boolean;
 
   /** @internal half of the least width */
   abstract thickness(): number;

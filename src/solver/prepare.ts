@@ -27,7 +27,8 @@ function packBodies(world: World, h: number): void {
   let slot = 1;
   let drag = -1;
   let keep = 1;
-  for (const body of dynamics) {
+  for (let i = 0; i < dynamics.length; i += 1) {
+    const body = dynamics[i]!;
     if (body.linearDrag !== drag) {
       drag = body.linearDrag;
       keep = keepAfter(drag, h);
@@ -47,7 +48,8 @@ function packBodies(world: World, h: number): void {
     holdWild(world, body);
     slot += 1;
   }
-  for (const body of kinematics) {
+  for (let i = 0; i < kinematics.length; i += 1) {
+    const body = kinematics[i]!;
     packBody(data, body, slot);
     const at = slot * d.BODY_STRIDE;
     data.drive.fill(0, at, at + d.BODY_STRIDE);

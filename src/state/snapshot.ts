@@ -193,7 +193,8 @@ function takeShapes(world: World, body: RigidBody, shapes: readonly Shape[], fir
     }
   }
   for (const shape of own) {
-    body.attach(shape);
+    body.claim(shape);
+    body.shapes.push(shape);
   }
   body.massStale = true;
   body.placeStale = true;
