@@ -10,6 +10,7 @@ export default defineConfig({
       // Types and names only.
       exclude: ['src/umd.ts', 'src/**/index.ts'],
       reporter: ['text', 'text-summary'],
+      reportOnFailure: true,
       thresholds: { lines: 95, branches: 90 },
     },
   },

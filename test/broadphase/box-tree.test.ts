@@ -112,7 +112,7 @@ describe('box tree', () => {
 
   it('refuses bad arguments', () => {
     const tree = BoxTree.create<Item>(true);
-    expect(() => tree.add({ id: 0 }, [1, 0, 0, 1])).toThrow('BoxTree.add: bounds[2] must be >= bounds[0] = 1, got 0');
+    expect(() => tree.add({ id: 0 }, [1, 0, 0, 1])).toThrow('BoxTree.add: extents[2] must be >= extents[0] = 1, got 0');
     expect(() => tree.add(null as never, [0, 0, 1, 1])).toThrow(
       'BoxTree.add: externalNode must be an object, got null',
     );
