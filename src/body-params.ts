@@ -48,7 +48,7 @@ export interface RigidBodyParams {
   angularDrag?: number | undefined;
   /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
   surfaceVelocity?: Vec2Like | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
+  /** Anything of yours. Default `null`. */
   userData?: unknown;
 }
 

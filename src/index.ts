@@ -65,4 +65,4 @@ export { Polygon } from './shape/polygon.js';
 export type { HitHandler, ShapeEvents, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
 export { Shape } from './shape/shape.js';
 export { World } from './world.js';
-export type { WorldParams } from './world-state.js';
+export type { PoseUpdate, WorldParams } from './world-state.js';

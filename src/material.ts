@@ -12,7 +12,7 @@ export interface MaterialParams {
   rollingFriction?: number | undefined;
   /** Mass per area, kg/m², >= 0. Default 1. */
   density?: number | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
+  /** Anything of yours. Default `null`. */
   userData?: unknown;
 }
 

@@ -16,6 +16,12 @@ import { Movers } from './solver/movers.js';
 import type { Tape } from './state/tape.js';
 import { boolean, callable, integer, optional, options, typeError, vector } from './validate.js';
 
+/** What `World.poses` is: a `PoseBuffer`, or anything with such a method. */
+export interface PoseUpdate {
+  /** Called at the end of each step, before events. */
+  update(): void;
+}
+
 /** Options of `createWorld`. */
 export interface WorldParams {
   /** Finds pairs of shapes that are near each other; any object of that interface. Default: a box tree. */
@@ -52,8 +58,8 @@ export abstract class WorldState {
   readonly staticArbiters: Arbiter[] = [];
   /** What finds pairs of shapes that are near each other. */
   readonly broadphase: Broadphase;
-  /** Told at the end of each step where bodies are, before events; `null` for none. A `PoseBuffer`, or anything with such a method. */
-  poses: { update(): void } | null = null;
+  /** Told at the end of each step where bodies are, before events. Default `null`: nothing is. */
+  poses: PoseUpdate | null = null;
 
   /** @internal */
   gravityX: number;

@@ -29,7 +29,7 @@ export interface ConstraintParams extends ConstraintConfig {
   sleeping?: boolean | undefined;
   /** Does nothing until enabled. Default `false`. */
   disabled?: boolean | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
+  /** Anything of yours. Default `null`. */
   userData?: unknown;
 }
 

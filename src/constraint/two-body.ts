@@ -5,12 +5,15 @@ import { finite, instance, notNaN, optional, options, rangeError, vector } from 
 import { Constraint, checkBounds } from './constraint.js';
 import type { ConstraintParams } from './params.js';
 
+/** Options of constraints between two bodies. */
 export interface TwoBodyParams extends ConstraintParams {
+  /** In any world or none; static, it is an anchor. */
   bodyA: RigidBody;
   /** If it is bodyA again, the constraint does nothing. */
   bodyB: RigidBody;
 }
 
+/** Options of constraints between points of two bodies. */
 export interface TwoAnchorParams extends TwoBodyParams {
   /** Body A coordinates, m. Default `[0, 0]`. */
   anchorA?: Vec2Like | undefined;

@@ -18,10 +18,15 @@ export type HitHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape, hit:
 
 /** The events of a shape, and what their handlers are. */
 export interface ShapeEvents {
+  /** Two shapes touch for the first time, or again. */
   begin: ShapeHandler;
+  /** They touch in another step, and are awake. */
   progress: ShapeHandler;
+  /** They do not touch any more, or one of them is gone. */
   end: ShapeHandler;
+  /** They are about to collide; the handler may refuse. Called within the step. */
   preSolve: ShapeHandler;
+  /** A collision has begun. */
   hit: HitHandler;
 }
 
@@ -38,7 +43,7 @@ export interface ShapeParams {
   group?: number | undefined;
   /** Bits of the groups that this shape meets. Default 0xffffffff. */
   mask?: number | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
+  /** Anything of yours. Default `null`. */
   userData?: unknown;
 }
 
