@@ -186,10 +186,11 @@ function umdTypes() {
     ['debug', 'debug/index.d.ts'],
     ['names', 'index.d.ts'],
   ]) {
-    const exported = /export (type )?\{([^}]*)\}|export (?:declare )?(class|interface) (\w+)/g;
+    const exported = /export (type )?\{([^}]*)\}|export (?:declare )?(class|interface|function) (\w+)/g;
     for (const [, type, list, kind, single] of readFileSync(join(dist, file), 'utf8').matchAll(exported)) {
       for (const name of (list ?? single).split(',').map((part) => part.trim().replace(/.* as default$/, ''))) {
-        const isType = /^[A-Z]/.test(name);
+        // Constants are UPPER_SNAKE.
+        const isType = /^[A-Z]\w*[a-z]/.test(name);
         const isValue = type === undefined && kind !== 'interface' && name !== '';
         members.set(name, [
           ...(isType ? [`  type ${name} = ${module}.${name};`] : []),

@@ -11,7 +11,6 @@ import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
-import { hashOf, restoreTo, snapshotOf } from './state/snapshot.js';
 import {
   boolean,
   callable,
@@ -24,7 +23,7 @@ import {
   typeError,
   vector,
 } from './validate.js';
-import { type WorldParams, WorldState } from './world-state.js';
+import { type WorldParams, type WorldSaving, WorldState } from './world-state.js';
 
 /**
  * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
@@ -39,8 +38,8 @@ export class World extends WorldState {
   }
 
   /** @internal use `createWorld` */
-  constructor(params?: WorldParams) {
-    super(params);
+  constructor(params?: WorldParams, saving?: WorldSaving) {
+    super(params, saving);
   }
 
   /**
@@ -294,11 +293,10 @@ export class World extends WorldState {
    * A digest of all that influences the future, 16 hexadecimal digits: worlds of equal digests go on alike, as far as handlers and callbacks do. The same in
    * every JavaScript engine, whatever the broadphase, for the same calls.
    *
-   * @throws Error when called from a handler or callback of this world, as `snapshot` and `restore`.
+   * @throws Error when called from a handler or callback of this world, or of a world that was made without `state`, as `snapshot` and `restore`.
    */
   hash(): string {
-    this.refuseInside('World.hash');
-    return hashOf(this);
+    return this.saved('World.hash').hash(this);
   }
 
   /**
@@ -309,8 +307,7 @@ export class World extends WorldState {
    */
   snapshot(target?: ArrayBuffer): ArrayBuffer {
     const where = 'World.snapshot';
-    this.refuseInside(where);
-    return snapshotOf(where, this, target);
+    return this.saved(where).snapshot(where, this, target);
   }
 
   /**
@@ -326,8 +323,15 @@ export class World extends WorldState {
    */
   restore(snapshot: ArrayBuffer, held: Iterable<RigidBody | Shape | Constraint> = []): void {
     const where = 'World.restore';
+    this.saved(where).restore(where, this, snapshot, held);
+  }
+
+  private saved(where: string): WorldSaving {
     this.refuseInside(where);
-    restoreTo(where, this, snapshot, held);
+    if (this.saving === null) {
+      throw new Error(`${where}: the world was made without state: pass { state: worldState } to createWorld`);
+    }
+    return this.saving;
   }
 
   private refuseInside(where: string): void {

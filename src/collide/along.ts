@@ -1,6 +1,5 @@
 import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
-import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
@@ -11,10 +10,10 @@ import { POLYGON } from './table.js';
 /** How far a placed shape reaches along a unit vector, from the origin of its body. */
 export function reachAlong(shape: Shape, nx: number, ny: number): number {
   if (shape.kind !== POLYGON) {
-    const { centreX, centreY, radius } = shape as Circle;
+    const { centreX, centreY, radius } = shape;
     return nx * centreX + ny * centreY + radius;
   }
-  const { edges } = shape as Polygon;
+  const { edges } = shape;
   let most = -Infinity;
   for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
     most = Math.max(most, nx * edges[k]! + ny * edges[k + 1]!);
@@ -32,7 +31,7 @@ export function separationAlong(a: Shape, b: Shape, dx: number, dy: number, nx: 
  * on a polygon nothing.
  */
 export function roundness(shape: Shape, separation: number): number {
-  return shape.kind === POLYGON ? 0 : (shape as Circle).radius + 0.5 * separation;
+  return shape.kind === POLYGON ? 0 : shape.radius + 0.5 * separation;
 }
 
 /** How far two shapes turn, both together, as far as it shows: a circle around the origin of its body stays the same. */
@@ -41,13 +40,13 @@ export function visibleTurn(a: Shape, turnA: number, b: Shape, turnB: number): n
 }
 
 function showsTurn(shape: Shape): boolean {
-  return shape.kind === POLYGON || (shape as Circle).originX !== 0 || (shape as Circle).originY !== 0;
+  return shape.kind === POLYGON || shape.originX !== 0 || shape.originY !== 0;
 }
 
 /** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
 export function collideAlong(a: Shape, b: Shape, m: Manifold, nx: number, ny: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    collidePolygonsAlong(a as Polygon, b as Polygon, m, nx, ny);
+    collidePolygonsAlong(a, b, m, nx, ny);
     return;
   }
   const dx = m.numbers[g.DX]!;

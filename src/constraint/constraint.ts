@@ -9,12 +9,20 @@ import {
   removeListener,
 } from '../listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
+import type { JointSolver } from '../solver/joints.js';
 import type { Island } from '../solver/sleep.js';
 import type { Tape } from '../state/tape.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
+import type { AngleConstraint } from './angle.js';
 import type { CustomConstraint } from './custom.js';
+import type { DistanceConstraint } from './distance.js';
+import type { LineConstraint } from './line.js';
+import type { MotorConstraint } from './motor.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
+import type { PointConstraint } from './point.js';
+import type { PulleyConstraint } from './pulley.js';
+import type { WeldConstraint } from './weld.js';
 
 /** The kinds of constraints. */
 export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
@@ -25,6 +33,17 @@ export type ConstraintEventType = 'wake' | 'sleep' | 'break';
 /** Called without arguments, `this` = the constraint. */
 export type ConstraintHandler = (this: Constraint) => void;
 
+/** Of any kind: where `constraint.type === 'MOTOR'` it is a {@link MotorConstraint}, and has a rate. */
+export type Constraint =
+  | AngleConstraint
+  | CustomConstraint
+  | DistanceConstraint
+  | LineConstraint
+  | MotorConstraint
+  | PointConstraint
+  | PulleyConstraint
+  | WeldConstraint;
+
 /**
  * A relation between bodies that the solver keeps. It acts while it is in a world, enabled, awake, and all its dynamic bodies are in that
  * world; static and kinematic bodies serve as anchors wherever they are. All setters wake it if they change anything.
@@ -32,7 +51,7 @@ export type ConstraintHandler = (this: Constraint) => void;
  * A kind says what it is in one place, `measure`: its position error C, one number per dimension, and the derivative of C
  * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
  */
-export abstract class Constraint {
+export abstract class BaseConstraint {
   /** Tells the kinds apart. */
   abstract readonly type: ConstraintType;
   /** How many numbers its error is made of. */
@@ -69,6 +88,8 @@ export abstract class Constraint {
   /** @internal */
   bounded = false;
 
+  /** @internal what solves it, given by whoever makes it: nothing of that is in a bundle without constraints */
+  solver: JointSolver | null = null;
   /** @internal */
   owner: World | null = null;
   /** @internal */
@@ -132,10 +153,10 @@ export abstract class Constraint {
   configure(params: ConstraintConfig): void {
     const config = checkedConfig('Constraint.configure', params);
     const { owner } = this;
-    owner?.countIgnoring(this, -1);
+    owner?.countIgnoring(this.self, -1);
     Object.assign(this, config);
     if (owner !== null) {
-      owner.countIgnoring(this, 1);
+      owner.countIgnoring(this.self, 1);
       owner.jointsStale = true;
     }
     this.rouse();
@@ -157,7 +178,7 @@ export abstract class Constraint {
       return;
     }
     if (this.owner !== null) {
-      this.owner.switchOn(this);
+      this.owner.switchOn(this.self);
     } else {
       this.enabled = true;
       this.asleep = false;
@@ -171,7 +192,7 @@ export abstract class Constraint {
     }
     this.wake();
     if (this.owner !== null) {
-      this.owner.switchOff(this);
+      this.owner.switchOff(this.self);
     } else {
       this.enabled = false;
       this.forget();
@@ -183,7 +204,7 @@ export abstract class Constraint {
     if (this.owner === null) {
       this.asleep = false;
     } else {
-      this.owner.wakeConstraint(this, true);
+      this.owner.wakeConstraint(this.self, true);
     }
   }
 
@@ -192,7 +213,7 @@ export abstract class Constraint {
     if (this.owner === null) {
       this.asleep = true;
     } else {
-      this.owner.sleepConstraint(this);
+      this.owner.sleepConstraint(this.self);
     }
   }
 
@@ -232,7 +253,7 @@ export abstract class Constraint {
     if (this.owner === null) {
       this.asleep = false;
     } else {
-      this.owner.wakeConstraint(this, false);
+      this.owner.wakeConstraint(this.self, false);
     }
   }
 
@@ -292,6 +313,11 @@ export abstract class Constraint {
     return this.positional && !this.stiff;
   }
 
+  /** @internal itself: its classes are all that there are, which only the compiler cannot know here */
+  private get self(): Constraint {
+    return this as unknown as Constraint;
+  }
+
   /** @internal its class, for messages */
   get kind(): string {
     return `${this.type[0]}${this.type.slice(1).toLowerCase()}Constraint`;
@@ -343,3 +369,6 @@ export function checkBounds(where: string, name: string, lower: number, upper: n
 export function isCustom(constraint: Constraint): constraint is CustomConstraint {
   return constraint.type === 'CUSTOM';
 }
+
+/** For `instanceof`. Constraints are made by `createPointConstraint` and the like. */
+export const Constraint = BaseConstraint as unknown as abstract new (...args: never[]) => Constraint;

@@ -3,7 +3,7 @@ import type { Physics2DDebugDraw } from '../debug/draw.js';
 import type { NumberSink } from '../math/vectors.js';
 import type { Tape } from '../state/tape.js';
 import { callable, instance, integer, options, rangeError, typeError } from '../validate.js';
-import { Constraint } from './constraint.js';
+import { BaseConstraint } from './constraint.js';
 import type { ConstraintParams } from './params.js';
 import { checkedBody } from './two-body.js';
 
@@ -43,7 +43,7 @@ export interface CustomConstraintParams extends ConstraintParams {
 type CallbackName = 'position' | 'jacobian' | 'velocityClamp' | 'positionClamp';
 
 /** A constraint given by callbacks: any number of rows and bodies, through the same solver as the built-in kinds. */
-export class CustomConstraint extends Constraint {
+export class CustomConstraint extends BaseConstraint {
   /** Tells the kinds apart. */
   readonly type = 'CUSTOM';
   /** The bodies of the Jacobian's columns. Do not modify. */

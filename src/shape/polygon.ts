@@ -6,7 +6,7 @@ import { convexVertices } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
 import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { options } from '../validate.js';
-import { Shape, type ShapeParams } from './shape.js';
+import { BaseShape, type ShapeParams } from './shape.js';
 
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
@@ -18,7 +18,7 @@ export interface PolygonParams extends ShapeParams {
 }
 
 /** A convex polygon with any number of corners. */
-export class Polygon extends Shape {
+export class Polygon extends BaseShape {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;

@@ -9,6 +9,8 @@ import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
+import type { Circle } from './circle.js';
+import type { Polygon } from './polygon.js';
 
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
@@ -47,6 +49,9 @@ export interface ShapeParams {
   userData?: unknown;
 }
 
+/** A circle or a polygon: where `shape.type === 'CIRCLE'` it is the former, and has a radius. */
+export type Shape = Circle | Polygon;
+
 /** @internal kernels are looked up by `kind`: 0 circle, 1 polygon */
 export type ShapeKind = 0 | 1;
 
@@ -56,7 +61,7 @@ let nextId = 0;
  * A convex piece of a body: where it collides, what it is made of, what it meets. Coordinates are those of the body.
  * After every change of geometry or material the body's mass and inertia follow, unless they were given.
  */
-export abstract class Shape {
+export abstract class BaseShape {
   /** Tells circles from polygons. */
   abstract readonly type: 'CIRCLE' | 'POLYGON';
 
@@ -304,3 +309,6 @@ export abstract class Shape {
     };
   }
 }
+
+/** For `instanceof`, which tells a `Circle | Polygon`. Shapes are made by `createCircleShape` and `createPolygonShape`. */
+export const Shape = BaseShape as unknown as abstract new (...args: never[]) => Shape;

@@ -73,7 +73,7 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
   shape.group = tape.number(shape.group);
   shape.mask = tape.number(shape.mask);
   shape.entered = tape.number(shape.entered);
-  return shape.kind === 0 ? keepCircle(tape, shape as Circle) : keepPolygon(tape, shape as Polygon);
+  return shape.kind === 0 ? keepCircle(tape, shape) : keepPolygon(tape, shape);
 }
 
 function keepCircle(tape: Tape, circle: Circle): boolean {

@@ -1,18 +1,9 @@
 import type { RigidBody } from '../body.js';
 import type { BodyType } from '../body-params.js';
 import type { Broadphase } from '../broadphase/broadphase.js';
-import type { AngleConstraint } from '../constraint/angle.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
-import type { DistanceConstraint } from '../constraint/distance.js';
-import type { LineConstraint } from '../constraint/line.js';
-import type { MotorConstraint } from '../constraint/motor.js';
-import type { PointConstraint } from '../constraint/point.js';
-import type { PulleyConstraint } from '../constraint/pulley.js';
-import type { WeldConstraint } from '../constraint/weld.js';
 import type { Material } from '../material.js';
-import type { Circle } from '../shape/circle.js';
-import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { toBase64 } from './base64.js';
@@ -182,12 +173,10 @@ export function serialize(world: World, options: SerializeOptions = {}): PlainWo
 /** The bodies of a constraint, in their order. */
 export function membersOf(constraint: Constraint): readonly RigidBody[] {
   if (constraint.type === 'CUSTOM') {
-    return (constraint as CustomConstraint).bodies;
+    return constraint.bodies;
   }
-  const { bodyA, bodyB } = constraint as PointConstraint;
-  return constraint.type === 'PULLEY'
-    ? [bodyA, bodyB, (constraint as PulleyConstraint).bodyC, (constraint as PulleyConstraint).bodyD]
-    : [bodyA, bodyB];
+  const { bodyA, bodyB } = constraint;
+  return constraint.type === 'PULLEY' ? [bodyA, bodyB, constraint.bodyC, constraint.bodyD] : [bodyA, bodyB];
 }
 
 type UserData = (value: unknown) => unknown;
@@ -213,8 +202,8 @@ function plainShape(shape: Shape, rank: number, materials: readonly Material[], 
     group: shape.getGroup(),
     mask: shape.getMask(),
     ...(shape.type === 'CIRCLE'
-      ? { radius: (shape as Circle).getRadius(), origin: (shape as Circle).getOrigin() }
-      : { vertices: pairs((shape as Polygon).vertices) }),
+      ? { radius: shape.getRadius(), origin: shape.getOrigin() }
+      : { vertices: pairs(shape.vertices) }),
     userData: userData(shape.userData),
   };
 }
@@ -224,35 +213,33 @@ function pairs(numbers: ArrayLike<number>): number[][] {
 }
 
 function plainConstraint(constraint: Constraint, bodies: readonly RigidBody[], userData: UserData): PlainConstraint {
-  const { type } = constraint;
   const result: PlainConstraint = {
     order: constraint.order,
-    type,
+    type: constraint.type,
     bodies: membersOf(constraint).map((body) => bodies.indexOf(body)),
     userData: userData(constraint.userData),
   };
-  if (type === 'POINT' || type === 'WELD' || type === 'DISTANCE' || type === 'LINE' || type === 'PULLEY') {
-    const anchored = constraint as PulleyConstraint;
-    result.anchors = [anchored.getAnchorA(), anchored.getAnchorB()];
-    if (type === 'PULLEY') {
-      result.anchors.push(anchored.getAnchorC(), anchored.getAnchorD());
+  if ('getAnchorA' in constraint) {
+    result.anchors = [constraint.getAnchorA(), constraint.getAnchorB()];
+    if (constraint.type === 'PULLEY') {
+      result.anchors.push(constraint.getAnchorC(), constraint.getAnchorD());
     }
   }
-  if (type === 'WELD') {
-    result.phase = (constraint as WeldConstraint).getPhase();
+  if (constraint.type === 'WELD') {
+    result.phase = constraint.getPhase();
   }
-  if (type === 'LINE') {
-    result.axis = (constraint as LineConstraint).getAxis();
+  if (constraint.type === 'LINE') {
+    result.axis = constraint.getAxis();
   }
-  if (type === 'MOTOR') {
-    result.rate = (constraint as MotorConstraint).getRate();
+  if (constraint.type === 'MOTOR') {
+    result.rate = constraint.getRate();
   }
-  if (type === 'ANGLE' || type === 'MOTOR' || type === 'PULLEY') {
-    result.ratio = (constraint as AngleConstraint).getRatio();
+  if ('getRatio' in constraint) {
+    result.ratio = constraint.getRatio();
   }
-  if (type === 'DISTANCE' || type === 'LINE' || type === 'ANGLE' || type === 'PULLEY') {
-    result.lowerBound = plain((constraint as DistanceConstraint).getLowerBound());
-    result.upperBound = plain((constraint as DistanceConstraint).getUpperBound());
+  if ('getLowerBound' in constraint) {
+    result.lowerBound = plain(constraint.getLowerBound());
+    result.upperBound = plain(constraint.getUpperBound());
   }
   return result;
 }

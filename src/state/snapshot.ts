@@ -6,6 +6,8 @@ import { widened } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
 import { instance } from '../validate.js';
 import type { World } from '../world.js';
+import type { WorldSaving } from '../world-state.js';
+import { VERSION } from './format.js';
 import { describe, ranksOf, resolve } from './identity.js';
 import { keepGroup } from './rows.js';
 import { emptyScene, gather, type Objects, type Scene } from './scene.js';
@@ -13,18 +15,18 @@ import { Tape } from './tape.js';
 import { walk } from './walk.js';
 
 /** Scratch: nothing in them lives on. */
-const tape = new Tape();
-const scene = emptyScene();
+const tape = /* @__PURE__ */ new Tape();
+const scene = /* @__PURE__ */ emptyScene();
 
 /** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
 interface Known extends Objects {
   checksum: string;
 }
 
-const known = new WeakMap<ArrayBuffer, Known>();
+const known = /* @__PURE__ */ new WeakMap<ArrayBuffer, Known>();
 
 /** A digest of everything that influences the future, 16 hexadecimal digits. */
-export function hashOf(world: World): string {
+function hashOf(world: World): string {
   gather(world, scene);
   tape.hash();
   tape.integers(ranksOf(scene.shapes));
@@ -35,7 +37,7 @@ export function hashOf(world: World): string {
 }
 
 /** The state of a world, in `target` if that is large enough. */
-export function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer {
+function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer {
   if (target !== undefined) {
     instance(where, 'target', target, ArrayBuffer, 'an ArrayBuffer');
   }
@@ -67,7 +69,7 @@ function replace<T>(list: T[], by: readonly T[]): void {
 }
 
 /** Brings a world back to a state; nothing changes unless all is right. */
-export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
+function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
   instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer');
   tape.load(where, buffer);
   const found = known.get(buffer);
@@ -175,6 +177,7 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
   for (let i = 0; i < constraints.length; i += 1, at += 1) {
     const constraint = constraints[i]!;
     constraint.owner = world;
+    world.jointSolver = constraint.solver;
     constraint.order = ids[at]!;
     constraint.index = i;
     world.constraints.push(constraint);
@@ -235,3 +238,11 @@ function drop(list: unknown[]): void {
     list.pop();
   }
 }
+
+/** For `createWorld({ state: worldState })`: the world can be saved, restored and hashed. Those that `phys2D` makes always can. */
+export const worldState: WorldSaving = {
+  version: VERSION,
+  hash: hashOf,
+  snapshot: snapshotOf,
+  restore: restoreTo,
+};

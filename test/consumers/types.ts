@@ -26,6 +26,25 @@ box.addEventListener('hit', function (arbiter, other, hit) {
 });
 body.addEventListener('wake', () => {});
 joint.addEventListener('break', () => {});
+for (const shape of body.shapes) {
+  const radius: number = shape.type === 'CIRCLE' ? shape.getRadius() : shape.computeArea();
+  // @ts-expect-error polygons have no radius
+  shape.getRadius();
+  const either: Shape = shape instanceof Shape ? shape.clone() : shape;
+  void [radius, either];
+}
+for (const { shapeA, shapeB } of world.dynamicArbiters) {
+  if (shapeA.type === 'POLYGON' && shapeB.type === 'CIRCLE') shapeA.setVertices([shapeB.getOrigin(), [1, 0], [1, 1]]);
+}
+const found = world.rayCast({ origin: [0, 0], direction: [1, 0], maxFactor: 1 });
+if (found?.shape.type === 'POLYGON') found.shape.setVertices(vertices);
+for (const one of body.constraints) {
+  if (one.type === 'MOTOR') one.setRate(one.getRate() + 1);
+  else if (one.type === 'CUSTOM') void one.bodies.length;
+  else if ('setLowerBound' in one) one.setLowerBound(0);
+  // @ts-expect-error not every kind has a rate
+  one.setRate(1);
+}
 const name: string = typeof box.userData === 'string' ? box.userData : '';
 // @ts-expect-error no such event
 box.addEventListener('hitt', () => {});
@@ -46,10 +65,10 @@ body.vx;
 void [added, place, into, kind, isWorld, device, hingeType, name];
 `;
 
-const NAMES = 'Constraint, Physics2DDevice, Polygon, RigidBody, RigidBodyParams, Shape, Vec2'.split(', ');
+const NAMES = 'Constraint, Physics2DDevice, Polygon, RigidBody, RigidBodyParams, Vec2'.split(', ');
 
 export const TYPES: Readonly<Record<string, string>> = {
-  'import.mts': `import phys2D, { createPolygonShape, createWorld, World } from 'phys2d';
+  'import.mts': `import phys2D, { createPolygonShape, createWorld, Shape, World } from 'phys2d';
 import type { ${NAMES.join(', ')} } from 'phys2d';
 import { CanvasDebugDevice, Physics2DDebugDraw, SVGDebugDevice, type DebugGraphicsDevice } from 'phys2d/debug';
 import { Physics2DDebugDraw as Same } from 'phys2d';
@@ -62,7 +81,7 @@ debug.interpolation = runner.interpolation;
 declare const canvas: HTMLCanvasElement;
 CanvasDebugDevice.create({ context: canvas.getContext('2d')! });
 `,
-  'named.cts': `import { createPolygonShape, createWorld, phys2D, World } from 'phys2d';
+  'named.cts': `import { createPolygonShape, createWorld, phys2D, Shape, World } from 'phys2d';
 import type { ${NAMES.join(', ')} } from 'phys2d';
 import { Physics2DDebugDraw, SVGDebugDevice } from 'phys2d/debug';
 import { FixedStepRunner } from 'phys2d/runner';
@@ -74,6 +93,7 @@ debug.interpolation = runner.interpolation;
   'require.cts': `import phys2D = require('phys2d');
 import createWorld = phys2D.createWorld;
 import createPolygonShape = phys2D.createPolygonShape;
+import Shape = phys2D.Shape;
 import World = phys2D.World;
 ${NAMES.map((name) => `type ${name} = phys2D.${name};`).join('\n')}
 ${USE}`,
