@@ -66,12 +66,14 @@ globalThis.used = [createMaterial(), createPolygonShape, createCollisionUtils(),
     parts: REST,
     budget: 47_000,
   },
-  ...TIES.map((kind): Program => ({
-    name: `one kind of constraint, ${kind}`,
-    code: `import { ${FREE}, ${MARKS[kind]} } from 'phys2d';\nglobalThis.used = ${MARKS[kind]};${DROP}`,
-    parts: [kind, 'joints'],
-    budget: 54_000,
-  })),
+  ...TIES.map(
+    (kind): Program => ({
+      name: `one kind of constraint, ${kind}`,
+      code: `import { ${FREE}, ${MARKS[kind]} } from 'phys2d';\nglobalThis.used = ${MARKS[kind]};${DROP}`,
+      parts: [kind, 'joints'],
+      budget: 54_000,
+    }),
+  ),
   {
     name: 'a world that can be saved',
     code: `import { ${FREE}, worldState } from 'phys2d';
