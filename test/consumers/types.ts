@@ -73,11 +73,16 @@ import type { ${NAMES.join(', ')} } from 'phys2d';
 import { CanvasDebugDevice, Physics2DDebugDraw, SVGDebugDevice, type DebugGraphicsDevice } from 'phys2d/debug';
 import { Physics2DDebugDraw as Same } from 'phys2d';
 import { FixedStepRunner } from 'phys2d/runner';
+import { Recorder, serialize } from 'phys2d/state';
+import { validate } from 'phys2d/validate';
 ${USE}
 const graphicsDevice: DebugGraphicsDevice = SVGDebugDevice.create({ width: 10, height: 10 });
 const debug: Physics2DDebugDraw = Same.create({ graphicsDevice });
 const runner: FixedStepRunner = FixedStepRunner.create({ world });
 debug.interpolation = runner.interpolation;
+const bytes: number = Recorder.create(world).recording.snapshot.byteLength + serialize(world).bodies.length;
+validate(world);
+void bytes;
 declare const canvas: HTMLCanvasElement;
 CanvasDebugDevice.create({ context: canvas.getContext('2d')! });
 `,
@@ -85,10 +90,15 @@ CanvasDebugDevice.create({ context: canvas.getContext('2d')! });
 import type { ${NAMES.join(', ')} } from 'phys2d';
 import { Physics2DDebugDraw, SVGDebugDevice } from 'phys2d/debug';
 import { FixedStepRunner } from 'phys2d/runner';
+import { Recorder, serialize } from 'phys2d/state';
+import { validate } from 'phys2d/validate';
 ${USE}
 const debug: Physics2DDebugDraw = Physics2DDebugDraw.create({ graphicsDevice: SVGDebugDevice.create({ width: 1, height: 1 }) });
 const runner: FixedStepRunner = FixedStepRunner.create({ world });
 debug.interpolation = runner.interpolation;
+const bytes: number = Recorder.create(world).recording.snapshot.byteLength + serialize(world).bodies.length;
+validate(world);
+void bytes;
 `,
   'require.cts': `import phys2D = require('phys2d');
 import createWorld = phys2D.createWorld;
