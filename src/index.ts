@@ -65,5 +65,6 @@ export { Polygon } from './shape/polygon.js';
 export type { HitHandler, ShapeEvents, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
 export { Shape } from './shape/shape.js';
 export { worldState } from './state/snapshot.js';
+export type { UserData } from './user-data.js';
 export { World } from './world.js';
 export type { PoseUpdate, WorldParams, WorldSaving } from './world-state.js';

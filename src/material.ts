@@ -1,3 +1,4 @@
+import type { UserDataOf } from './user-data.js';
 import { nonNegative, notNaN, optional, options } from './validate.js';
 
 /** Options of `createMaterial`. */
@@ -13,7 +14,7 @@ export interface MaterialParams {
   /** Mass per area, kg/m², >= 0. Default 1. */
   density?: number | undefined;
   /** Anything of yours. Default `null`. */
-  userData?: unknown;
+  userData?: UserDataOf<'material'> | undefined;
 }
 
 /**
@@ -27,7 +28,7 @@ export class Material {
   }
 
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'material'>;
 
   /** @internal */
   readonly elasticity: number;

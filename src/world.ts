@@ -1,6 +1,6 @@
 import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
-import { Constraint } from './constraint/constraint.js';
+import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { type CastResult, castRay, castRayThrough, castShape } from './query/casts.js';
@@ -153,7 +153,7 @@ export class World extends WorldState {
    * @returns `false`, without effect, if it is in a world already, or during a step.
    */
   addConstraint(constraint: Constraint): boolean {
-    instance('World.addConstraint', 'constraint', constraint, Constraint, 'a Constraint');
+    checkConstraint('World.addConstraint', constraint);
     if (this.stepping || constraint.owner !== null) {
       return false;
     }
@@ -163,7 +163,7 @@ export class World extends WorldState {
 
   /** Removes a constraint; if it was asleep its bodies wake. @returns `false`, without effect, if not in this world, or during a step. */
   removeConstraint(constraint: Constraint): boolean {
-    instance('World.removeConstraint', 'constraint', constraint, Constraint, 'a Constraint');
+    checkConstraint('World.removeConstraint', constraint);
     if (this.stepping || constraint.owner !== this) {
       return false;
     }
@@ -450,6 +450,13 @@ export class World extends WorldState {
         wakeBody(this, body, false);
       }
     }
+  }
+}
+
+/** Asked for what it can do, as its class would be in every bundle that has a world. */
+function checkConstraint(where: string, constraint: Constraint): void {
+  if (typeof constraint?.measure !== 'function') {
+    throw typeError(where, 'constraint', 'a Constraint', constraint);
   }
 }
 

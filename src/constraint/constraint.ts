@@ -12,6 +12,7 @@ import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
 import type { JointSolver } from '../solver/joints.js';
 import type { Island } from '../solver/sleep.js';
 import type { Tape } from '../state/tape.js';
+import type { UserDataOf } from '../user-data.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
 import type { AngleConstraint } from './angle.js';
@@ -57,7 +58,7 @@ export abstract class BaseConstraint {
   /** How many numbers its error is made of. */
   readonly dimension: number;
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'constraint'>;
 
   /** @internal its bodies in the order of the Jacobian's columns; one may be listed twice */
   readonly members: readonly RigidBody[];

@@ -1,3 +1,4 @@
+import type { UserDataOf } from '../user-data.js';
 import { boolean, nonNegative, nonNegativeOrInfinite, options, positive } from '../validate.js';
 import type { Constraint } from './constraint.js';
 
@@ -30,7 +31,7 @@ export interface ConstraintParams extends ConstraintConfig {
   /** Does nothing until enabled. Default `false`. */
   disabled?: boolean | undefined;
   /** Anything of yours. Default `null`. */
-  userData?: unknown;
+  userData?: UserDataOf<'constraint'> | undefined;
 }
 
 /** The options that are given, checked; nothing is changed before all are. */

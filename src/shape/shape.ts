@@ -8,6 +8,7 @@ import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
+import type { UserDataOf } from '../user-data.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
 import type { Circle } from './circle.js';
 import type { Polygon } from './polygon.js';
@@ -46,7 +47,7 @@ export interface ShapeParams {
   /** Bits of the groups that this shape meets. Default 0xffffffff. */
   mask?: number | undefined;
   /** Anything of yours. Default `null`. */
-  userData?: unknown;
+  userData?: UserDataOf<'shape'> | undefined;
 }
 
 /** A circle or a polygon: where `shape.type === 'CIRCLE'` it is the former, and has a radius. */
@@ -72,7 +73,7 @@ export abstract class BaseShape {
   /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
   readonly arbiters: Arbiter[] = [];
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'shape'>;
 
   /** @internal */
   abstract readonly kind: ShapeKind;

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { PROGRAMS, partsOf } from '../package/bundlers.js';
 import { installTools, Project, tool, toolFile } from './project.js';
-import { TYPES } from './types.js';
+import { TYPES, USER_DATA } from './types.js';
 
 // The package as npm packs it, installed into a fresh project and used with the compilers and bundlers that users have.
 
@@ -13,7 +13,7 @@ const home = (...path: string[]): string => join(project.folder, 'node_modules/p
 beforeAll(() => {
   installTools();
   project = new Project();
-  project.write(TYPES);
+  project.write({ ...TYPES, ...USER_DATA });
   project.write(Object.fromEntries(PROGRAMS.map(({ code }, i) => [`bundles/${i}.mjs`, code])));
 }, 120_000);
 
@@ -59,7 +59,10 @@ describe('compilers', () => {
     ['newest', 'node16', files],
     ['newest', 'nodenext', files],
     ['newest', 'bundler', ['import.mts']],
-  ])('TypeScript %s with moduleResolution %s', (version, resolution, sources) => {
+    ['5.0', 'bundler', ['user-data.mts']],
+    ['5.9', 'node16', ['user-data.mts']],
+    ['newest', 'nodenext', ['user-data.mts']],
+  ])('TypeScript %s with moduleResolution %s: %j', (version, resolution, sources) => {
     const tsc = version === 'newest' ? newest : old(version);
     const module = { bundler: 'esnext', node10: 'commonjs' }[resolution] ?? resolution;
     const command = [tsc, ...options, '--module', module, '--moduleResolution', resolution, ...sources];

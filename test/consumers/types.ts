@@ -67,6 +67,33 @@ void [added, place, into, kind, isWorld, device, hingeType, name];
 
 const NAMES = 'Constraint, Physics2DDevice, Polygon, RigidBody, RigidBodyParams, Vec2'.split(', ');
 
+/** A program that says what its user data is. */
+export const USER_DATA: Readonly<Record<string, string>> = {
+  'user-data.mts': `import { phys2D } from 'phys2d';
+declare module 'phys2d' {
+  interface UserData {
+    shape: { damage: number };
+    body: string;
+  }
+}
+const box = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1), userData: { damage: 3 } });
+const body = phys2D.createRigidBody({ shapes: [box], userData: 'a box' });
+box.addEventListener('begin', (_, other) => {
+  const damage: number | undefined = other.userData?.damage;
+  const name: string | null | undefined = other.body?.userData;
+  void [damage, name];
+});
+for (const shape of body.shapes) void shape.userData?.damage.toFixed();
+const material = phys2D.createMaterial({ userData: 7 });
+// @ts-expect-error nothing was said of materials: unknown
+material.userData.toFixed();
+// @ts-expect-error of another type
+phys2D.createCircleShape({ radius: 1, userData: 'a disc' });
+// @ts-expect-error it may be null
+box.userData.damage;
+`,
+};
+
 export const TYPES: Readonly<Record<string, string>> = {
   'import.mts': `import phys2D, { createPolygonShape, createWorld, Shape, World } from 'phys2d';
 import type { ${NAMES.join(', ')} } from 'phys2d';

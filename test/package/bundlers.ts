@@ -57,14 +57,14 @@ export const PROGRAMS: readonly Program[] = [
     name: 'world, circles and a broadphase',
     code: `import { ${FREE} } from 'phys2d';${DROP}`,
     parts: [],
-    budget: 44_000,
+    budget: 42_500,
   },
   {
     name: 'everything but constraints',
     code: `import { ${UNTIED} } from 'phys2d';
 globalThis.used = [createMaterial(), createPolygonShape, createCollisionUtils(), createSweepAndPruneBroadphase()];${DROP}`,
     parts: REST,
-    budget: 47_000,
+    budget: 45_500,
   },
   ...TIES.map(
     (kind): Program => ({
