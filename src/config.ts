@@ -30,7 +30,7 @@ export const PUSH_SHARE_DYNAMIC = 0.15;
 /** The same where one side cannot move. Less lets a heavy box sink into the ground between light ones. */
 export const PUSH_SHARE_STATIC = 0.75;
 
-/** The same between two circles that move: they do not sway. With 0.98 a crowd of 625 comes apart twice as far, but some heaps would not rest. */
+/** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. */
 export const PUSH_SHARE_CIRCLES = 0.5;
 
 /** m. Of overlap deeper than this a larger share is removed: stacks never have it, and what was created overlapping comes apart twice as fast. */
@@ -38,6 +38,18 @@ export const DEEP_OVERLAP = 0.005;
 
 /** That share. */
 export const PUSH_SHARE_DEEP = 0.6;
+
+/** m. The depth for two circles that move, */
+export const DEEP_OVERLAP_CIRCLES = 0.001;
+
+/** … and the share. More would part two that are alone. */
+export const PUSH_SHARE_DEEP_CIRCLES = 0.98;
+
+/**
+ * Most further position iterations of a sub-step while circles are deeper than DEEP_OVERLAP: 625 of them, created overlapping, come apart within 2 s.
+ * Not for polygons: where some are wedged, a heap would not rest.
+ */
+export const CROWD_SWEEPS = 4;
 
 /** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
 export const MAX_PUSH = 0.2;

@@ -45,6 +45,24 @@ export type Constraint =
   | PulleyConstraint
   | WeldConstraint;
 
+/** @internal what a constraint remembers from step to step */
+export interface Numbers {
+  /** Impulse λ of the last sub-step, to start the next one with. */
+  readonly impulse: Float64Array;
+  /** What contacts made of the error after its last correction. */
+  readonly undone: Float64Array;
+  /** What the latest step gave to each member: x, y, angular. */
+  readonly given: Float64Array;
+}
+
+/** @internal what keeps the numbers of a constraint for it */
+export interface Keeper {
+  /** Grows whenever they become others. */
+  readonly solved: number;
+  /** Writes those at a place. */
+  fetch(at: number, numbers: Numbers): void;
+}
+
 /**
  * A relation between bodies that the solver keeps. It acts while it is in a world, enabled, awake, and all its dynamic bodies are in that
  * world; static and kinematic bodies serve as anchors wherever they are. All setters wake it if they change anything.
@@ -109,12 +127,10 @@ export abstract class BaseConstraint {
   island: Island | null = null;
   /** @internal */
   listeners: Listeners<ConstraintHandler> = NO_LISTENERS;
-  /** @internal impulse λ of the last sub-step, to start the next one with */
-  readonly impulse: Float64Array;
-  /** @internal what contacts made of the error after its last correction */
-  readonly undone: Float64Array;
-  /** @internal what the latest step gave to each member: x, y, angular */
-  readonly given: Float64Array;
+  private readonly numbers: Numbers;
+  private keeper: Keeper | null = null;
+  private place = 0;
+  private fetched = 0;
   /** @internal for how many steps its whole impulse has been too large */
   strainedSteps = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
@@ -128,9 +144,11 @@ export abstract class BaseConstraint {
     this.userData = params.userData === undefined ? null : params.userData;
     this.dimension = dimension;
     this.members = members;
-    this.impulse = new Float64Array(dimension);
-    this.undone = new Float64Array(dimension);
-    this.given = new Float64Array(3 * members.length);
+    this.numbers = {
+      impulse: new Float64Array(dimension),
+      undone: new Float64Array(dimension),
+      given: new Float64Array(3 * members.length),
+    };
     Object.assign(this, config);
   }
 
@@ -139,6 +157,47 @@ export abstract class BaseConstraint {
    * angular), which are 0, for the bodies' placements in `pose`; see layout.ts.
    */
   abstract measure(pose: Float64Array, out: Float64Array, c: number, j: number, withError: boolean): void;
+
+  /** @internal */
+  get impulse(): Float64Array {
+    return this.fetch().impulse;
+  }
+
+  /** @internal */
+  get undone(): Float64Array {
+    return this.fetch().undone;
+  }
+
+  /** @internal */
+  get given(): Float64Array {
+    return this.fetch().given;
+  }
+
+  /** @internal From now on its numbers are kept elsewhere, and fetched when they are asked for: most never are. */
+  keepAt(keeper: Keeper, place: number): void {
+    this.fetch();
+    this.keeper = keeper;
+    this.place = place;
+    this.fetched = keeper.solved;
+  }
+
+  /** @internal … and not any more, if they are. */
+  leave(keeper: Keeper): void {
+    if (this.keeper === keeper) {
+      this.fetch();
+      this.keeper = null;
+    }
+  }
+
+  /** @internal what it remembers, up to date */
+  fetch(): Numbers {
+    const { keeper, numbers } = this;
+    if (keeper !== null && this.fetched !== keeper.solved) {
+      this.fetched = keeper.solved;
+      keeper.fetch(this.place, numbers);
+    }
+    return numbers;
+  }
 
   /** The world the constraint is in, or `null`. */
   get world(): World | null {

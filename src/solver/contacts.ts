@@ -1,4 +1,4 @@
-import { HARD_SWEEPS } from '../config.js';
+import { CROWD_SWEEPS, HARD_SWEEPS } from '../config.js';
 import type { SolverData } from './data.js';
 import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
@@ -24,6 +24,7 @@ export function solveVelocityContacts(data: SolverData): void {
 
 /** One position iteration, likewise. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
+  data.crowded = false;
   const pushedTwo = solvePositionTwo(data, 0, data.two.count);
   const pushedOne = solvePositionOne(data, 0, data.one.count);
   const { hard } = data;
@@ -34,4 +35,11 @@ export function solvePositionContacts(data: SolverData): boolean {
     }
   }
   return pushedTwo || pushedOne;
+}
+
+/** Some more position iterations where circles crowd each other; what rests never does. */
+export function partCrowds(data: SolverData): void {
+  for (let i = 0; i < CROWD_SWEEPS && data.crowded; i += 1) {
+    solvePositionContacts(data);
+  }
 }

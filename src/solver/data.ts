@@ -215,6 +215,8 @@ export class SolverData {
   readonly bounces = new BounceList();
   /** Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. */
   readonly hard: number[] = [];
+  /** Set by a position iteration in which circles overlapped deeply. */
+  crowded = false;
   /** s. Length of the sub-steps of the last step … */
   previousH = 0;
   /** … and what its impulses are multiplied by to fit the present ones. */

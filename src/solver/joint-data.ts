@@ -6,7 +6,7 @@ import {
   JOINT_SWEEP_ERROR_OF_FEW,
   NEW_JOINT_SWEEPS,
 } from '../config.js';
-import type { Constraint } from '../constraint/constraint.js';
+import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
 import {
@@ -16,6 +16,8 @@ import {
   CHECKED,
   FEEDBACK,
   HEAD,
+  IMPULSE_X,
+  IMPULSE_Y,
   LIMIT,
   MAX_BIAS,
   MAX_ERROR,
@@ -25,7 +27,13 @@ import {
   RATE,
   SNAPPED,
   SOFTNESS,
+  SUM_WA,
+  SUM_WB,
+  SUM_X,
+  SUM_Y,
   TOUCHED,
+  UNDONE_X,
+  UNDONE_Y,
 } from './joint-layout.js';
 
 /** A constraint's place in the packed arrays. */
@@ -73,7 +81,7 @@ export interface Group {
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
-export class JointData {
+export class JointData implements Keeper {
   readonly joints: Joint[] = [];
   readonly runs: Run[] = [];
   readonly groups: Group[] = [];
@@ -95,11 +103,16 @@ export class JointData {
   pose = new Float64Array(4 * POSE);
   /** Bodies that callbacks were shown elsewhere than where the step began, and where that was. */
   readonly shown = new Map<RigidBody, Float64Array>();
+  /** Counts the steps: what constraints fetched before is not so any more. */
+  solved = 0;
   private size = 0;
   private members = 0;
 
   /** Starts a new list. */
   reset(): void {
+    for (const { constraint } of this.joints) {
+      constraint.leave(this);
+    }
     this.joints.length = 0;
     this.runs.length = 0;
     this.groups.length = 0;
@@ -131,6 +144,9 @@ export class JointData {
     const { joints } = this;
     const group = this.groups[this.groups.length - 1]!;
     const twins = twinsOf(constraint.members);
+    if (kernel === POINT) {
+      constraint.keepAt(this, this.size);
+    }
     joints.push({ constraint, kernel, layout, at: this.size, first: this.members, twins });
     this.size += kernel === POINT ? POINT_STRIDE : layout.size;
     this.members += constraint.members.length;
@@ -175,6 +191,28 @@ export class JointData {
       }
     }
     return 2 * count > end - start;
+  }
+
+  /** What a rigid point joint has in its record. */
+  fetch(at: number, { impulse, undone, given }: Numbers): void {
+    const { records: r } = this;
+    impulse[0] = r[at + IMPULSE_X]!;
+    impulse[1] = r[at + IMPULSE_Y]!;
+    undone[0] = r[at + UNDONE_X]!;
+    undone[1] = r[at + UNDONE_Y]!;
+    given[0] = -r[at + SUM_X]!;
+    given[1] = -r[at + SUM_Y]!;
+    given[2] = r[at + SUM_WA]!;
+    given[3] = r[at + SUM_X]!;
+    given[4] = r[at + SUM_Y]!;
+    given[5] = r[at + SUM_WB]!;
+  }
+
+  /** Lets all constraints fetch what they have not yet. */
+  fetchAll(): void {
+    for (const { constraint } of this.joints) {
+      constraint.fetch();
+    }
   }
 
   /** Notes that a joint broke; from now on it does nothing. */

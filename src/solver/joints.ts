@@ -20,7 +20,7 @@ import {
 } from './block-joints.js';
 import { closeOpen, dropMomentum, noteErrors } from './contested-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, type Joint, type JointData, packHead } from './joint-data.js';
+import { type Group, type Joint, type JointData, packHead, type Run } from './joint-data.js';
 import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
@@ -32,7 +32,6 @@ import {
   pushPoints,
   pushPointsFurther,
   solveVelocityPoints,
-  storePoint,
   warmStartPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
@@ -53,6 +52,10 @@ function packJoints(world: World, h: number): void {
   if (joints.runs.length > 0) {
     packPoses(world);
   }
+  if (joints.runs.some(isCustom)) {
+    // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
+    joints.fetchAll();
+  }
   for (const { kernel, start, end } of joints.runs) {
     for (let k = start; k < end && (isTouched || kernel !== POINT); k += 1) {
       packJoint(data, joints.joints[k]!);
@@ -64,6 +67,10 @@ function packJoints(world: World, h: number): void {
   if (isTouched) {
     steadyFresh(joints);
   }
+}
+
+function isCustom({ kernel }: Run): boolean {
+  return kernel === CUSTOM;
 }
 
 function packJoint(data: SolverData, joint: Joint): void {
@@ -323,16 +330,15 @@ function finishJoints(data: SolverData): void {
   }
 }
 
-/** Writes the outcome of the step back to the constraints; those that broke leave. */
+/** Writes the outcome of the step back to the constraints, but those that fetch it; those that broke leave. */
 function storeJoints(world: World): void {
   const data = world.solver;
   const { joints } = data;
   hidePoses(data);
-  for (const joint of joints.joints) {
-    if (joint.kernel === POINT) {
-      storePoint(data, joint);
-    } else {
-      storeBlock(data, joint);
+  joints.solved += 1;
+  for (const { kernel, start, end } of joints.runs) {
+    for (let k = start; k < end && kernel !== POINT; k += 1) {
+      storeBlock(data, joints.joints[k]!);
     }
   }
   breakJoints(world, joints);

@@ -1,4 +1,14 @@
-import { CONTACT_SLOP, DEEP_OVERLAP, MAX_PUSH, PUSH_SHARE_DEEP, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import {
+  CONTACT_SLOP,
+  DEEP_OVERLAP,
+  DEEP_OVERLAP_CIRCLES,
+  MAX_PUSH,
+  PUSH_SHARE_CIRCLES,
+  PUSH_SHARE_DEEP,
+  PUSH_SHARE_DEEP_CIRCLES,
+  PUSH_TOLERANCE,
+  TOUCH_DEPTH,
+} from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -135,8 +145,13 @@ export function solvePositionOne(data: SolverData, from: number, to: number): bo
     }
     pushed = true;
     const share = r[i + d.SHARE]!;
-    const deep = c + DEEP_OVERLAP;
-    const e = share * c + (deep < 0 && share < PUSH_SHARE_DEEP ? (PUSH_SHARE_DEEP - share) * deep : 0);
+    const isRound = share === PUSH_SHARE_CIRCLES;
+    if (isRound && c < -DEEP_OVERLAP) {
+      data.crowded = true;
+    }
+    const deep = c + (isRound ? DEEP_OVERLAP_CIRCLES : DEEP_OVERLAP);
+    const ofDeep = isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
+    const e = share * c + (deep < 0 && share < ofDeep ? (ofDeep - share) * deep : 0);
     const x = (e < -MAX_PUSH ? MAX_PUSH : -e) / r[i + d.K11]!;
     const mA = q[a + d.INV_MASS]! * x;
     const mB = q[b + d.INV_MASS]! * x;

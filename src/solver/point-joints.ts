@@ -429,20 +429,3 @@ export function finishPoints(data: SolverData, start: number, end: number): void
     r[i + j.SUM_WB] = r[i + j.SUM_WB]! + (bx * jy - by * jx);
   }
 }
-
-/** Writes the outcome of the step back to the constraint. */
-export function storePoint(data: SolverData, joint: Joint): void {
-  const { records: r } = data.joints;
-  const { at: i, constraint } = joint;
-  const { impulse, given, undone } = constraint;
-  undone[0] = r[i + j.UNDONE_X]!;
-  undone[1] = r[i + j.UNDONE_Y]!;
-  impulse[0] = r[i + j.IMPULSE_X]!;
-  impulse[1] = r[i + j.IMPULSE_Y]!;
-  given[0] = -r[i + j.SUM_X]!;
-  given[1] = -r[i + j.SUM_Y]!;
-  given[2] = r[i + j.SUM_WA]!;
-  given[3] = r[i + j.SUM_X]!;
-  given[4] = r[i + j.SUM_Y]!;
-  given[5] = r[i + j.SUM_WB]!;
-}

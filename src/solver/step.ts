@@ -1,7 +1,7 @@
 import { CONTACT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
 import { applyBounces, planBounces, releaseBounces } from './bounce.js';
-import { solvePositionContacts, solveVelocityContacts, warmStartContacts } from './contacts.js';
+import { partCrowds, solvePositionContacts, solveVelocityContacts, warmStartContacts } from './contacts.js';
 import { continuous } from './continuous.js';
 import { findPairs, listArbiters } from './find-pairs.js';
 import { foresee } from './foresee.js';
@@ -56,6 +56,7 @@ export function step(world: World, dt: number): void {
         break;
       }
     }
+    partCrowds(solver);
     jointSolver?.finish(solver);
     advance(solver);
     profile?.lap('positions');

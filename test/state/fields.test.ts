@@ -10,11 +10,11 @@ type Fields = Record<string, unknown>;
 /** Worked out anew before it is used, dead between steps, or the number by which the world itself finds something. */
 const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['staleCount', 'stepping', 'delivering', 'jointsTouched'],
-  solver: ['bodyCount', 'impulseScale'],
+  solver: ['bodyCount', 'impulseScale', 'crowded'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
   shape: ['groundStamp', 'stateIndex', 'centreX', 'centreY', 'halfWidth'],
-  // Only whether it has failed in this step.
-  constraint: ['failed'],
+  // Only whether it has failed in this step; where the solver has its numbers.
+  constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
   group: ['start', 'end', 'tolerance', 'error', 'pushed'],
   manifold: [],

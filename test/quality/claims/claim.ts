@@ -5,6 +5,9 @@ export const DT = 1 / 60;
 /** m. Overlap that the solver leaves alone at a contact: CONTACT_SLOP. */
 export const SLOP = 0.002;
 
+/** m. What is deeper than the slop by less than a micrometre is not pushed any more. */
+export const LEFT = SLOP + 1e-6;
+
 /** One number that tells how good a solver is. */
 export interface Figure {
   readonly what: string;
