@@ -132,6 +132,17 @@ describe('the UMD bundle as a CommonJS module', () => {
     expect(Object.keys(phys2D)).toEqual(expect.arrayContaining(CLASSES));
   });
 
+  it('makes worlds that can be saved', () => {
+    const { createWorld } = phys2D;
+    const world = createWorld();
+    const hash = world.hash();
+    const snapshot = world.snapshot();
+    world.step(1 / 60);
+    expect(world.hash()).not.toBe(hash);
+    world.restore(snapshot);
+    expect(world.hash()).toBe(hash);
+  });
+
   it('sets no global', () => {
     expect('phys2D' in globalThis).toBe(false);
   });
