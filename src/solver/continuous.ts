@@ -5,9 +5,13 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { mayInteract } from './find-pairs.js';
 import { beginSensing, strike } from './impact.js';
 import { findMeetings, isSensed, meets } from './meetings.js';
 import type { Mover, Movers } from './movers.js';
+import { findNearby, nearby } from './nearby.js';
+
+const bounds = new Float64Array(4);
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -49,8 +53,8 @@ function settle(world: World, dt: number): void {
     come(two, movers);
     const pair = strike(world, next);
     if (pair !== null) {
-      halt(one, two, pair, dt);
-      halt(two, one, pair, dt);
+      halt(world, one, two, pair, dt);
+      halt(world, two, one, pair, dt);
       lookAgain(world, one);
       lookAgain(world, two);
     }
@@ -71,7 +75,7 @@ function come(mover: Mover, { now }: Movers): void {
 }
 
 /** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along. */
-function halt(mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
+function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
   if (mover.body.kind !== DYNAMIC) {
     return;
   }
@@ -81,6 +85,7 @@ function halt(mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
   }
   if (partner.body.kind !== DYNAMIC && pair.metAgain()) {
     slide(mover, partner, pair, dt);
+    stopShort(world, mover, mover.body === pair.bodyA ? pair.shapeB : pair.shapeA);
   }
 }
 
@@ -106,6 +111,39 @@ function slide(mover: Mover, under: Mover, { manifold: m, bodyA }: Arbiter, dt: 
   const turn = under.turn * rest;
   mover.dx += cos(turn) * x - sin(turn) * y;
   mover.dy += sin(turn) * x + cos(turn) * y;
+}
+
+/** Such a way ends at the next thing on it that is not on its own way: what the body has to do with that comes in the next step. */
+function stopShort(world: World, mover: Mover, under: Shape): void {
+  const { body, from, x, y, dx, dy } = mover;
+  bounds[0] = x + Math.min(dx, 0) - body.radius;
+  bounds[1] = y + Math.min(dy, 0) - body.radius;
+  bounds[2] = x + Math.max(dx, 0) + body.radius;
+  bounds[3] = y + Math.max(dy, 0) + body.radius;
+  const size = findNearby(world, bounds, true);
+  let end = 1;
+  for (let i = 0; i < size; i += 1) {
+    const other = nearby[i]!;
+    const isInTheWay = other !== under && (other.owner!.kind !== DYNAMIC || other.owner!.asleep);
+    for (let k = 0; k < body.shapes.length && isInTheWay; k += 1) {
+      end = Math.min(end, timeToMeet(world, body.shapes[k]!, other));
+    }
+  }
+  const share = end < 1 ? (end - from) / (1 - from) : 1;
+  mover.dx *= share;
+  mover.dy *= share;
+  mover.turn *= share;
+}
+
+/** 1 if the shapes do not meet, or take no notice of each other. */
+function timeToMeet(world: World, one: Shape, two: Shape): number {
+  const a = one.id < two.id ? one : two;
+  const b = one.id < two.id ? two : one;
+  if (isSensed(a, b) || !mayInteract(a, b) || world.pairs.find(a, b)?.accepted === false) {
+    return 1;
+  }
+  const meeting = world.movers.meetings.draft(a, b);
+  return meets(world, meeting, IMPACT_DEPTH) ? meeting.time : 1;
 }
 
 /** Of the meetings of a body that has stopped some come at another time now, and some not at all. */

@@ -2,6 +2,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import type * as source from '../../src/index.js';
+import { buildCells } from '../scenes/cells.js';
 import { type Dice, dice } from './dice.js';
 import { DrumRun } from './drum.js';
 
@@ -232,6 +233,28 @@ describe('shots', { timeout: 120_000 }, () => {
     expect(met).toBeGreaterThan(1900);
     expect(still).toBe(0);
     expect(seeds.length).toBe(0);
+  });
+});
+
+describe('boxes that turn in cells with thin walls', { timeout: 120_000 }, () => {
+  it.each([
+    { wall: 0.04, elasticity: 1, speed: 60, spin: 20 },
+    { wall: 0.04, elasticity: 1, speed: 180, spin: 20 },
+    { wall: 0.04, elasticity: 0.5, speed: 180, spin: 50 },
+    { wall: 0.04, elasticity: 0, speed: 180, spin: 0 },
+    { wall: 0.01, elasticity: 0.8, speed: 1000, spin: 0 },
+    { wall: 0.02, elasticity: 1, speed: 60, spin: 500 },
+  ])('none leaves, at $speed m/s and $spin rad/s, elasticity $elasticity, walls of $wall m', (params) => {
+    const runs = [true, false].map((bullet) => {
+      const world = phys2D.createWorld({ gravity: [0, 0] });
+      return { world, left: buildCells(phys2D, world, { ...params, side: 8, bullet }) };
+    });
+    for (let i = 0; i < 600; i += 1) {
+      for (const { world } of runs) {
+        world.step(DT);
+      }
+    }
+    expect(runs.map(({ left }) => left())).toEqual([0, 0]);
   });
 });
 
