@@ -4,5 +4,13 @@ export default defineConfig({
   test: {
     include: ['test/**/*.test.ts'],
     testTimeout: 30_000,
+    coverage: {
+      provider: 'v8',
+      include: ['src/**'],
+      // Types and names only.
+      exclude: ['src/umd.ts', 'src/**/index.ts'],
+      reporter: ['text', 'text-summary'],
+      thresholds: { lines: 95, branches: 90 },
+    },
   },
 });

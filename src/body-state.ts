@@ -4,10 +4,11 @@ import { checkedParams, type RigidBodyParams } from './body-params.js';
 import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
 import { cos, cosSin, sin } from './math/trig.js';
-import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
 import type { UserDataOf } from './user-data.js';
+import { sink } from './validate.js';
 import type { World } from './world.js';
 
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
@@ -16,7 +17,7 @@ const turn = new Float64Array(3);
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState {
   /** Attached shapes. Do not modify. */
-  readonly shapes: Shape[] = [];
+  readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
   /** Is swept against other dynamic bodies too; takes effect in the next step. */
@@ -132,11 +133,21 @@ export abstract class BodyState {
     this.asleep = given.sleeping;
     this.bullet = given.bullet;
     this.userData = given.userData;
-    for (const shape of given.shapes) {
+    this.shapes = this.own(given.shapes);
+  }
+
+  /** Takes those that are free, into the list itself, which is no longer than it must be: one that grows has room for many. */
+  private own(shapes: Shape[]): Shape[] {
+    let count = 0;
+    for (const shape of shapes) {
       if (shape.owner === null) {
-        this.attach(shape);
+        this.claim(shape);
+        shapes[count] = shape;
+        count += 1;
       }
     }
+    shapes.length = count;
+    return shapes;
   }
 
   /** Σ density · area, kg. Overlaps count twice, sensors count. */
@@ -175,6 +186,31 @@ export abstract class BodyState {
     return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
   }
 
+  /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
+  computeWorldBounds(): Rect;
+  computeWorldBounds<T extends NumberSink>(dst: T): T;
+  computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
+    const result = dst === undefined ? ([0, 0, 0, 0] as Rect) : dst;
+    sink('RigidBody.computeWorldBounds', 'dst', result);
+    result[0] = Infinity;
+    result[1] = Infinity;
+    result[2] = -Infinity;
+    result[3] = -Infinity;
+    this.place();
+    for (const { bounds } of this.shapes) {
+      result[0] = Math.min(result[0]!, bounds[0]!);
+      result[1] = Math.min(result[1]!, bounds[1]!);
+      result[2] = Math.max(result[2]!, bounds[2]!);
+      result[3] = Math.max(result[3]!, bounds[3]!);
+    }
+    return result;
+  }
+
+  /** @internal */
+  shapesChanged(): void {
+    this.massStale = true;
+  }
+
   /** @internal 0 for everything that cannot be pushed */
   inverseMass(): number {
     this.refreshMass();
@@ -187,11 +223,32 @@ export abstract class BodyState {
     return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
   }
 
+  /** @internal an impulse has an effect on it */
+  canBePushed(): boolean {
+    this.refreshMass();
+    return (
+      this.kind === DYNAMIC &&
+      ((this.mass > 0 && this.mass < Infinity) || (this.inertia > 0 && this.inertia < Infinity))
+    );
+  }
+
   /** @internal after a teleport or a change of type: constraints look at the body anew */
   touchConstraints(): void {
     for (const constraint of this.constraints) {
       constraint.touch();
     }
+  }
+
+  /** @internal */
+  putAt(x: number, y: number, angle: number): void {
+    if (angle !== this.angle) {
+      this.angle = angle;
+      this.refreshTurn();
+    }
+    this.x = x;
+    this.y = y;
+    this.touchConstraints();
+    this.moved();
   }
 
   /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
@@ -220,9 +277,12 @@ export abstract class BodyState {
 
   /** @internal */
   refreshMass(): void {
-    if (!this.massStale) {
-      return;
+    if (this.massStale) {
+      this.renewMass();
     }
+  }
+
+  private renewMass(): void {
     this.massStale = false;
     this.mass = this.fixedMass >= 0 ? this.fixedMass : this.computeMassFromShapes();
     this.inertia = this.fixedInertia >= 0 ? this.fixedInertia : this.computeInertiaFromShapes();
@@ -244,6 +304,12 @@ export abstract class BodyState {
     return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, dst);
   }
 
+  /** @internal becomes the body of a shape, which is not in the list yet */
+  abstract claim(shape: Shape): void;
+
   /** @internal */
-  abstract attach(shape: Shape): void;
+  abstract moved(): void;
+
+  /** @internal */
+  abstract place(): void;
 }

@@ -1,10 +1,11 @@
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { RigidBodyParams } from './body-params.js';
 import { BodyState } from './body-state.js';
+import { FAR } from './config.js';
 import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './listeners.js';
-import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
-import { callable, finite, instance, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
+import { callable, finite, instance, leadsTo, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
 import type { World } from './world.js';
 
 /** What bodies tell their listeners. */
@@ -130,7 +131,7 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** Sets the velocities that lead to the given placement in `deltaTime` seconds (> 0). Wakes the body. */
+  /** Sets the velocities that lead to the given placement in `deltaTime` seconds (> 0), each at most 1e150. Wakes the body. */
   setVelocityFromPosition(targetPosition: Vec2Like, targetRotation: number, deltaTime: number): void {
     const where = 'RigidBody.setVelocityFromPosition';
     vector(where, 'targetPosition', targetPosition, 2);
@@ -139,15 +140,19 @@ export class RigidBody extends BodyState {
     if (this.kind === STATIC) {
       return;
     }
-    this.vx = (targetPosition[0]! - this.x) / deltaTime;
-    this.vy = (targetPosition[1]! - this.y) / deltaTime;
-    this.w = (targetRotation - this.angle) / deltaTime;
+    const vx = (targetPosition[0]! - this.x) / deltaTime;
+    const vy = (targetPosition[1]! - this.y) / deltaTime;
+    const w = (targetRotation - this.angle) / deltaTime;
+    leadsTo(where, 'deltaTime', deltaTime, 'velocities', FAR, vx, vy, w);
+    this.vx = vx;
+    this.vy = vy;
+    this.w = w;
     this.rouse();
   }
 
   /**
-   * Applies an impulse, N·s, at a world point; without a point at the body origin, which turns nothing. Dynamic bodies
-   * only; wakes the body.
+   * Applies an impulse, N·s, at a world point; without a point at the body origin, which turns nothing. Velocities must stay
+   * within 1e150. Dynamic bodies only; wakes the body.
    */
   applyImpulse(impulse: Vec2Like, position?: Vec2Like): void {
     const where = 'RigidBody.applyImpulse';
@@ -159,21 +164,31 @@ export class RigidBody extends BodyState {
       return;
     }
     const inverseMass = this.inverseMass();
-    this.vx += impulse[0]! * inverseMass;
-    this.vy += impulse[1]! * inverseMass;
+    const vx = this.vx + impulse[0]! * inverseMass;
+    const vy = this.vy + impulse[1]! * inverseMass;
+    let { w } = this;
     if (position !== undefined) {
       const rx = position[0]! - this.x;
       const ry = position[1]! - this.y;
-      this.w += (rx * impulse[1]! - ry * impulse[0]!) * this.inverseInertia();
+      w += (rx * impulse[1]! - ry * impulse[0]!) * this.inverseInertia();
     }
+    leadsTo(where, 'impulse', impulse, 'velocities', FAR, vx, vy, w);
+    this.vx = vx;
+    this.vy = vy;
+    this.w = w;
     this.rouse();
   }
 
-  /** Moves the body along its velocities for `deltaTime` seconds, also backwards. Ignored as `setPosition` is. Wakes the body. */
+  /** Moves the body along its velocities for `deltaTime` seconds, also backwards, to at most 1e150 m or rad. Ignored as `setPosition` is. Wakes the body. */
   integrate(deltaTime: number): void {
-    finite('RigidBody.integrate', 'deltaTime', deltaTime);
+    const where = 'RigidBody.integrate';
+    finite(where, 'deltaTime', deltaTime);
     if (!this.isLocked()) {
-      this.putAt(this.x + this.vx * deltaTime, this.y + this.vy * deltaTime, this.angle + this.w * deltaTime);
+      const x = this.x + this.vx * deltaTime;
+      const y = this.y + this.vy * deltaTime;
+      const angle = this.angle + this.w * deltaTime;
+      leadsTo(where, 'deltaTime', deltaTime, 'a placement', FAR, x, y, angle);
+      this.putAt(x, y, angle);
       this.rouse();
     }
   }
@@ -316,7 +331,8 @@ export class RigidBody extends BodyState {
     if (shape.owner !== null || this.isLocked()) {
       return false;
     }
-    this.attach(shape);
+    this.claim(shape);
+    this.shapes.push(shape);
     this.owner?.shapeAdded(shape);
     this.rouse();
     return true;
@@ -337,25 +353,6 @@ export class RigidBody extends BodyState {
     shape.owner = null;
     this.shapesChanged();
     return true;
-  }
-
-  /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
-  computeWorldBounds(): Rect;
-  computeWorldBounds<T extends NumberSink>(dst: T): T;
-  computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
-    const result = dst ?? ([0, 0, 0, 0] as Rect);
-    result[0] = Infinity;
-    result[1] = Infinity;
-    result[2] = -Infinity;
-    result[3] = -Infinity;
-    this.place();
-    for (const { bounds } of this.shapes) {
-      result[0] = Math.min(result[0]!, bounds[0]!);
-      result[1] = Math.min(result[1]!, bounds[1]!);
-      result[2] = Math.max(result[2]!, bounds[2]!);
-      result[3] = Math.max(result[3]!, bounds[3]!);
-    }
-    return result;
   }
 
   /** A point of the world in body coordinates, m. */
@@ -434,33 +431,16 @@ export class RigidBody extends BodyState {
     return this.owner !== null && (this.owner.stepping || this.kind === STATIC);
   }
 
-  /** @internal */
-  shapesChanged(): void {
-    this.massStale = true;
-  }
-
   /** @internal the turned geometry has to be refreshed before its next use */
-  moved(): void {
+  override moved(): void {
     if (!this.placeStale) {
       this.placeStale = true;
       this.owner?.noteStale(this);
     }
   }
 
-  /** @internal */
-  putAt(x: number, y: number, angle: number): void {
-    if (angle !== this.angle) {
-      this.angle = angle;
-      this.refreshTurn();
-    }
-    this.x = x;
-    this.y = y;
-    this.touchConstraints();
-    this.moved();
-  }
-
   /** @internal brings turned geometry and bounds up to date */
-  place(): void {
+  override place(): void {
     if (!this.placeStale) {
       return;
     }
@@ -473,9 +453,8 @@ export class RigidBody extends BodyState {
   }
 
   /** @internal */
-  override attach(shape: Shape): void {
+  override claim(shape: Shape): void {
     shape.owner = this;
-    this.shapes.push(shape);
     this.shapesChanged();
     this.moved();
   }

@@ -232,6 +232,18 @@ export const VERTEX_TOLERANCE = 1e-9;
 /** Relative: a vertex whose distance from the line of its neighbours is below this times their distance lies on it. */
 export const COLLINEAR_TOLERANCE = 1e-9;
 
+/** m, rad, and either per second. A body whose place, motion or gain in a sub-step is more, or no number, is frozen: beyond, squares are infinite. */
+export const FAR = 1e150;
+
+/** m. No shape is larger or farther from the origin of its body: its moment of inertia grows with the fourth power, and would be infinite. */
+export const MAX_SIZE = 1e75;
+
+/**
+ * How many interactions a shape has before others that it lies in the middle of have to wait, if they have as many. Four thousand boxes at one point then
+ * are a quarter of a million pairs instead of eight million, which no memory has room for.
+ */
+export const CROWD = 64;
+
 /** Default of `World.velocityIterations` and `World.positionIterations`: totals per step, spread over the sub-steps. */
 export const DEFAULT_ITERATIONS = 8;
 

@@ -67,4 +67,4 @@ export { Shape } from './shape/shape.js';
 export { worldState } from './state/snapshot.js';
 export type { UserData } from './user-data.js';
 export { World } from './world.js';
-export type { PoseUpdate, WorldParams, WorldSaving } from './world-state.js';
+export type { PoseUpdate, WorldEventType, WorldHandler, WorldParams, WorldSaving } from './world-state.js';

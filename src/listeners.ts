@@ -1,5 +1,15 @@
 /** All event types, in the order in which the events of one step are delivered; `preSolve` handlers run at once. */
-const TYPES: readonly unknown[] = ['wake', 'begin', 'hit', 'progress', 'end', 'sleep', 'break', 'preSolve'];
+const TYPES: readonly unknown[] = [
+  'wake',
+  'begin',
+  'hit',
+  'progress',
+  'end',
+  'sleep',
+  'break',
+  'preSolve',
+  'nonfinite',
+];
 
 /** An event type as a bit, so that one number tells what an object is listened to for. */
 export const WAKE = 1;
@@ -10,10 +20,12 @@ export const END = 16;
 export const SLEEP = 32;
 export const BREAK = 64;
 export const PRE_SOLVE = 128;
+export const NON_FINITE = 256;
 
 export const OF_SHAPES = BEGIN | HIT | PROGRESS | END | PRE_SOLVE;
 export const OF_BODIES = WAKE | SLEEP;
 export const OF_CONSTRAINTS = WAKE | SLEEP | BREAK;
+export const OF_WORLDS = NON_FINITE;
 
 /** The bit of a type by its name; 0 if there is none among those that are allowed. */
 export function bitOf(name: unknown, allowed: number): number {
@@ -76,7 +88,7 @@ export class Listeners<H> {
 /** The list of an object without listeners, one for all. */
 export const NO_LISTENERS = new Listeners<never>([]);
 
-/** A listener of a body or constraint, which has nothing but a type. */
+/** A listener of a world, body or constraint, which has nothing but a type. */
 export function plainListener<H>(type: number, handler: H): Listener<H> {
   return { type, handler, mask: undefined, deterministic: false, minimumSpeed: 0 };
 }

@@ -89,12 +89,13 @@ export class Profile {
     this.activePairs = pairs.sorted.length;
     this.contacts = solver.one.count + solver.two.count;
     this.hardContacts = 0;
-    for (let i = 0; i < solver.hard.length; i += 4) {
+    for (let i = 0; i < solver.hardCount; i += 4) {
       this.hardContacts += solver.hard[i + 1]! - solver.hard[i]! + solver.hard[i + 3]! - solver.hard[i + 2]!;
     }
     this.joints = solver.joints.joints.length;
     this.manifolds = 0;
-    for (const { sensor, seen } of pairs.sorted) {
+    for (let i = 0; i < pairs.sorted.length; i += 1) {
+      const { sensor, seen } = pairs.sorted[i]!;
       this.manifolds += !sensor && seen === timeStamp ? 1 : 0;
     }
     this.awakeIslands = 0;

@@ -126,15 +126,30 @@ export function boolean(where: string, name: string, value: unknown): boolean {
   return value;
 }
 
-/** `count` finite numbers at the indices 0 … count − 1. */
-export function vector(where: string, name: string, value: unknown, count: number): ArrayLike<number> {
+/** A number of at most some size. */
+export function within(where: string, name: string, value: unknown, most: number): number {
+  const n = finite(where, name, value);
+  if (Math.abs(n) > most) {
+    throw rangeError(where, name, `a number of at most ${most}`, n);
+  }
+  return n;
+}
+
+/** `count` finite numbers, of at most some size, at the indices 0 … count − 1. */
+export function vector(
+  where: string,
+  name: string,
+  value: unknown,
+  count: number,
+  most = Number.MAX_VALUE,
+): ArrayLike<number> {
   const rule = `${count} finite numbers [${'x, y, …'.slice(0, count === 2 ? 4 : 7)}]`;
   const list = value as ArrayLike<number> | null | undefined;
   if (typeof list !== 'object' || list === null || !(list.length >= count)) {
     throw typeError(where, name, rule, value);
   }
   for (let i = 0; i < count; i += 1) {
-    finite(where, `${name}[${i}]`, list[i]);
+    within(where, `${name}[${i}]`, list[i], most);
   }
   return list;
 }
@@ -165,6 +180,20 @@ export function checkedRay(where: string, ray: unknown): Ray {
   return ray as Ray;
 }
 
+/** What an argument leads to has to be numbers of at most some size: else it is the argument that is out of range. */
+export function leadsTo(
+  where: string,
+  name: string,
+  value: unknown,
+  what: string,
+  most: number,
+  ...results: readonly number[]
+): void {
+  if (!results.every((result) => Math.abs(result) <= most)) {
+    throw rangeError(where, name, `one that leads to ${what} of at most ${most}`, value);
+  }
+}
+
 /** A destination for numbers: anything with writable indices. */
 export function sink(where: string, name: string, value: unknown): void {
   if (typeof value !== 'object' || value === null) {
@@ -178,12 +207,17 @@ export function optional<T>(value: T | undefined, fallback: T): T {
 }
 
 /** The options object of a factory; `undefined` counts as "no options" unless the factory needs one. */
-export function options<T extends object>(where: string, value: T | undefined, required: boolean): Partial<T> {
+export function options<T extends object>(
+  where: string,
+  value: T | undefined,
+  required: boolean,
+  name = 'params',
+): Partial<T> {
   if (value === undefined && !required) {
     return {};
   }
   if (typeof value !== 'object' || value === null) {
-    throw typeError(where, 'params', 'an object of options', value);
+    throw typeError(where, name, 'an object of options', value);
   }
   return value;
 }

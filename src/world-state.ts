@@ -6,6 +6,7 @@ import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
+import { type Listeners, NO_LISTENERS } from './listeners.js';
 import type { Vec2Like } from './math/vectors.js';
 import { type Clock, Profile } from './profile.js';
 import type { Shape } from './shape/shape.js';
@@ -23,6 +24,12 @@ export interface PoseUpdate {
   /** Called at the end of each step, before events. */
   update(): void;
 }
+
+/** What worlds tell their listeners. */
+export type WorldEventType = 'nonfinite';
+
+/** Called with the body that was frozen, `this` = the world. */
+export type WorldHandler = (this: World, body: RigidBody) => void;
 
 /** Options of `createWorld`. */
 export interface WorldParams {
@@ -116,6 +123,10 @@ export abstract class WorldState {
   readonly islandWork = new IslandWork();
   /** @internal what moved fast in this step */
   readonly movers = new Movers();
+  /** @internal what cannot be moved in this step, as its motion is not finite */
+  readonly frozen = new Set<RigidBody>();
+  /** @internal */
+  listeners: Listeners<WorldHandler> = NO_LISTENERS;
 
   /** @internal */
   protected time = 0;

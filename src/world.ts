@@ -2,6 +2,7 @@ import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
+import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './listeners.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { type CastResult, castRay, castRayThrough, castShape } from './query/casts.js';
 import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapesMeeting } from './query/queries.js';
@@ -23,7 +24,13 @@ import {
   typeError,
   vector,
 } from './validate.js';
-import { type WorldParams, type WorldSaving, WorldState } from './world-state.js';
+import {
+  type WorldEventType,
+  type WorldHandler,
+  type WorldParams,
+  type WorldSaving,
+  WorldState,
+} from './world-state.js';
 
 /**
  * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
@@ -332,6 +339,23 @@ export class World extends WorldState {
       throw new Error(`${where}: the world was made without state: pass { state: worldState } to createWorld`);
     }
     return this.saving;
+  }
+
+  /**
+   * Adds a handler. `nonfinite`: a body was frozen in the step, as its motion would not have been finite, or farther than 1e150 m. It is where it was,
+   * without velocity, force and torque, and moved nothing else. Causes are forces and masses of no measure, and custom constraints.
+   *
+   * @returns `false` for an unknown type or a handler already present.
+   */
+  addEventListener(eventType: WorldEventType, handler: WorldHandler): boolean {
+    callable('World.addEventListener', 'handler', handler);
+    return addListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
+  }
+
+  /** Removes a handler. @returns whether it was there. */
+  removeEventListener(eventType: WorldEventType, handler: WorldHandler): boolean {
+    callable('World.removeEventListener', 'handler', handler);
+    return removeListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
   }
 
   private refuseInside(where: string): void {

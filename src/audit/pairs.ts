@@ -91,8 +91,8 @@ function auditContacts(audit: Audit, pair: Arbiter): void {
 /** Awake pairs are in order, each once; those that were cut off wait there to be dropped. */
 function auditSorted(audit: Audit): void {
   const { world } = audit;
-  const { sorted, arriving, table, reported } = world.pairs;
-  audit.demand(reported.length === 0, world, 'reported pairs must be made within the step');
+  const { sorted, arriving, table, reportedCount } = world.pairs;
+  audit.demand(reportedCount === 0, world, 'reported pairs must be made within the step');
   audit.distinct([...sorted, ...arriving], world, 'the list of awake pairs');
   let before: Arbiter | null = null;
   for (const pair of sorted) {

@@ -18,7 +18,8 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
   movedSlot = NONE;
   /** The last search in which it was met. */
   mark = 0;
-  readonly pairs: TreePair<T>[] = [];
+  /** Its own when it first has one: most that are static never do. */
+  pairs: TreePair<T>[] | null = null;
 
   constructor(
     public data: T,
@@ -76,7 +77,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.insert', bounds);
+      throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
     }
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
     const handle = new TreeHandle<T>(data, isStatic, this, this.takeBox());
@@ -88,7 +89,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
     if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.update', bounds);
+      throw badBounds('BoxTreeBroadphase.update', 'bounds', bounds);
     }
     const own = this.owned('BoxTreeBroadphase.update', handle);
     const becomesStatic =
@@ -119,8 +120,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   remove(handle: BroadphaseHandle<T>): void {
     const own = this.owned('BoxTreeBroadphase.remove', handle);
-    while (own.pairs.length > 0) {
-      this.dropPair(own.pairs[own.pairs.length - 1]!);
+    const { pairs } = own;
+    while (pairs !== null && pairs.length > 0) {
+      this.dropPair(pairs[pairs.length - 1]!);
     }
     this.treeOf(own).remove(own.leaf);
     own.leaf = NONE;
@@ -174,7 +176,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     thisObject?: unknown,
   ): void {
     if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.sample', bounds);
+      throw badBounds('BoxTreeBroadphase.sample', 'bounds', bounds);
     }
     callable('BoxTreeBroadphase.sample', 'callback', callback);
     this.report(bounds, true, callback, thisObject);
@@ -229,7 +231,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private empty(): void {
     for (const handle of this.handles()) {
       handle.leaf = NONE;
-      handle.pairs.length = 0;
+      handle.pairs = null;
     }
     this.moving.clear();
     this.still.clear();
@@ -268,8 +270,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.search += 1;
     const tree = this.treeOf(handle);
     const own = handle.pairs;
-    for (let i = own.length - 1; i >= 0; i -= 1) {
-      const pair = own[i]!;
+    for (let i = own === null ? -1 : own.length - 1; i >= 0; i -= 1) {
+      const pair = own![i]!;
       const other = pair.a === handle ? pair.b! : pair.a!;
       if ((handle.isStatic && other.isStatic) || !tree.overlaps(handle.leaf, this.treeOf(other), other.leaf)) {
         this.dropPair(pair);
@@ -305,8 +307,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     this.ends[2 * slot] = a.at;
     this.ends[2 * slot + 1] = b.at;
-    pair.slotA = a.pairs.push(pair) - 1;
-    pair.slotB = b.pairs.push(pair) - 1;
+    pair.slotA = addTo(a, pair);
+    pair.slotB = addTo(b, pair);
   }
 
   private dropPair(pair: TreePair<T>): void {
@@ -359,13 +361,23 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 }
 
+/** Adds a pair to a handle's list. @returns its place. */
+function addTo<T>(handle: TreeHandle<T>, pair: TreePair<T>): number {
+  if (handle.pairs === null) {
+    handle.pairs = [pair];
+    return 0;
+  }
+  return handle.pairs.push(pair) - 1;
+}
+
 /** Takes the pair at `slot` out of a handle's list; the last one takes its place. */
 function dropFrom<T>(handle: TreeHandle<T>, slot: number): void {
-  const last = handle.pairs.pop()!;
-  if (slot === handle.pairs.length) {
+  const pairs = handle.pairs!;
+  const last = pairs.pop()!;
+  if (slot === pairs.length) {
     return;
   }
-  handle.pairs[slot] = last;
+  pairs[slot] = last;
   if (last.a === handle) {
     last.slotA = slot;
   } else {

@@ -78,7 +78,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Adds an object with its bounds `[minX, minY, maxX, maxY]`. */
   add(externalNode: T, extents: RectLike): void {
     checkNode('BoxTree.add', externalNode);
-    checkExtents('BoxTree.add', extents);
+    checkExtents('BoxTree.add', 'extents', extents);
     if (externalNode.boxTreeIndex !== undefined) {
       throw typeError('BoxTree.add', 'externalNode', 'an object that is in no tree', externalNode);
     }
@@ -90,7 +90,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Gives an object new bounds; one that is in no tree is added. */
   update(externalNode: T, extents: RectLike): void {
     checkNode('BoxTree.update', externalNode);
-    checkExtents('BoxTree.update', extents);
+    checkExtents('BoxTree.update', 'extents', extents);
     if (externalNode.boxTreeIndex === undefined) {
       this.add(externalNode, extents);
       return;
@@ -137,7 +137,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
 
   /** Writes what overlaps `queryExtents` from `startIndex` (default: the array's length) on. @returns how many. */
   getOverlappingNodes(queryExtents: RectLike, overlappingNodes: T[], startIndex?: number): number {
-    checkExtents('BoxTree.getOverlappingNodes', queryExtents);
+    checkExtents('BoxTree.getOverlappingNodes', 'queryExtents', queryExtents);
     const start = checkedStart('BoxTree.getOverlappingNodes', 'overlappingNodes', overlappingNodes, startIndex);
     return this.tree.query(queryExtents, overlappingNodes, start) - start;
   }
@@ -344,9 +344,9 @@ function checkNode(where: string, externalNode: unknown): void {
   }
 }
 
-function checkExtents(where: string, extents: RectLike): void {
+function checkExtents(where: string, name: string, extents: RectLike): void {
   if (!isRect(extents)) {
-    throw badBounds(where, extents);
+    throw badBounds(where, name, extents);
   }
 }
 

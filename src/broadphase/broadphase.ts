@@ -64,19 +64,19 @@ export function isRect(bounds: RectLike): boolean {
 }
 
 /** The error for bounds that `isRect` refuses. */
-export function badBounds(where: string, bounds: unknown): Error {
+export function badBounds(where: string, name: string, bounds: unknown): Error {
   const list = bounds as RectLike | null | undefined;
   if (typeof list !== 'object' || list === null || !(list.length >= 4)) {
-    return typeError(where, 'bounds', 'four numbers [minX, minY, maxX, maxY]', bounds);
+    return typeError(where, name, 'four numbers [minX, minY, maxX, maxY]', bounds);
   }
   for (let i = 0; i < 4; i += 1) {
     if (typeof list[i] !== 'number') {
-      return typeError(where, `bounds[${i}]`, 'a number', list[i]);
+      return typeError(where, `${name}[${i}]`, 'a number', list[i]);
     }
     if (Number.isNaN(list[i])) {
-      return rangeError(where, `bounds[${i}]`, 'a number, not NaN', list[i]);
+      return rangeError(where, `${name}[${i}]`, 'a number, not NaN', list[i]);
     }
   }
   const axis = list[0]! <= list[2]! ? 1 : 0;
-  return rangeError(where, `bounds[${axis + 2}]`, `>= bounds[${axis}] = ${list[axis]}`, list[axis + 2]);
+  return rangeError(where, `${name}[${axis + 2}]`, `>= ${name}[${axis}] = ${list[axis]}`, list[axis + 2]);
 }

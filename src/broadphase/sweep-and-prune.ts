@@ -117,7 +117,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
 
   insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
-      throw badBounds('SweepAndPrune.insert', bounds);
+      throw badBounds('SweepAndPrune.insert', 'bounds', bounds);
     }
     boolean('SweepAndPrune.insert', 'isStatic', isStatic);
     const handle = new SweepHandle(data, isStatic);
@@ -128,7 +128,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
 
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
     if (!isRect(bounds)) {
-      throw badBounds('SweepAndPrune.update', bounds);
+      throw badBounds('SweepAndPrune.update', 'bounds', bounds);
     }
     const own = this.owned('SweepAndPrune.update', handle);
     const becomesStatic = isStatic === undefined ? own.isStatic : boolean('SweepAndPrune.update', 'isStatic', isStatic);
@@ -188,7 +188,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     thisObject?: unknown,
   ): void {
     if (!isRect(bounds)) {
-      throw badBounds('SweepAndPrune.sample', bounds);
+      throw badBounds('SweepAndPrune.sample', 'bounds', bounds);
     }
     callable('SweepAndPrune.sample', 'callback', callback);
     // Read before any callback, which may write to it.

@@ -34,15 +34,6 @@ export function roundness(shape: Shape, separation: number): number {
   return shape.kind === POLYGON ? 0 : shape.radius + 0.5 * separation;
 }
 
-/** How far two shapes turn, both together, as far as it shows: a circle around the origin of its body stays the same. */
-export function visibleTurn(a: Shape, turnA: number, b: Shape, turnB: number): number {
-  return (showsTurn(a) ? Math.abs(turnA) : 0) + (showsTurn(b) ? Math.abs(turnB) : 0);
-}
-
-function showsTurn(shape: Shape): boolean {
-  return shape.kind === POLYGON || shape.originX !== 0 || shape.originY !== 0;
-}
-
 /** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
 export function collideAlong(a: Shape, b: Shape, m: Manifold, nx: number, ny: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {

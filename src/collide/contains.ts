@@ -4,6 +4,8 @@ import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from './table.js';
 
+const asked = new Float64Array(2);
+
 /** Whether a placed shape contains a point, given relative to the origin of its body; the boundary counts. */
 export function containsPoint(shape: Shape, x: number, y: number): boolean {
   if (shape.kind !== POLYGON) {
@@ -12,11 +14,15 @@ export function containsPoint(shape: Shape, x: number, y: number): boolean {
     const dy = y - centreY;
     return dx * dx + dy * dy - radius * radius <= CIRCLE_POINT_TOLERANCE;
   }
-  return polygonContains(shape, x, y, POLYGON_POINT_TOLERANCE);
+  asked[0] = x;
+  asked[1] = y;
+  return polygonContains(shape, asked, POLYGON_POINT_TOLERANCE);
 }
 
 /** Whether a placed polygon contains a point, given relative to the origin of its body, or is no farther from it than a tolerance beyond any edge. */
-export function polygonContains({ edges, offsets }: Polygon, x: number, y: number, tolerance: number): boolean {
+export function polygonContains({ edges, offsets }: Polygon, point: Float64Array, tolerance: number): boolean {
+  const x = point[0]!;
+  const y = point[1]!;
   for (let i = 0; i < offsets.length; i += 1) {
     const height = edges[EDGE_STRIDE * i + 2]! * x + edges[EDGE_STRIDE * i + 3]! * y - offsets[i]!;
     if (height > tolerance) {

@@ -7,8 +7,8 @@ import type { Manifold } from './manifold.js';
 /** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
 const best = { separation: -Infinity, edge: 0 };
 
-/** How far Q lies beyond edge `i` of P: min over Q's corners q of n · q − offset. `side` is 1 if P is A, else −1. */
-function edgeSeparation(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): number {
+/** Whether Q lies beyond edge `i` of P, and not near it: min over Q's corners q of n · q − offset tells. `side` is 1 if P is A, else −1. */
+function isBeyond(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): boolean {
   const ox = side * m.numbers[g.DX]!;
   const oy = side * m.numbers[g.DY]!;
   const edges = q.edges;
@@ -19,7 +19,7 @@ function edgeSeparation(p: Polygon, i: number, q: Polygon, m: Manifold, side: nu
     const s = nx * edges[k]! + ny * edges[k + 1]!;
     if (s < least) least = s;
   }
-  return least + nx * ox + ny * oy - p.offsets[i]!;
+  return least + nx * ox + ny * oy - p.offsets[i]! > SPECULATIVE_MARGIN;
 }
 
 /**
@@ -166,8 +166,8 @@ function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
     return false;
   }
   return (m.axis & 1) === 0
-    ? edge < a.offsets.length && edgeSeparation(a, edge, b, m, 1) > SPECULATIVE_MARGIN
-    : edge < b.offsets.length && edgeSeparation(b, edge, a, m, -1) > SPECULATIVE_MARGIN;
+    ? edge < a.offsets.length && isBeyond(a, edge, b, m, 1)
+    : edge < b.offsets.length && isBeyond(b, edge, a, m, -1);
 }
 
 /**

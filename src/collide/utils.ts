@@ -8,7 +8,7 @@ import { gapBetween } from './gap.js';
 import { RayTest, rayShape } from './rays.js';
 
 const sweep = /* @__PURE__ */ new Sweep();
-const ray = /* @__PURE__ */ new RayTest();
+const test = /* @__PURE__ */ new RayTest();
 
 /**
  * Geometry of shapes where their bodies are now, in a world or not. Every shape must have a body. Sensors, groups and masks play no part, and
@@ -61,25 +61,25 @@ export class CollisionUtils {
    * The factor at which a ray meets a shape, as `World.rayCast`, with the unit normal there written to `normal`; `undefined`, and nothing written,
    * if it does not.
    */
-  rayTest(shape: Shape, along: Ray, normal: NumberSink, ignoreInnerSurfaces: boolean = false): number | undefined {
+  rayTest(shape: Shape, ray: Ray, normal: NumberSink, ignoreInnerSurfaces: boolean = false): number | undefined {
     const where = 'CollisionUtils.rayTest';
     const { x, y } = placed(where, 'shape', shape);
-    const { origin, direction, maxFactor } = checkedRay(where, along);
+    const { origin, direction, maxFactor } = checkedRay(where, ray);
     sink(where, 'normal', normal);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
     const scale = Math.max(Math.abs(direction[0]!), Math.abs(direction[1]!));
-    ray.ox = origin[0]! - x;
-    ray.oy = origin[1]! - y;
-    ray.dx = direction[0]! / scale;
-    ray.dy = direction[1]! / scale;
-    ray.most = maxFactor * scale;
-    ray.outerOnly = ignoreInnerSurfaces;
-    if (!rayShape(shape, ray) || !(ray.factor / scale < maxFactor)) {
+    test.ox = origin[0]! - x;
+    test.oy = origin[1]! - y;
+    test.dx = direction[0]! / scale;
+    test.dy = direction[1]! / scale;
+    test.most = maxFactor * scale;
+    test.outerOnly = ignoreInnerSurfaces;
+    if (!rayShape(shape, test) || !(test.factor / scale < maxFactor)) {
       return undefined;
     }
-    normal[0] = ray.nx + 0;
-    normal[1] = ray.ny + 0;
-    return ray.factor / scale + 0;
+    normal[0] = test.nx + 0;
+    normal[1] = test.ny + 0;
+    return test.factor / scale + 0;
   }
 
   /**

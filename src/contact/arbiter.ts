@@ -14,6 +14,9 @@ const FIXED_STATIC = 2;
 const FIXED_DYNAMIC = 4;
 const FIXED_ROLLING = 8;
 
+/** [jx, jy, jw]: scratch. */
+const sum = new Float64Array(3);
+
 /** Long before the first step. */
 const NEVER = -1e6;
 
@@ -144,29 +147,37 @@ export class Arbiter {
     if (sign === 0 || !this.active) {
       return vec3(0, 0, 0, dst);
     }
+    this.sumImpulses(sign);
+    return vec3(sum[0]!, sum[1]!, sum[2]!, dst);
+  }
+
+  /** Of this step, to `sum`: what body B (`sign` 1) or A (−1) got. */
+  private sumImpulses(sign: number): void {
     const n = this.manifold.numbers;
     const ofB = sign > 0 ? 1 : 0;
     let x = 0;
     let y = 0;
     let w = 0;
-    w += sign * this.getRollingImpulse();
+    w += sign * n[c.STEP_ROLL]!;
     const { before } = this;
     if (before !== null && this.metAgain()) {
       x += sign * before.x;
       y += sign * before.y;
       w += ofB === 1 ? before.wB : before.wA;
     }
-    this.contacts.forEach((contact, i) => {
-      const normal = sign * contact.getNormalImpulse();
-      const tangent = sign * contact.getTangentImpulse();
+    for (let i = 0; i < this.shown; i += 1) {
+      const normal = sign * n[c.STEP_NORMAL + c.IMPULSES * i]!;
+      const tangent = sign * n[c.STEP_TANGENT + c.IMPULSES * i]!;
       const jx = n[g.NX]! * normal - n[g.NY]! * tangent;
       const jy = n[g.NY]! * normal + n[g.NX]! * tangent;
       // The arms are those that the solver had, not those of the end of the step.
       w += (n[g.X0 + g.POINT * i]! - ofB * n[g.DX]!) * jy - (n[g.Y0 + g.POINT * i]! - ofB * n[g.DY]!) * jx;
       x += jx;
       y += jy;
-    });
-    return vec3(x, y, w, dst);
+    }
+    sum[0] = x;
+    sum[1] = y;
+    sum[2] = w;
   }
 
   /** Of this pair, of both materials unless set; `undefined` until they are combined. */
@@ -316,9 +327,10 @@ export class Arbiter {
 
   /** @internal in this step the pair meets once more, at other points: keeps the sum of what the ones so far gave */
   meetAgain(): void {
-    const [x, y, wB] = this.getImpulseForBody(this.bodyB);
-    const [, , wA] = this.getImpulseForBody(this.bodyA);
-    this.before = { step: this.lastInteraction, x, y, wA, wB };
+    this.sumImpulses(-1);
+    const wA = sum[2]!;
+    this.sumImpulses(1);
+    this.before = { step: this.lastInteraction, x: sum[0]!, y: sum[1]!, wA, wB: sum[2]! };
     this.dropPoints();
   }
 

@@ -53,8 +53,8 @@ export class Hit {
   }
 }
 
-/** @internal how fast the surfaces of a pair come together at the contact where they do so fastest; 0 if they part. m/s */
-export function approachSpeed({ bodyA: a, bodyB: b, manifold }: Arbiter): number {
+/** @internal notes how fast the surfaces of a pair come together at the contact where they do so fastest; 0 if they part. To be called before it is solved. */
+export function noteApproach({ bodyA: a, bodyB: b, manifold }: Arbiter): void {
   const n = manifold.numbers;
   let fastest = 0;
   for (let i = 0; i < manifold.count; i += 1) {
@@ -69,5 +69,5 @@ export function approachSpeed({ bodyA: a, bodyB: b, manifold }: Arbiter): number
       fastest = speed;
     }
   }
-  return fastest;
+  n[c.APPROACH] = fastest;
 }

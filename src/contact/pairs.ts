@@ -1,18 +1,18 @@
 import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
+import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 import { Arbiter } from './arbiter.js';
+import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 
-function before(a: Arbiter, b: Arbiter): boolean {
+function before(a: Report, b: Report): boolean {
   return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
 }
 
-function byShapes([a, b]: [Shape, Shape], [c, d]: [Shape, Shape]): number {
-  return a.id - c.id || b.id - d.id;
-}
-
-function compare(a: Arbiter, b: Arbiter): number {
-  return a.shapeA.id - b.shapeA.id || a.shapeB.id - b.shapeB.id;
+/** Two shapes that the broadphase reported for the first time. Used again and again. */
+interface Report {
+  shapeA: Shape;
+  shapeB: Shape;
 }
 
 /**
@@ -29,8 +29,11 @@ export class Pairs {
   readonly table = new PairTable();
   /** @internal */
   readonly arriving: Arbiter[] = [];
+  /** What lies beyond the count is old. */
+  private readonly reported: Report[] = [];
   /** @internal */
-  readonly reported: [Shape, Shape][] = [];
+  reportedCount = 0;
+  private readonly crowd = new Crowd();
   /** @internal */
   readonly pool: Arbiter[] = [];
   /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
@@ -83,12 +86,23 @@ export class Pairs {
   /** … and they may interact. */
   report(shapeA: Shape, shapeB: Shape, stamp: number): void {
     const pair = this.table.find(shapeA, shapeB);
-    if (pair === null) {
-      this.reported.push([shapeA, shapeB]);
-    } else {
+    if (pair !== null) {
       this.table.see(pair, stamp);
       this.arrive(pair);
+    } else if (!this.crowd.take(shapeA, shapeB)) {
+      this.note(shapeA, shapeB);
     }
+  }
+
+  /** @internal the pair of two shapes is to be made */
+  note(shapeA: Shape, shapeB: Shape): void {
+    if (this.reportedCount === this.reported.length) {
+      this.reported.push({ shapeA, shapeB });
+    }
+    const report = this.reported[this.reportedCount]!;
+    report.shapeA = shapeA;
+    report.shapeB = shapeB;
+    this.reportedCount += 1;
   }
 
   /** Whether the broadphase reported a pair in a step. */
@@ -98,14 +112,14 @@ export class Pairs {
 
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
   makeReported(stamp: number): void {
-    const { reported } = this;
-    if (reported.length > 1) {
-      reported.sort(byShapes);
-    }
-    for (const [shapeA, shapeB] of reported) {
+    this.crowd.drainTo(this);
+    const { reported, reportedCount } = this;
+    sortFirst(reported, reportedCount, before);
+    for (let i = 0; i < reportedCount; i += 1) {
+      const { shapeA, shapeB } = reported[i]!;
       this.table.see(this.obtain(shapeA, shapeB), stamp);
     }
-    reported.length = 0;
+    this.reportedCount = 0;
   }
 
   /** Puts a pair among the awake ones, at the next `merge`. */
@@ -122,12 +136,12 @@ export class Pairs {
     if (arriving.length === 0) {
       return;
     }
-    arriving.sort(compare);
+    sortFirst(arriving, arriving.length, before);
     let i = sorted.length - 1;
     let j = arriving.length - 1;
     let k = i + j + 1;
-    for (const pair of arriving) {
-      sorted.push(pair);
+    for (let n = 0; n < arriving.length; n += 1) {
+      sorted.push(arriving[n]!);
     }
     while (j >= 0) {
       if (i >= 0 && before(arriving[j]!, sorted[i]!)) {

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Hit } from '../contact/hit.js';
-import { admits, END, HIT, RANKS, rankOf, WAKE } from '../listeners.js';
+import { admits, END, HIT, NON_FINITE, RANKS, rankOf, WAKE } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { type Note, Notes } from './notes.js';
@@ -18,7 +18,7 @@ const GROUPS = 3;
 const AFTER_BODIES = Number.MAX_SAFE_INTEGER;
 
 /** What all handlers of the API can be called as. */
-type Handler = (this: unknown, arbiter?: Arbiter, other?: Shape, hit?: Hit) => void;
+type Handler = (this: unknown, subject?: Arbiter | RigidBody, other?: Shape, hit?: Hit) => void;
 
 /** Lists in the order of delivery: by group, then by type. */
 function makeLists(): Notes[] {
@@ -78,7 +78,15 @@ export class EventQueue {
 
   /** Notes `wake` or `sleep` of a body. */
   body(type: number, body: RigidBody): void {
-    this.object(type, body, body.shapes.length > 0 ? body.shapes[0]!.id : -1, -1);
+    this.object(type, body, placeOf(body), -1);
+  }
+
+  /** Notes that a world has frozen a body of its own. */
+  frozen(world: World, body: RigidBody): void {
+    const note = this.object(NON_FINITE, world, placeOf(body), -1);
+    if (note !== null) {
+      note.body = body;
+    }
   }
 
   /** Notes `wake`, `sleep` or `break` of a constraint; bodies come before constraints. */
@@ -86,12 +94,14 @@ export class EventQueue {
     this.object(type, constraint, AFTER_BODIES, constraint.order);
   }
 
-  private object(type: number, object: RigidBody | Constraint, idA: number, idB: number): void {
-    if ((object.listeners.types & type) !== 0) {
-      const note = this.list(type, IN_STEP).add(idA, idB);
-      note.own = object;
-      note.listeners = object.listeners;
+  private object(type: number, object: RigidBody | Constraint | World, idA: number, idB: number): Note | null {
+    if ((object.listeners.types & type) === 0) {
+      return null;
     }
+    const note = this.list(type, IN_STEP).add(idA, idB);
+    note.own = object;
+    note.listeners = object.listeners;
+    return note;
   }
 
   /** A body or constraint woke; its event is noted when the step next looks, if it is then still awake in this world. */
@@ -155,11 +165,11 @@ export class EventQueue {
   }
 
   /**
-   * Calls the handlers of one object of an event: a body's or constraint's, or those of shape A or (`second`) B. `World.clear` called by one of
-   * them empties the list and its notes, and nothing more is called.
+   * Calls the handlers of one object of an event: a world's, body's or constraint's, or those of shape A or (`second`) B. `World.clear` called by
+   * one of them empties the list and its notes, and nothing more is called.
    */
   private hand(list: Notes, note: Note, second: boolean): void {
-    const { arbiter, hit } = note;
+    const { arbiter, body, hit } = note;
     const own = second ? note.other : note.own;
     const other = second ? note.own : note.other;
     const group = second ? note.group : note.otherGroup;
@@ -171,19 +181,27 @@ export class EventQueue {
         admits(entry, group) &&
         (hit === null || hit.approachSpeed >= entry.minimumSpeed)
       ) {
-        this.call(entry.handler as Handler, own, arbiter, other as Shape | null, hit);
+        this.call(entry.handler as Handler, own, arbiter ?? body, other as Shape | null, hit);
       }
     }
   }
 
-  private call(handler: Handler, own: unknown, arbiter: Arbiter | null, other: Shape | null, hit: Hit | null): void {
+  private call(
+    handler: Handler,
+    own: unknown,
+    subject: Arbiter | RigidBody | null,
+    other: Shape | null,
+    hit: Hit | null,
+  ): void {
     try {
-      if (arbiter === null || other === null) {
+      if (subject === null) {
         handler.call(own);
+      } else if (other === null) {
+        handler.call(own, subject);
       } else if (hit === null) {
-        handler.call(own, arbiter, other);
+        handler.call(own, subject, other);
       } else {
-        handler.call(own, arbiter, other, hit);
+        handler.call(own, subject, other, hit);
       }
     } catch (error) {
       this.fail(error);
@@ -211,6 +229,11 @@ export class EventQueue {
     }
     this.woken.length = 0;
   }
+}
+
+/** Stands for a body in the order of events. */
+function placeOf({ shapes }: RigidBody): number {
+  return shapes.length > 0 ? shapes[0]!.id : -1;
 }
 
 /** Someone wants to know how hard the shapes of a pair meet. */

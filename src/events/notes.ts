@@ -4,17 +4,20 @@ import type { Arbiter } from '../contact/arbiter.js';
 import type { Hit } from '../contact/hit.js';
 import { type Listeners, NO_LISTENERS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
 
 /** An event, with the listeners present when it was noted, so that later changes do not touch it. */
 export class Note {
-  /** A body or constraint, or shape A of an interaction. */
-  own: Shape | RigidBody | Constraint | null = null;
+  /** A world, body or constraint, or shape A of an interaction. */
+  own: Shape | RigidBody | Constraint | World | null = null;
   listeners: Listeners<unknown> = NO_LISTENERS;
   /** Events are delivered by these ids, then as they were noted. */
   idA = 0;
   idB = 0;
-  /** Of an interaction; `null` for bodies and constraints. */
+  /** Of an interaction; `null` for worlds, bodies and constraints. */
   arbiter: Arbiter | null = null;
+  /** Whom a world's event is about. */
+  body: RigidBody | null = null;
   /** Shape B, and its listeners. */
   other: Shape | null = null;
   otherListeners: Listeners<unknown> = NO_LISTENERS;
@@ -73,6 +76,7 @@ export class Notes {
       note.own = null;
       note.listeners = NO_LISTENERS;
       note.arbiter = null;
+      note.body = null;
       note.other = null;
       note.otherListeners = NO_LISTENERS;
       note.hit = null;

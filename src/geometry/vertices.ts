@@ -1,5 +1,4 @@
-import { COLLINEAR_TOLERANCE, VERTEX_TOLERANCE } from '../config.js';
-import { doubles } from '../math/doubles.js';
+import { COLLINEAR_TOLERANCE, MAX_SIZE, VERTEX_TOLERANCE } from '../config.js';
 import { cos, sin } from '../math/trig.js';
 import type { Vec2, Vec2Like } from '../math/vectors.js';
 import { finite, integer, positive, typeError, vector } from '../validate.js';
@@ -66,7 +65,7 @@ export function createRegularPolygonVertices(diameterX: number, diameterY: numbe
  * @throws TypeError for anything but a list of points; RangeError, naming the vertex, unless the vertices are at least
  * three, finite, distinct and go once around a convex polygon.
  */
-export function convexVertices(where: string, name: string, value: unknown): Float64Array {
+export function convexVertices(where: string, name: string, value: unknown): number[] {
   const list = value as ArrayLike<Vec2Like> | null | undefined;
   if (typeof list !== 'object' || list === null || typeof list.length !== 'number') {
     throw typeError(where, name, 'an array of vertices [x, y]', value);
@@ -75,11 +74,10 @@ export function convexVertices(where: string, name: string, value: unknown): Flo
   if (count < 3) {
     throw new RangeError(`${where}: ${name} must have at least 3 vertices, got ${count}`);
   }
-  const flat = doubles(count * 2);
+  const flat: number[] = [];
   for (let i = 0; i < count; i += 1) {
-    const point = vector(where, `${name}[${i}]`, list[i], 2);
-    flat[2 * i] = point[0]!;
-    flat[2 * i + 1] = point[1]!;
+    const point = vector(where, `${name}[${i}]`, list[i], 2, MAX_SIZE);
+    flat.push(point[0]!, point[1]!);
   }
   refuseRepeats(where, name, flat);
   if (polygonArea(flat) < 0) {
@@ -89,20 +87,30 @@ export function convexVertices(where: string, name: string, value: unknown): Flo
   return withoutCollinear(where, name, flat, false);
 }
 
-function refuseRepeats(where: string, name: string, flat: Float64Array): void {
+function refuseRepeats(where: string, name: string, flat: readonly number[]): void {
+  const i = repeatedVertex(flat);
+  if (i >= 0) {
+    const j = (i + 1) % (flat.length / 2);
+    const rule = `must have distinct vertices, got vertex ${j} equal to vertex ${i}`;
+    throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`);
+  }
+}
+
+/** The first vertex that the next one is equal to, or −1. */
+export function repeatedVertex(flat: ArrayLike<number>): number {
   const count = flat.length / 2;
   for (let i = 0; i < count; i += 1) {
     const j = (i + 1) % count;
     const dx = flat[2 * j]! - flat[2 * i]!;
     const dy = flat[2 * j + 1]! - flat[2 * i + 1]!;
     if (dx * dx + dy * dy <= VERTEX_TOLERANCE * VERTEX_TOLERANCE) {
-      const rule = `must have distinct vertices, got vertex ${j} equal to vertex ${i}`;
-      throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`);
+      return i;
     }
   }
+  return -1;
 }
 
-function reverse(flat: Float64Array): void {
+function reverse(flat: number[]): void {
   for (let i = 0, j = flat.length - 2; i < j; i += 2, j -= 2) {
     const x = flat[i]!;
     const y = flat[i + 1]!;
@@ -117,7 +125,7 @@ function reverse(flat: Float64Array): void {
  * Every corner must turn clockwise or not at all, and all turns together must be one full turn: the x-direction of the
  * edges then changes its sign exactly twice. A path that winds twice (a pentagram) turns one way only, yet changes more often.
  */
-function withoutCollinear(where: string, name: string, flat: Float64Array, reversed: boolean): Float64Array {
+function withoutCollinear(where: string, name: string, flat: readonly number[], reversed: boolean): number[] {
   const count = flat.length / 2;
   const kept: number[] = [];
   for (let i = 0; i < count; i += 1) {
@@ -142,7 +150,7 @@ function withoutCollinear(where: string, name: string, flat: Float64Array, rever
     const found = winding < 0 ? 'all vertices on one line' : `a second round at vertex ${winding}`;
     throw new RangeError(`${where}: ${name} must go once around a convex polygon, got ${found}`);
   }
-  return Float64Array.from(kept);
+  return kept;
 }
 
 /** 0 for a path that goes round once; else the vertex at which the edges start their second round. */

@@ -4,6 +4,7 @@ import { RayTest, rayShape } from '../collide/rays.js';
 import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
 import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
+import { sortFirst } from '../math/sort.js';
 import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
@@ -148,7 +149,10 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   const start = startBounds(shape);
   let best: CastResult | null = null;
   let limit = deltaTime;
-  for (const other of near(world, sweptBounds(start, sweep.a, deltaTime)).sort((a, b) => a.id - b.id)) {
+  const candidates = near(world, sweptBounds(start, sweep.a, deltaTime));
+  sortFirst(candidates, candidates.length, isOlder);
+  for (let i = 0; i < candidates.length; i += 1) {
+    const other = candidates[i]!;
     const { owner } = other;
     if (owner === body || !mayMeet(start, sweep.a, other.bounds, limit)) {
       continue;
@@ -164,6 +168,10 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   sweep.b.shape = null;
   spareSweep = sweep;
   return best;
+}
+
+function isOlder(a: Shape, b: Shape): boolean {
+  return a.id < b.id;
 }
 
 /** For the next cast; one that is made within the callback of another takes a new one. */

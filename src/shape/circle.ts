@@ -1,14 +1,15 @@
 import type { RigidBody } from '../body.js';
+import { MAX_SIZE } from '../config.js';
 import type { Outline } from '../geometry/outline.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
-import { options, positive, vector } from '../validate.js';
+import { options, positive, vector, within } from '../validate.js';
 import { BaseShape, type ShapeParams } from './shape.js';
 
 /** Options of `createCircleShape`. */
 export interface CircleParams extends ShapeParams {
-  /** m, > 0. */
+  /** m, > 0, at most 1e75. */
   radius: number;
-  /** Centre in body coordinates, m. Default `[0, 0]`. */
+  /** Centre in body coordinates, m, each at most 1e75. Default `[0, 0]`. */
   origin?: Vec2Like | undefined;
 }
 
@@ -25,8 +26,6 @@ export class Circle extends BaseShape {
   /** @internal */
   readonly kind = 0;
   /** @internal */
-  radius: number;
-  /** @internal */
   originX: number;
   /** @internal */
   originY: number;
@@ -39,8 +38,8 @@ export class Circle extends BaseShape {
   constructor(params: CircleParams) {
     const where = 'createCircleShape';
     const given = options(where, params, true);
-    const radius = positive(where, 'radius', given.radius);
-    const origin = given.origin === undefined ? [0, 0] : vector(where, 'origin', given.origin, 2);
+    const radius = checkedRadius(where, given.radius);
+    const origin = given.origin === undefined ? [0, 0] : vector(where, 'origin', given.origin, 2, MAX_SIZE);
     super(where, given);
     this.radius = radius;
     this.originX = origin[0]!;
@@ -54,7 +53,7 @@ export class Circle extends BaseShape {
 
   /** Sets the radius, m, > 0. Ignored during a step and for a static body in a world. Wakes the body if changed. */
   setRadius(radius: number): void {
-    positive('Circle.setRadius', 'radius', radius);
+    checkedRadius('Circle.setRadius', radius);
     if (this.isLocked() || radius === this.radius) {
       return;
     }
@@ -71,7 +70,7 @@ export class Circle extends BaseShape {
 
   /** Sets the centre in body coordinates, m. Ignored as `setRadius` is. Wakes the body if changed. */
   setOrigin(origin: Vec2Like): void {
-    vector('Circle.setOrigin', 'origin', origin, 2);
+    vector('Circle.setOrigin', 'origin', origin, 2, MAX_SIZE);
     if (this.isLocked() || (origin[0] === this.originX && origin[1] === this.originY)) {
       return;
     }
@@ -130,23 +129,31 @@ export class Circle extends BaseShape {
   }
 
   /** @internal */
+  override isRound(): boolean {
+    return this.originX === 0 && this.originY === 0;
+  }
+
+  /** @internal */
   override thickness(): number {
     return this.radius;
   }
 
   /** @internal */
-  protected override scaleGeometry(scaleX: number): void {
-    this.radius *= scaleX;
-    this.originX *= scaleX;
-    this.originY *= scaleX;
+  protected override mapGeometry(m: ArrayLike<number>): boolean {
+    const { originX, originY } = this;
+    const radius = this.radius * Math.sqrt(m[0]! * m[3]! - m[2]! * m[1]!);
+    const x = m[0]! * originX + m[2]! * originY + m[4]!;
+    const y = m[1]! * originX + m[3]! * originY + m[5]!;
+    if (!(radius > 0 && radius <= MAX_SIZE && Math.abs(x) <= MAX_SIZE && Math.abs(y) <= MAX_SIZE)) {
+      return false;
+    }
+    this.radius = radius;
+    this.originX = x;
+    this.originY = y;
+    return true;
   }
+}
 
-  /** @internal */
-  protected override mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void {
-    const x = this.originX;
-    const y = this.originY;
-    this.radius *= Math.sqrt(m0 * m3 - m2 * m1);
-    this.originX = m0 * x + m2 * y + m4;
-    this.originY = m1 * x + m3 * y + m5;
-  }
+function checkedRadius(where: string, value: unknown): number {
+  return within(where, 'radius', positive(where, 'radius', value), MAX_SIZE);
 }

@@ -1,20 +1,67 @@
 import type { RigidBody } from '../body.js';
+import { MAX_SIZE } from '../config.js';
 import { EDGE_STRIDE } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
-import { convexVertices } from '../geometry/vertices.js';
+import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
-import type { NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
+import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options } from '../validate.js';
 import { BaseShape, type ShapeParams } from './shape.js';
 
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
   /**
-   * At least three distinct corners of a convex polygon in body coordinates, m. Clockwise on screen; counter-clockwise
+   * At least three distinct corners of a convex polygon in body coordinates, m, each at most 1e75. Clockwise on screen; counter-clockwise
    * input is reversed, corners inside an edge are dropped. Copied.
    */
   vertices: ArrayLike<Vec2Like>;
+}
+
+/** What equal polygons share: see the fields of {@link Polygon}. */
+interface Form {
+  readonly vertices: Float64Array;
+  readonly localEdges: Float64Array;
+  readonly offsets: Float64Array;
+}
+
+/** The form that was asked for last: polygons are often made many alike. */
+let latest: Form | null = null;
+
+function formOf(corners: ArrayLike<number>): Form {
+  if (latest === null || !isSame(latest.vertices, corners)) {
+    latest = makeForm(corners);
+  }
+  return latest;
+}
+
+/** To the bit: nothing may depend on which polygons there are besides. */
+function isSame(a: Float64Array, b: ArrayLike<number>): boolean {
+  return a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
+}
+
+function makeForm(corners: ArrayLike<number>): Form {
+  const { length } = corners;
+  const vertices = doubles(length);
+  const localEdges = doubles(length * 2);
+  const offsets = doubles(length / 2);
+  vertices.set(corners);
+  for (let i = 0; i < length; i += 2) {
+    const j = i + 2 === length ? 0 : i + 2;
+    const x = vertices[i]!;
+    const y = vertices[i + 1]!;
+    const ex = vertices[j]! - x;
+    const ey = vertices[j + 1]! - y;
+    const size = Math.sqrt(ex * ex + ey * ey);
+    const nx = ey / size;
+    const ny = -ex / size;
+    localEdges[2 * i] = x;
+    localEdges[2 * i + 1] = y;
+    localEdges[2 * i + 2] = nx;
+    localEdges[2 * i + 3] = ny;
+    offsets[i / 2] = nx * x + ny * y;
+  }
+  return { vertices, localEdges, offsets };
 }
 
 /** A convex polygon with any number of corners. */
@@ -29,7 +76,7 @@ export class Polygon extends BaseShape {
 
   /** @internal */
   readonly kind = 1;
-  /** @internal corners in body coordinates, [x, y] each, clockwise */
+  /** @internal corners in body coordinates, [x, y] each, clockwise; as `localEdges` and `offsets` shared with equal polygons, and never written to */
   vertices: Float64Array;
   /** @internal [x, y, nx, ny] per corner, body coordinates */
   localEdges: Float64Array;
@@ -39,7 +86,7 @@ export class Polygon extends BaseShape {
   offsets: Float64Array;
 
   /** @internal grows with every change of the geometry */
-  geometryStamp = 0;
+  geometryStamp = 1;
   /** @internal half of the least width; −1 if it has to be found */
   halfWidth = -1;
 
@@ -49,11 +96,11 @@ export class Polygon extends BaseShape {
     const given = options(where, params, true);
     const vertices = convexVertices(where, 'vertices', given.vertices);
     super(where, given);
-    this.vertices = vertices;
-    this.localEdges = doubles(vertices.length * 2);
+    const form = formOf(vertices);
+    this.vertices = form.vertices;
+    this.localEdges = form.localEdges;
     this.edges = doubles(vertices.length * 2);
-    this.offsets = doubles(vertices.length / 2);
-    this.refreshEdges();
+    this.offsets = form.offsets;
   }
 
   /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
@@ -66,14 +113,16 @@ export class Polygon extends BaseShape {
   }
 
   /** @internal */
-  takeVertices(checked: Float64Array): void {
-    if (checked.length !== this.vertices.length) {
-      this.localEdges = doubles(checked.length * 2);
-      this.edges = doubles(checked.length * 2);
-      this.offsets = doubles(checked.length / 2);
+  takeVertices(checked: ArrayLike<number>): void {
+    const { vertices, localEdges, offsets } = formOf(checked);
+    if (localEdges.length !== this.edges.length) {
+      this.edges = doubles(localEdges.length);
     }
-    this.vertices = checked;
-    this.refreshEdges();
+    this.vertices = vertices;
+    this.localEdges = localEdges;
+    this.offsets = offsets;
+    this.geometryStamp += 1;
+    this.halfWidth = -1;
   }
 
   override computeArea(): number {
@@ -87,9 +136,9 @@ export class Polygon extends BaseShape {
   override computeCenterOfMass(): Vec2;
   override computeCenterOfMass<T extends NumberSink>(dst: T): T;
   override computeCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
-    const centre = dst ?? ([0, 0] as Vec2);
+    const centre: Vec2 = [0, 0];
     polygonCentre(this.vertices, centre);
-    return centre;
+    return vec2(centre[0], centre[1], dst);
   }
 
   override clone(): this {
@@ -149,6 +198,11 @@ export class Polygon extends BaseShape {
   }
 
   /** @internal */
+  override isRound(): boolean {
+    return false;
+  }
+
+  /** @internal */
   override thickness(): number {
     if (this.halfWidth < 0) {
       this.halfWidth = this.leastWidth() / 2;
@@ -172,41 +226,18 @@ export class Polygon extends BaseShape {
   }
 
   /** @internal */
-  protected override scaleGeometry(scaleX: number, scaleY: number): void {
-    this.mapGeometry(scaleX, 0, 0, scaleY, 0, 0);
-  }
-
-  /** @internal */
-  protected override mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void {
-    const vertices = this.vertices;
-    for (let i = 0; i < vertices.length; i += 2) {
-      const x = vertices[i]!;
-      const y = vertices[i + 1]!;
-      vertices[i] = m0 * x + m2 * y + m4;
-      vertices[i + 1] = m1 * x + m3 * y + m5;
+  protected override mapGeometry(m: ArrayLike<number>): boolean {
+    const mapped = [...this.vertices];
+    for (let i = 0; i < mapped.length; i += 2) {
+      const x = mapped[i]!;
+      const y = mapped[i + 1]!;
+      mapped[i] = m[0]! * x + m[2]! * y + m[4]!;
+      mapped[i + 1] = m[1]! * x + m[3]! * y + m[5]!;
     }
-    this.refreshEdges();
-  }
-
-  private refreshEdges(): void {
-    this.geometryStamp += 1;
-    this.halfWidth = -1;
-    const vertices = this.vertices;
-    const length = vertices.length;
-    for (let i = 0; i < length; i += 2) {
-      const j = i + 2 === length ? 0 : i + 2;
-      const x = vertices[i]!;
-      const y = vertices[i + 1]!;
-      const ex = vertices[j]! - x;
-      const ey = vertices[j + 1]! - y;
-      const size = Math.sqrt(ex * ex + ey * ey);
-      const nx = ey / size;
-      const ny = -ex / size;
-      this.localEdges[2 * i] = x;
-      this.localEdges[2 * i + 1] = y;
-      this.localEdges[2 * i + 2] = nx;
-      this.localEdges[2 * i + 3] = ny;
-      this.offsets[i / 2] = nx * x + ny * y;
+    if (!mapped.every((value) => Math.abs(value) <= MAX_SIZE) || repeatedVertex(mapped) >= 0) {
+      return false;
     }
+    this.takeVertices(mapped);
+    return true;
   }
 }

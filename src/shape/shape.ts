@@ -1,5 +1,6 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { MAX_SIZE } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Hit } from '../contact/hit.js';
 import type { Outline } from '../geometry/outline.js';
@@ -9,7 +10,7 @@ import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import type { UserDataOf } from '../user-data.js';
-import { bits, boolean, callable, finite, instance, nonNegative, optional, vector } from '../validate.js';
+import { bits, boolean, callable, finite, instance, nonNegative, optional, rangeError, vector } from '../validate.js';
 import type { Circle } from './circle.js';
 import type { Polygon } from './polygon.js';
 
@@ -87,6 +88,8 @@ export abstract class BaseShape {
   owner: RigidBody | null = null;
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
+  /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
+  readonly partners: Shape[] = [];
   /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
@@ -99,6 +102,8 @@ export abstract class BaseShape {
   grounds: Arbiter | null = null;
   /** @internal */
   groundStamp = -1;
+  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
+  radius = 0;
   /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
   readonly bounds = doubles(4);
 
@@ -178,6 +183,8 @@ export abstract class BaseShape {
   /**
    * Scales about the body origin. A circle uses `scaleX` alone. Nothing happens for factors ≤ 0, during a step, or for a
    * static body in a world. Wakes the body.
+   *
+   * @throws RangeError, as `translate`, `rotate` and `transform`, if corners would coincide or be farther than 1e75 m from the body origin.
    */
   scale(scaleX: number, scaleY: number = scaleX): void {
     finite('Shape.scale', 'scaleX', scaleX);
@@ -185,8 +192,7 @@ export abstract class BaseShape {
     if (this.isLocked() || scaleX <= 0 || (this.type === 'POLYGON' && scaleY <= 0)) {
       return;
     }
-    this.scaleGeometry(scaleX, scaleY);
-    this.geometryChanged();
+    this.map('Shape.scale', 'scaleX', scaleX, [scaleX, 0, 0, this.type === 'POLYGON' ? scaleY : scaleX, 0, 0]);
   }
 
   /** Moves the shape within its body. Ignored during a step and for a static body in a world. Wakes the body. */
@@ -195,8 +201,7 @@ export abstract class BaseShape {
     if (this.isLocked()) {
       return;
     }
-    this.mapGeometry(1, 0, 0, 1, translation[0]!, translation[1]!);
-    this.geometryChanged();
+    this.map('Shape.translate', 'translation', translation, [1, 0, 0, 1, translation[0]!, translation[1]!]);
   }
 
   /** Turns the shape about the body origin, clockwise on screen. Ignored as `translate` is. Wakes the body. */
@@ -207,8 +212,7 @@ export abstract class BaseShape {
     }
     const c = cos(clockwiseRadians);
     const s = sin(clockwiseRadians);
-    this.mapGeometry(c, s, -s, c, 0, 0);
-    this.geometryChanged();
+    this.map('Shape.rotate', 'clockwiseRadians', clockwiseRadians, [c, s, -s, c, 0, 0]);
   }
 
   /**
@@ -220,7 +224,13 @@ export abstract class BaseShape {
     if (this.isLocked() || !(m[0]! * m[3]! - m[2]! * m[1]! > 0)) {
       return;
     }
-    this.mapGeometry(m[0]!, m[1]!, m[2]!, m[3]!, m[4]!, m[5]!);
+    this.map('Shape.transform', 'matrix', matrix, m);
+  }
+
+  private map(where: string, name: string, value: unknown, matrix: ArrayLike<number>): void {
+    if (!this.mapGeometry(matrix)) {
+      throw rangeError(where, name, `one that leaves points apart, and within ${MAX_SIZE} m`, value);
+    }
     this.geometryChanged();
   }
 
@@ -290,14 +300,14 @@ export abstract class BaseShape {
   /** @internal largest distance of a point of the shape from the body origin */
   abstract reach(): number;
 
+  /** @internal it looks the same however its body is turned */
+  abstract isRound(): boolean;
+
   /** @internal half of the least width */
   abstract thickness(): number;
 
-  /** @internal */
-  protected abstract scaleGeometry(scaleX: number, scaleY: number): void;
-
-  /** @internal */
-  protected abstract mapGeometry(m0: number, m1: number, m2: number, m3: number, m4: number, m5: number): void;
+  /** @internal by a matrix as that of `transform`. @returns `false`, without effect, if that would be no shape: too large, or with points that coincide. */
+  protected abstract mapGeometry(matrix: ArrayLike<number>): boolean;
 
   /** @internal options for `clone` */
   protected commonParams(): ShapeParams {

@@ -7,12 +7,15 @@ import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
-import { shareOf } from './point-joints.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
  * may be one-sided. As K is factored with it last, the other rows can be solved exactly for whatever it ends at.
  */
+
+/** What `multiplyRow` and `findLength` found: results would be boxed. */
+const product = new Float64Array(1);
+const length = new Float64Array(1);
 
 /** Which bodies it has, and the impulse to start with. */
 export function packBlock(data: SolverData, joint: Joint): void {
@@ -61,13 +64,16 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     r[at + layout.bias + last] = isSlack(r, joint, layout.error) ? r[at + layout.error + last]! / data.joints.h : 0;
   }
   if (r[at + j.PUSH] !== 0) {
-    noteError(data, index, lengthOf(r, at + layout.error, violatedRows(r, joint, layout.error)));
+    findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
+    noteError(data, index);
   }
   apply(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
 
-function noteError({ joints }: SolverData, index: number, error: number): void {
+/** Of the length that was found. */
+function noteError({ joints }: SolverData, index: number): void {
   const { worst, strained } = joints;
+  const error = length[0]!;
   worst[0] = Math.max(worst[0]!, error * error);
   if (error * error > worst[1]!) {
     strained[0] = Math.min(strained[0]!, index);
@@ -81,7 +87,8 @@ function foresee(data: SolverData, joint: Joint): void {
   const { at, layout } = joint;
   for (let n = 0; n < layout.rows; n += 1) {
     const e = at + layout.error + n;
-    r[e] = r[e]! + rowDot(data, joint, layout.jacobian, n, true);
+    multiplyRow(data, joint, layout.jacobian, n, true);
+    r[e] = r[e]! + product[0]!;
   }
 }
 
@@ -107,7 +114,8 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
     r[at + layout.high] = 0;
     r[last] = 0;
   }
-  const error = lengthOf(r, at + layout.error, rows);
+  findLength(r, at + layout.error, rows);
+  const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
     return;
@@ -120,12 +128,13 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   }
 }
 
-function lengthOf(r: Float64Array, from: number, count: number): number {
+/** Of so many numbers of a record, to `length`. */
+function findLength(r: Float64Array, from: number, count: number): void {
   let square = 0;
   for (let n = 0; n < count; n += 1) {
     square += r[from + n]! * r[from + n]!;
   }
-  return Math.sqrt(square);
+  length[0] = Math.sqrt(square);
 }
 
 /** K = J·M⁻¹·Jᵀ, factored. */
@@ -150,8 +159,8 @@ function writeMatrix(data: SolverData, joint: Joint, jacobian: number): void {
   factor(r, at + matrix, rows, MIN_INVERSE_MASS);
 }
 
-/** Row n of J, times velocities or times the motion of the sub-step. */
-function rowDot(data: SolverData, joint: Joint, jacobian: number, n: number, motion: boolean): number {
+/** Row n of J, times velocities or times the motion of the sub-step, to `product`. */
+function multiplyRow(data: SolverData, joint: Joint, jacobian: number, n: number, motion: boolean): void {
   const { records: r, bodies } = data.joints;
   const v = motion ? data.motion : data.velocity;
   const { at, layout, first } = joint;
@@ -162,7 +171,7 @@ function rowDot(data: SolverData, joint: Joint, jacobian: number, n: number, mot
     const p = at + jacobian + 3 * (n * members + k);
     sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
   }
-  return sum;
+  product[0] = sum;
 }
 
 /** Adds `scale` · M⁻¹·Jᵀ·λ, λ at the offset `from`, to velocities or to the motion of the sub-step. */
@@ -193,7 +202,8 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   const softness = r[at + j.SOFTNESS]!;
   const feedback = r[at + j.FEEDBACK]!;
   for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = -softness * (rowDot(data, joint, jacobian, n, false) + r[at + layout.bias + n]!);
+    multiplyRow(data, joint, jacobian, n, false);
+    r[at + work + n] = -softness * (product[0]! + r[at + layout.bias + n]!);
   }
   solve(r, joint, impulse, feedback);
   for (let n = 0; n < rows; n += 1) {
@@ -266,10 +276,11 @@ function isBroken(data: SolverData, joint: Joint): boolean {
     data.joints.break(joint);
     return true;
   }
-  const length = lengthOf(r, at + work, rows);
+  findLength(r, at + work, rows);
+  const size = length[0]!;
   const limit = r[at + j.LIMIT]!;
-  for (let n = 0; n < rows && length > limit; n += 1) {
-    r[at + work + n] = (r[at + work + n]! * limit) / length;
+  for (let n = 0; n < rows && size > limit; n += 1) {
+    r[at + work + n] = (r[at + work + n]! * limit) / size;
   }
   return false;
 }
@@ -287,12 +298,14 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     return false;
   }
   const violated = violatedRows(r, joint, layout.error);
-  const error = lengthOf(r, at + layout.error, violated);
+  findLength(r, at + layout.error, violated);
+  const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
     return false;
   }
-  if (r[at + j.TOUCHED] !== 0 && lengthOf(r, at + layout.push, rows) === 0) {
+  findLength(r, at + layout.push, rows);
+  if (r[at + j.TOUCHED] !== 0 && length[0] === 0) {
     r[at + j.CARRY] = (JOINT_MOMENTUM / data.joints.h) * shareMade(r, joint, violated);
     r.fill(0, at + layout.undone, at + layout.undone + rows);
   }
@@ -303,7 +316,8 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
   writeMatrix(data, joint, turned);
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
-    r[e] = r[e]! - rowDot(data, joint, turned, n, true);
+    multiplyRow(data, joint, turned, n, true);
+    r[e] = r[e]! - product[0]!;
   }
   return error > JOINT_TOLERANCE;
 }
@@ -336,7 +350,8 @@ export function pushBlock(data: SolverData, joint: Joint): void {
     return;
   }
   for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = -(r[at + layout.error + n]! + rowDot(data, joint, turned, n, true));
+    multiplyRow(data, joint, turned, n, true);
+    r[at + work + n] = -(r[at + layout.error + n]! + product[0]!);
   }
   solve(r, joint, push, 0);
   if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
@@ -350,6 +365,11 @@ export function pushBlock(data: SolverData, joint: Joint): void {
     r[at + push + n] = r[at + push + n]! + r[at + work + n]!;
   }
   apply(data, joint, turned, work, 1, true);
+}
+
+/** part / whole, not below 0 nor above 1. */
+function shareOf(part: number, whole: number): number {
+  return part <= 0 ? 0 : part < whole ? part / whole : 1;
 }
 
 /** The share of the error, of its first `count` rows, that is not the doing of contacts. */
@@ -372,7 +392,8 @@ export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boole
     return;
   }
   for (let n = 0; n < layout.rows; n += 1) {
-    const error = r[at + layout.error + n]! + rowDot(data, joint, layout.turned, n, true);
+    multiplyRow(data, joint, layout.turned, n, true);
+    const error = r[at + layout.error + n]! + product[0]!;
     const change = error - r[at + layout.left + n]!;
     r[at + layout.work + n] = change;
     r[at + layout.left + n] = error;
@@ -381,15 +402,16 @@ export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boole
     }
   }
   if (isAfterContacts) {
-    const undone = lengthOf(r, at + layout.work, violatedRows(r, joint, layout.left));
-    worst[0] = Math.max(worst[0]!, undone * undone);
+    findLength(r, at + layout.work, violatedRows(r, joint, layout.left));
+    worst[0] = Math.max(worst[0]!, length[0]! * length[0]!);
   }
 }
 
 /** The error noted last is above JOINT_OPEN. */
 export function isOpenBlock(r: Float64Array, joint: Joint): boolean {
   const { at, layout } = joint;
-  return r[at + j.PUSH] !== 0 && lengthOf(r, at + layout.left, violatedRows(r, joint, layout.left)) > JOINT_OPEN;
+  findLength(r, at + layout.left, violatedRows(r, joint, layout.left));
+  return r[at + j.PUSH] !== 0 && length[0]! > JOINT_OPEN;
 }
 
 /** A share of the error that a sub-step begins with makes no momentum. */
@@ -436,7 +458,8 @@ function breakByWhole(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = r[at + total + n]! + r[at + carried + n]!;
   }
-  constraint.strainedSteps = lengthOf(r, at + work, rows) > r[at + j.BREAK]! ? constraint.strainedSteps + 1 : 0;
+  findLength(r, at + work, rows);
+  constraint.strainedSteps = length[0]! > r[at + j.BREAK]! ? constraint.strainedSteps + 1 : 0;
   if (constraint.strainedSteps >= BREAK_STEPS) {
     data.joints.break(joint);
   }

@@ -67,7 +67,7 @@ export function planBounces(data: SolverData, h: number): void {
     const shift = list.shift[k]!;
     const elasticity = list.elasticity[k]!;
     const comes = normalVelocity(data, batch, record, shift);
-    list.bias[k] = 0;
+    list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
     if (elasticity * comes < -BOUNCE_THRESHOLD) {
       const s = separation(data, batch, record, shift);
       const { records: r, bodies, stride } = batch;
@@ -89,10 +89,12 @@ export function planBounces(data: SolverData, h: number): void {
 export function applyBounces(data: SolverData): void {
   const list = data.bounces;
   for (let k = 0; k < list.count; k += 1) {
-    if (list.bias[k] !== 0) {
+    const bias = list.bias[k]!;
+    if (bias !== 0) {
       const r = list.twoPoint[k] === 1 ? data.two.records : data.one.records;
       const record = list.record[k]!;
-      r[record + list.shift[k]! + d.BIAS1] = list.bias[k]! + r[record + d.SURFACE_N]!;
+      const at = record + list.shift[k]! + d.BIAS1;
+      r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
   }
 }

@@ -13,8 +13,8 @@ export function warmStartContacts(data: SolverData, h: number, isFirst: boolean)
 export function solveVelocityContacts(data: SolverData): void {
   solveVelocityTwo(data, 0, data.two.count);
   solveVelocityOne(data, 0, data.one.count);
-  const { hard } = data;
-  for (let i = 0; i < hard.length; i += 4) {
+  const { hard, hardCount } = data;
+  for (let i = 0; i < hardCount; i += 4) {
     for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
       solveVelocityTwo(data, hard[i]!, hard[i + 1]!);
       solveVelocityOne(data, hard[i + 2]!, hard[i + 3]!);
@@ -27,8 +27,8 @@ export function solvePositionContacts(data: SolverData): boolean {
   data.crowded = false;
   const pushedTwo = solvePositionTwo(data, 0, data.two.count);
   const pushedOne = solvePositionOne(data, 0, data.one.count);
-  const { hard } = data;
-  for (let i = 0; i < hard.length && (pushedTwo || pushedOne); i += 4) {
+  const { hard, hardCount } = data;
+  for (let i = 0; i < hardCount && (pushedTwo || pushedOne); i += 4) {
     for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
       solvePositionTwo(data, hard[i]!, hard[i + 1]!);
       solvePositionOne(data, hard[i + 2]!, hard[i + 3]!);

@@ -1,3 +1,5 @@
+import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
 import { CLOSING_ROUNDS, CONTESTED_KEEP, JOINT_CONTESTED, JOINT_OPEN } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { isOpenBlock, lineariseBlock, noteBlock, pushBlock } from './block-joints.js';
@@ -17,7 +19,8 @@ export function noteErrors(data: SolverData, { runs }: Group, isAfterContacts: b
   if (!isTouched) {
     return;
   }
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
       notePoints(data, start, end, isAfterContacts);
     } else {
@@ -93,13 +96,27 @@ function closeOnce(data: SolverData, { start, end }: Group): boolean {
 function isOpen({ joints: { records } }: SolverData, joint: Joint): boolean {
   const { kernel, at, constraint } = joint;
   const isFar = kernel === POINT ? isOpenPoint(records, at) : kernel !== CUSTOM && isOpenBlock(records, joint);
-  return isFar && constraint.members.every((body) => body.inverseMass() > 0) && !hasContact(constraint);
+  return isFar && constraint.members.every(canBeMoved) && !hasContact(constraint);
+}
+
+function canBeMoved(body: RigidBody): boolean {
+  body.refreshMass();
+  return body.kind === DYNAMIC && body.mass > 0 && body.mass < Infinity;
 }
 
 /** Between its own bodies. */
 function hasContact({ members }: Constraint): boolean {
-  const pairs = members.flatMap(({ shapes }) => shapes.flatMap(({ arbiters }) => arbiters));
-  return pairs.some(
-    (pair) => pair.isSolved() && members.includes(pair.shapeA.owner!) && members.includes(pair.shapeB.owner!),
-  );
+  for (let i = 0; i < members.length; i += 1) {
+    const { shapes } = members[i]!;
+    for (let k = 0; k < shapes.length; k += 1) {
+      const { arbiters } = shapes[k]!;
+      for (let n = 0; n < arbiters.length; n += 1) {
+        const pair = arbiters[n]!;
+        if (pair.isSolved() && members.includes(pair.shapeA.owner!) && members.includes(pair.shapeB.owner!)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
 }

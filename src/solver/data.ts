@@ -213,8 +213,12 @@ export class SolverData {
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();
-  /** Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. */
+  /**
+   * Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. What lies beyond
+   * the count is old: shortening the list would cost its storage.
+   */
   readonly hard: number[] = [];
+  hardCount = 0;
   /** Set by a position iteration in which circles overlapped deeply. */
   crowded = false;
   /** s. Length of the sub-steps of the last step … */

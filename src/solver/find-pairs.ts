@@ -1,10 +1,9 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { visibleTurn } from '../collide/along.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { approachSpeed } from '../contact/hit.js';
+import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { overlap, touch } from '../contact/touch.js';
 import { IN_STEP, isHitHeard } from '../events/events.js';
@@ -153,11 +152,6 @@ function interact(world: World, pair: Arbiter): void {
   }
 }
 
-/** How hard a collision begins has to be found out before it is solved. */
-export function noteApproach(pair: Arbiter): void {
-  pair.manifold.numbers[c.APPROACH] = approachSpeed(pair);
-}
-
 /**
  * Surfaces that are near each other are given to the solver. Not if one belongs to a sleeping dynamic body, which could not
  * give way, nor if `preSolve` handlers have to be asked first; and what passes a static or kinematic body fast only if it will meet it, as its
@@ -184,7 +178,7 @@ function isForeseen({ shapeA, shapeB, manifold }: Arbiter, dt: number): boolean 
   return (
     (a.kind !== DYNAMIC || b.kind !== DYNAMIC) &&
     manifold.numbers[c.ELASTICITY]! <= 0 &&
-    visibleTurn(shapeA, a.w, shapeB, b.w) * dt <= SOLVED_TURN &&
+    ((shapeA.isRound() ? 0 : Math.abs(a.w)) + (shapeB.isRound() ? 0 : Math.abs(b.w))) * dt <= SOLVED_TURN &&
     (goesFar(a, a.vx * dt, a.vy * dt, a.w * dt) || goesFar(b, b.vx * dt, b.vy * dt, b.w * dt))
   );
 }

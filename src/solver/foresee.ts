@@ -1,9 +1,10 @@
 import type { RigidBody } from '../body.js';
 import { STATIC } from '../body-kind.js';
-import { roundness, visibleTurn } from '../collide/along.js';
+import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
 import { isHitHeard } from '../events/events.js';
@@ -11,7 +12,7 @@ import { asksFirst } from '../events/pre-solve.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { canGiveWay, noteApproach } from './find-pairs.js';
+import { canGiveWay } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings } from './meetings.js';
 import { goesFar, type Mover } from './movers.js';
@@ -27,20 +28,11 @@ export function foresee(world: World, dt: number): void {
   const average = (world.substeps + 1) / (2 * world.substeps);
   movers.ahead = dt;
   movers.gain = average * dt;
-  const pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
+  movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
-    const body = world.liveDynamics[i]!;
-    const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
-    if (speed * dt > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
-      foreseeFalling(world, body);
-    }
+    foreseeDynamic(world, world.liveDynamics[i]!);
   }
-  for (let i = 0; i < world.liveKinematics.length; i += 1) {
-    const body = world.liveKinematics[i]!;
-    if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
-      movers.add(body).aim(body, movers);
-    }
-  }
+  foreseeKinematics(world, dt);
   if (movers.count > 0) {
     findMeetings(world, FORESIGHT_DEPTH);
     const { meetings } = movers;
@@ -58,6 +50,24 @@ export function foresee(world: World, dt: number): void {
   }
   world.closing.length = 0;
   movers.clear();
+}
+
+/** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */
+function foreseeDynamic(world: World, body: RigidBody): void {
+  const { ahead, pull } = world.movers;
+  const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
+  if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
+    foreseeFalling(world, body);
+  }
+}
+
+function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void {
+  for (let i = 0; i < liveKinematics.length; i += 1) {
+    const body = liveKinematics[i]!;
+    if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
+      movers.add(body).aim(body, movers);
+    }
+  }
 }
 
 /** Of a dynamic body, with what forces add on the average of the step. */
@@ -131,7 +141,7 @@ function open(world: World, { a, b, time }: Meeting): void {
   }
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
-  if (visibleTurn(a, one.spin, b, two.spin) > SOLVED_TURN) {
+  if ((a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin) > SOLVED_TURN) {
     return;
   }
   openAt(world, pair, one, two, time);
@@ -144,10 +154,8 @@ function openAtEnd(world: World, pair: Arbiter): void {
 
 function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: number): void {
   const { shapeA: a, shapeB: b } = pair;
-  const movers = one.body.kind === STATIC ? [two] : two.body.kind === STATIC ? [one] : [one, two];
-  for (const mover of movers) {
-    mover.putAt(time);
-  }
+  putAt(one, time);
+  putAt(two, time);
   a.place(one.body);
   b.place(two.body);
   if (!touch(pair) && time < 1) {
@@ -158,15 +166,20 @@ function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: numbe
     noteApproach(pair);
   }
   moveBack(pair, one, two, time);
-  for (const mover of movers) {
-    mover.putAt(0);
-  }
+  putAt(one, 0);
+  putAt(two, 0);
   a.place(one.body);
   b.place(two.body);
   pair.near = pair.manifold.count > 0;
   pair.foreseen = pair.near;
   one.body.turnAhead = one.turn;
   two.body.turnAhead = two.turn;
+}
+
+function putAt(mover: Mover, time: number): void {
+  if (mover.body.kind !== STATIC) {
+    mover.putAt(time);
+  }
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */

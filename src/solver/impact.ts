@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -13,7 +14,6 @@ import type { World } from '../world.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import { noteApproach } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
@@ -115,10 +115,14 @@ const inverse = { massA: 0.5, massB: 0.5, inertiaA: 0.5, inertiaB: 0.5 };
  */
 export function solveImpact(world: World, pair: Arbiter): void {
   const { numbers: n, count } = pair.manifold;
-  inverse.massA = pair.bodyA.inverseMass();
-  inverse.massB = pair.bodyB.inverseMass();
-  inverse.inertiaA = pair.bodyA.inverseInertia();
-  inverse.inertiaB = pair.bodyB.inverseInertia();
+  const { bodyA: a, bodyB: b } = pair;
+  a.refreshMass();
+  b.refreshMass();
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+  inverse.massA = a.kind === DYNAMIC && a.mass > 0 ? 1 / a.mass : 0;
+  inverse.massB = b.kind === DYNAMIC && b.mass > 0 ? 1 / b.mass : 0;
+  inverse.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
+  inverse.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
   for (let which = 0; which < 2; which += 1) {
     const point = points[which]!;
     point.isUsed = which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP;
@@ -126,10 +130,12 @@ export function solveImpact(world: World, pair: Arbiter): void {
       setPoint(world.solver, pair, which);
     }
   }
-  for (let i = 0; i < IMPACT_ITERATIONS; i += 1) {
+  let isSolved = false;
+  for (let i = 0; i < IMPACT_ITERATIONS && !isSolved; i += 1) {
+    isSolved = true;
     for (let which = 0; which < 2; which += 1) {
-      if (points[which]!.isUsed) {
-        solvePoint(pair, points[which]!);
+      if (points[which]!.isUsed && solvePoint(pair, points[which]!)) {
+        isSolved = false;
       }
     }
   }
@@ -220,18 +226,23 @@ function setPoint(data: SolverData, pair: Arbiter, which: number): void {
 }
 
 /**
- * The velocity that a bounce ends with, with the sign changed. A velocity that the next sub-step starts from is by half of what forces add in one
- * behind the true one: so that is added for the bounce, which keeps the height of a bouncing ball.
+ * The least velocity that a bounce ends with, with the sign changed: −e times the one before, also for a point that is leaving and that the bounce of
+ * another turns back, to bounce in its turn (Moreau 1988). If it had to keep from coming back, both would leave faster than they came.
+ * A velocity that the next sub-step starts from is by half of what forces add in one behind the true one: so that is added for the bounce, which
+ * keeps the height of a bouncing ball.
  */
 function bounceSpeed(elasticity: number, comes: number, gain: number): number {
-  return elasticity * comes < -BOUNCE_THRESHOLD ? elasticity * (comes + 0.5 * gain) + 0.5 * gain : 0;
+  const leaves = elasticity * comes;
+  return leaves > BOUNCE_THRESHOLD ? leaves : leaves < -BOUNCE_THRESHOLD ? leaves + 0.5 * (elasticity + 1) * gain : 0;
 }
 
-function solvePoint(pair: Arbiter, point: Point): void {
+/** @returns whether that changed an impulse. */
+function solvePoint(pair: Arbiter, point: Point): boolean {
   const { bodyA: a, bodyB: b } = pair;
   const nx = pair.manifold.numbers[g.NX]!;
   const ny = pair.manifold.numbers[g.NY]!;
   measureRelative(pair, point);
+  const { tangent: before } = point;
   const limit = point.friction * point.normal;
   const slide = nx * relative.y - ny * relative.x - (a.surfaceX + b.surfaceX);
   const tangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
@@ -242,10 +253,12 @@ function solvePoint(pair: Arbiter, point: Point): void {
   measureRelative(pair, point);
   const approach = nx * relative.x + ny * relative.y + point.leave;
   const normal = Math.max(0, point.normal - approach * point.normalMass);
+  const hasChanged = tangent !== before || normal !== point.normal;
   impulse.x = nx * (normal - point.normal);
   impulse.y = ny * (normal - point.normal);
   push(pair, point);
   point.normal = normal;
+  return hasChanged;
 }
 
 /** Gives B the impulse and A the opposite. */

@@ -1,7 +1,10 @@
 import { REST_DAMPING, REST_SPEED } from '../config.js';
-import { cos, sin } from '../math/trig.js';
+import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
+
+/** Angle, cosine, sine: scratch of `advance`. */
+const turned = new Float64Array(3);
 
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function integrateVelocities(data: SolverData): void {
@@ -63,8 +66,10 @@ export function advance(data: SolverData): void {
       v[i + d.COS_LESS_ONE] = s * (-1 / 2 + s * (1 / 24 - s * (1 / 720 - s / 40320)));
       v[i + d.SIN] = turn * (1 - s * (1 / 6 - s * (1 / 120 - s * (1 / 5040 - s / 362880))));
     } else {
-      v[i + d.COS_LESS_ONE] = cos(turn) - 1;
-      v[i + d.SIN] = sin(turn);
+      turned[0] = turn;
+      cosSin(turned);
+      v[i + d.COS_LESS_ONE] = turned[1]! - 1;
+      v[i + d.SIN] = turned[2]!;
     }
   }
 }

@@ -71,17 +71,17 @@ export function sleepIslands(world: World, dt: number): void {
   if (!world.allowSleeping || count + world.liveConstraints.length === 0) {
     return;
   }
-  for (const body of live) {
+  for (let i = 0; i < live.length; i += 1) {
+    const body = live[i]!;
     body.refreshMass();
     if (!isAtRest(body, dt)) {
       body.wakeTime = stamp;
     }
   }
-  for (const constraint of world.liveConstraints) {
-    if (isDriven(world, constraint)) {
-      forLiveMembers(constraint, (body) => {
-        body.wakeTime = stamp;
-      });
+  const { liveConstraints } = world;
+  for (let i = 0; i < liveConstraints.length; i += 1) {
+    if (isDriven(world, liveConstraints[i]!)) {
+      keepAwake(liveConstraints[i]!, stamp);
     }
   }
   const work = world.islandWork;
@@ -118,19 +118,23 @@ function isDriven(world: World, { members }: Constraint): boolean {
   );
 }
 
-function forLiveMembers({ members }: Constraint, action: (body: RigidBody) => void): void {
-  for (const body of members) {
+function keepAwake({ members }: Constraint, stamp: number): void {
+  for (let i = 0; i < members.length; i += 1) {
+    const body = members[i]!;
     if (body.kind === DYNAMIC && body.liveIndex >= 0) {
-      action(body);
+      body.wakeTime = stamp;
     }
   }
 }
 
 function joinTied(world: World, work: IslandWork): void {
-  for (const constraint of world.liveConstraints) {
-    if (acts(world, constraint)) {
+  const { liveConstraints } = world;
+  for (let i = 0; i < liveConstraints.length; i += 1) {
+    const { members } = liveConstraints[i]!;
+    if (acts(world, liveConstraints[i]!)) {
       let joined = -1;
-      for (const body of constraint.members) {
+      for (let k = 0; k < members.length; k += 1) {
+        const body = members[k]!;
         if (body.kind === DYNAMIC && body.liveIndex >= 0) {
           if (joined >= 0) {
             work.join(joined, body.liveIndex);
@@ -157,7 +161,9 @@ function sleepIdle(world: World): void {
 /** Joins what touches; what touches a kinematic body that moves, or was just put there, is not at rest. */
 function joinTouching(world: World, work: IslandWork): void {
   const stamp = world.timeStamp;
-  for (const pair of world.pairs.sorted) {
+  const { sorted } = world.pairs;
+  for (let i = 0; i < sorted.length; i += 1) {
+    const pair = sorted[i]!;
     if (pair.isSolid()) {
       const a = pair.bodyA;
       const b = pair.bodyB;

@@ -14,14 +14,15 @@ const around = new Float64Array(3);
 
 /** Placements of the awake bodies as the step begins. */
 export function packPoses(world: World): void {
+  const { liveDynamics, liveKinematics } = world;
   const { pose } = world.solver;
   pose.fill(0, 0, POSE);
   pose[COS] = 1;
-  for (const body of world.liveDynamics) {
-    writePose(body, pose, body.slot * POSE);
+  for (let i = 0; i < liveDynamics.length; i += 1) {
+    writePose(liveDynamics[i]!, pose, liveDynamics[i]!.slot * POSE);
   }
-  for (const body of world.liveKinematics) {
-    writePose(body, pose, body.slot * POSE);
+  for (let i = 0; i < liveKinematics.length; i += 1) {
+    writePose(liveKinematics[i]!, pose, liveKinematics[i]!.slot * POSE);
   }
 }
 
@@ -141,7 +142,8 @@ export function measure(data: SolverData, joint: Joint, jacobian: number, moving
 function mergeTwins(data: SolverData, joint: Joint, jacobian: number): void {
   const { records: r } = data.joints;
   const { at, layout, twins } = joint;
-  for (const [one, other] of twins) {
+  for (let i = 0; i < twins.length; i += 1) {
+    const [one, other] = twins[i]!;
     for (let n = 0; n < layout.rows; n += 1) {
       const row = at + jacobian + 3 * n * layout.members;
       for (let c = 0; c < 3; c += 1) {

@@ -56,7 +56,8 @@ function packJoints(world: World, h: number): void {
     // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
     joints.fetchAll();
   }
-  for (const { kernel, start, end } of joints.runs) {
+  for (let i = 0; i < joints.runs.length; i += 1) {
+    const { kernel, start, end } = joints.runs[i]!;
     for (let k = start; k < end && (isTouched || kernel !== POINT); k += 1) {
       packJoint(data, joints.joints[k]!);
     }
@@ -135,7 +136,8 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     worst[1] = group.tolerance * group.tolerance;
     strained[0] = group.end;
     strained[1] = group.start;
-    for (const { kernel, start, end } of group.runs) {
+    for (let n = 0; n < group.runs.length; n += 1) {
+      const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
         warmStartPoints(data, start, end);
       } else {
@@ -218,7 +220,8 @@ function solveVelocityRun(data: SolverData, kernel: number, start: number, end: 
 /** Custom constraints, whose callbacks are called once in each iteration. */
 function solveVelocityCustoms(data: SolverData): void {
   const { runs, joints } = data.joints;
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel === CUSTOM; k += 1) {
       solveVelocityBlock(data, joints[k]!);
     }
@@ -284,7 +287,8 @@ function pushRunFurther(data: SolverData, kernel: number, start: number, end: nu
 function linearise(data: SolverData, { runs }: Group): boolean {
   const { joints } = data.joints;
   let found = false;
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
       found = lineariseBlock(data, joints[k]!) || found;
     }
@@ -295,7 +299,8 @@ function linearise(data: SolverData, { runs }: Group): boolean {
 function pushCustoms(data: SolverData): boolean {
   const { runs, joints, records } = data.joints;
   let found = false;
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel === CUSTOM; k += 1) {
       const joint = joints[k]!;
       lineariseBlock(data, joint);
@@ -312,7 +317,8 @@ function finishJoints(data: SolverData): void {
   for (let k = 0; k < groups.length; k += 1) {
     dropMomentum(data, groups[k]!);
   }
-  for (const { kernel, start, end } of runs) {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
       finishPoints(data, start, end);
     } else {
@@ -336,7 +342,8 @@ function storeJoints(world: World): void {
   const { joints } = data;
   hidePoses(data);
   joints.solved += 1;
-  for (const { kernel, start, end } of joints.runs) {
+  for (let i = 0; i < joints.runs.length; i += 1) {
+    const { kernel, start, end } = joints.runs[i]!;
     for (let k = start; k < end && kernel !== POINT; k += 1) {
       storeBlock(data, joints.joints[k]!);
     }
@@ -345,10 +352,11 @@ function storeJoints(world: World): void {
 }
 
 function breakJoints(world: World, joints: JointData): void {
-  for (const { constraint } of joints.broken) {
-    world.breakConstraint(constraint);
+  const { broken } = joints;
+  for (let i = 0; i < broken.length; i += 1) {
+    world.breakConstraint(broken[i]!.constraint);
   }
-  joints.broken.length = 0;
+  broken.length = 0;
 }
 
 /** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */

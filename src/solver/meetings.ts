@@ -1,6 +1,4 @@
-import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
-import { visibleTurn } from '../collide/along.js';
 import { impactDepth } from '../collide/gap.js';
 import { CLEARANCE, DEEPER_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -22,6 +20,8 @@ sweep.tolerance = SWEEP_TOLERANCE;
 sweep.most = 1;
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
+/** m. What `findLeast` found. */
+const least = new Float64Array(1);
 
 export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
@@ -173,7 +173,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
     return;
   }
   const pair = pairs.find(a, b);
-  if (isKnown(pair, movers, depth) || !(isSensed(a, b) || canPush(a.owner!) || canPush(b.owner!))) {
+  if (isKnown(pair, movers, depth) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
   if (pair?.foreseen) {
@@ -252,22 +252,18 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  const spin = visibleTurn(pair.shapeA, a.spin, pair.shapeB, b.spin);
-  return !pair.foreseen && spin * way < leastDepth(pair.shapeA, pair.shapeB, depth);
+  const spin = (pair.shapeA.isRound() ? 0 : a.spin) + (pair.shapeB.isRound() ? 0 : b.spin);
+  findLeast(pair.shapeA, pair.shapeB, depth);
+  return !pair.foreseen && spin * way < least[0]!;
 }
 
 function isJointed(a: Shape, b: Shape): boolean {
   return a.owner!.constraints.length + b.owner!.constraints.length > 0;
 }
 
-/** How deep two shapes have to get for an impact: jointed bodies more, as stopping one of them alone opens its joints. */
-function leastDepth(a: Shape, b: Shape, depth: number): number {
-  return (isJointed(a, b) ? JOINT_PATIENCE : 1) * impactDepth(a, b, depth);
-}
-
-/** An impulse has an effect on the body. */
-function canPush(body: RigidBody): boolean {
-  return body.inverseMass() > 0 || body.inverseInertia() > 0;
+/** How deep two shapes have to get for an impact, to `least`: jointed bodies more, as stopping one of them alone opens its joints. */
+function findLeast(a: Shape, b: Shape, depth: number): void {
+  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * impactDepth(a, b, depth);
 }
 
 /**
@@ -290,14 +286,14 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  const least = leastDepth(a, b, depth);
-  sweep.target = -Math.min(TOUCH_DEPTH, least / 2);
+  findLeast(a, b, depth);
+  sweep.target = -Math.min(TOUCH_DEPTH, least[0]! / 2);
   if (!findImpact(sweep)) {
     return false;
   }
   const { time } = sweep;
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
-  sweep.target = Math.min(-least, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least));
+  sweep.target = Math.min(-least[0]!, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least[0]!));
   sweep.from = time;
   const isDeep = findImpact(sweep);
   meeting.time = time > now && !isJointed(a, b) ? time : sweep.time;

@@ -253,6 +253,8 @@ export class Movers {
   ahead = 0;
   /** s. So long what forces give a body acts on the average of that step. */
   gain = 0;
+  /** m/s. What gravity may add to a velocity, on that average. */
+  pull = 0;
   /** The meetings that are looked for do not come before this time. */
   now = 0;
 

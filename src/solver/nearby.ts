@@ -1,13 +1,11 @@
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 
 /** What was found last. What lies beyond the count is left from before: shortening the list would cost its storage. */
 export const nearby: Shape[] = [];
 let count = 0;
-
-/** More are sorted by the library, which needs room for that. */
-const FEW = 64;
 
 function gather(handle: BroadphaseHandle): void {
   nearby[count] = handle.data as Shape;
@@ -25,27 +23,10 @@ export function findNearby({ broadphase }: World, bounds: Float64Array, all: boo
   } else {
     broadphase.sampleStatic(bounds, gather);
   }
-  if (count > FEW) {
-    nearby.length = count;
-    nearby.sort(compare);
-  } else {
-    sortFew();
-  }
+  sortFirst(nearby, count, hasLowerId);
   return count;
 }
 
-function compare(a: Shape, b: Shape): number {
-  return a.id - b.id;
-}
-
-function sortFew(): void {
-  for (let i = 1; i < count; i += 1) {
-    const shape = nearby[i]!;
-    let k = i;
-    while (k > 0 && nearby[k - 1]!.id > shape.id) {
-      nearby[k] = nearby[k - 1]!;
-      k -= 1;
-    }
-    nearby[k] = shape;
-  }
+function hasLowerId(a: Shape, b: Shape): boolean {
+  return a.id < b.id;
 }

@@ -18,7 +18,6 @@ import {
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
-import type { Circle } from '../shape/circle.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -33,7 +32,8 @@ import * as d from './data.js';
 export function packContacts(data: SolverData, pairs: readonly Arbiter[], stamp: number): void {
   const solved = data.solved;
   let count = 0;
-  for (const pair of pairs) {
+  for (let i = 0; i < pairs.length; i += 1) {
+    const pair = pairs[i]!;
     if (pair.isSolved()) {
       solved[count] = pair;
       count += 1;
@@ -42,7 +42,7 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[], stamp:
   data.one.count = 0;
   data.two.count = 0;
   data.bounces.count = 0;
-  data.hard.length = 0;
+  data.hardCount = 0;
   for (let start = 0; start < count; start += d.WINDOW) {
     const end = Math.min(count, start + d.WINDOW);
     const fromTwo = data.two.count;
@@ -53,10 +53,19 @@ export function packContacts(data: SolverData, pairs: readonly Arbiter[], stamp:
       }
     }
     if (isHard(solved, start, end, stamp)) {
-      data.hard.push(fromTwo, data.two.count, fromOne, data.one.count);
+      noteHard(data, fromTwo, fromOne);
+      data.hardCount += 4;
     }
   }
   data.drive[d.TOUCHED] = 0;
+}
+
+/** Of the contacts so far, all of two points and of one from these on. */
+function noteHard({ hard, hardCount, two, one }: SolverData, fromTwo: number, fromOne: number): void {
+  hard[hardCount] = fromTwo;
+  hard[hardCount + 1] = two.count;
+  hard[hardCount + 2] = fromOne;
+  hard[hardCount + 3] = one.count;
 }
 
 /**
@@ -220,10 +229,10 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.PIVOT_A] = rtA;
   r[at + d.PIVOT_B] = rtB;
   if (shapeA.kind !== POLYGON) {
-    r[at + d.PIVOT_A] = rtA - (shapeA as Circle).radius - 0.5 * separation;
+    r[at + d.PIVOT_A] = rtA - shapeA.radius - 0.5 * separation;
   }
   if (shapeB.kind !== POLYGON) {
-    r[at + d.PIVOT_B] = rtB + (shapeB as Circle).radius + 0.5 * separation;
+    r[at + d.PIVOT_B] = rtB + shapeB.radius + 0.5 * separation;
   }
 
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;

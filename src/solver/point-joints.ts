@@ -1,7 +1,7 @@
 import { JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
-import { cos, cosSin, sin } from '../math/trig.js';
+import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import type { Joint } from './joint-data.js';
@@ -200,11 +200,6 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
   }
 }
 
-/** part / whole, not below 0 nor above 1. */
-export function shareOf(part: number, whole: number): number {
-  return part <= 0 ? 0 : part < whole ? part / whole : 1;
-}
-
 /** Of joints in contact: notes the error that is left and, if contacts were solved since the last note, what they made of it. */
 export function notePoints(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
   const { records: r, bodies, joints, worst } = data.joints;
@@ -214,10 +209,14 @@ export function notePoints(data: SolverData, start: number, end: number, isAfter
     if (r[i + j.POINT_TOUCHED] !== 0) {
       const a = bodies[first]!;
       const b = bodies[first + 1]!;
-      const ca = cos(q[a + d.QW]!) - 1;
-      const sa = sin(q[a + d.QW]!);
-      const cb = cos(q[b + d.QW]!) - 1;
-      const sb = sin(q[b + d.QW]!);
+      turn[0] = q[a + d.QW]!;
+      cosSin(turn);
+      const ca = turn[1]! - 1;
+      const sa = turn[2]!;
+      turn[0] = q[b + d.QW]!;
+      cosSin(turn);
+      const cb = turn[1]! - 1;
+      const sb = turn[2]!;
       const ax = r[i + j.ARM_AX]!;
       const ay = r[i + j.ARM_AY]!;
       const bx = r[i + j.ARM_BX]!;
@@ -294,7 +293,9 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     }
     if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
       const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
-      r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * shareOf(made, square);
+      // As `shareOf`, which called from here would have to box its numbers.
+      const share = made <= 0 ? 0 : made < square ? made / square : 1;
+      r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * share;
       r[i + j.UNDONE_X] = 0;
       r[i + j.UNDONE_Y] = 0;
     }

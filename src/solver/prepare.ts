@@ -5,6 +5,7 @@ import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
+import { holdWild } from './freeze.js';
 import { packContacts } from './pack-contacts.js';
 
 /** Packs awake bodies, live constraints and accepted contacts for sub-steps of length h. */
@@ -30,7 +31,8 @@ function packBodies(world: World, h: number): void {
   let slot = 1;
   let drag = -1;
   let keep = 1;
-  for (const body of dynamics) {
+  for (let i = 0; i < dynamics.length; i += 1) {
+    const body = dynamics[i]!;
     if (body.linearDrag !== drag) {
       drag = body.linearDrag;
       keep = keepAfter(drag, h);
@@ -47,15 +49,18 @@ function packBodies(world: World, h: number): void {
     drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : keep;
     drive[at + d.KEEP_ANGULAR] =
       invInertia === 0 ? 1 : body.angularDrag === drag ? keep : keepAfter(body.angularDrag, h);
+    holdWild(world, body);
     slot += 1;
   }
-  for (const body of kinematics) {
+  for (let i = 0; i < kinematics.length; i += 1) {
+    const body = kinematics[i]!;
     packBody(data, body, slot);
     const at = slot * d.BODY_STRIDE;
     data.drive.fill(0, at, at + d.BODY_STRIDE);
     data.drive[at + d.KEEP_LINEAR] = 1;
     data.drive[at + d.KEEP_ANGULAR] = 1;
     data.drive[at + d.REST_RADIUS] = -1;
+    holdWild(world, body);
     slot += 1;
   }
 }

@@ -17,8 +17,9 @@ export function widened(shape: Shape): Float64Array {
 /** The beginning of a step: everything is where it is, and what woke since the last one is told. */
 export function refreshMoved(world: World): void {
   refreshBodies(world);
-  for (const body of world.liveDynamics) {
-    body.refreshMass();
+  const { liveDynamics } = world;
+  for (let i = 0; i < liveDynamics.length; i += 1) {
+    liveDynamics[i]!.refreshMass();
   }
   world.events.noteWoken(world);
 }
@@ -40,7 +41,9 @@ function refreshBodies(world: World): void {
     }
     body.place();
     body.placeStale = false;
-    for (const shape of body.shapes) {
+    const { shapes } = body;
+    for (let k = 0; k < shapes.length; k += 1) {
+      const shape = shapes[k]!;
       broadphase.update(shape.handle!, widened(shape), body.asleep);
     }
   }

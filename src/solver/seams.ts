@@ -21,8 +21,17 @@ const SAME_DIRECTION = 1 - 1e-10;
 /** m. How far an edge is followed to see whether it comes into the open. */
 const OPEN_WAY = 4 * FLUSH_TOLERANCE;
 
+/** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
+class Spot {
+  x = 0.5;
+  y = 0.5;
+}
+
 /** The direction that was found for a contact, from the ground to the body: scratch. */
-const up = { x: 0, y: 0 };
+const up = new Spot();
+/** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
+const point = new Spot();
+const asked = new Float64Array(2);
 const bounds = new Float64Array(4);
 
 /** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
@@ -120,7 +129,7 @@ function turn(pair: Arbiter): void {
  */
 function isBelow(pair: Arbiter, other: Arbiter): boolean {
   findFace(other);
-  return !carriesUp(pair) && step(groundOf(other), groundOf(pair)) <= FLUSH_TOLERANCE;
+  return !carriesUp(pair) && !standsOut(groundOf(other), groundOf(pair));
 }
 
 /** Whether a contact has the direction that was found. */
@@ -148,11 +157,11 @@ function findFace(pair: Arbiter): void {
   }
 }
 
-/** By how much a static shape stands out of another, upwards. */
-function step(from: Shape, to: Shape): number {
+/** Whether a static shape stands out of another, upwards. */
+function standsOut(from: Shape, to: Shape): boolean {
   const dx = to.owner!.x - from.owner!.x;
   const dy = to.owner!.y - from.owner!.y;
-  return reachAlong(to, up.x, up.y) + up.x * dx + up.y * dy - reachAlong(from, up.x, up.y);
+  return reachAlong(to, up.x, up.y) + up.x * dx + up.y * dy - reachAlong(from, up.x, up.y) > FLUSH_TOLERANCE;
 }
 
 /**
@@ -207,7 +216,9 @@ function liesWithin({ manifold: m, bodyA }: Arbiter, ground: Polygon, other: Pol
       const half = (isSecond ? 0.5 : -0.5) * separation;
       point.x = n[g.X0 + at]! + half * n[g.NX]! - (isSecond ? n[g.DX]! : 0);
       point.y = n[g.Y0 + at]! + half * n[g.NY]! - (isSecond ? n[g.DY]! : 0);
-      if (!isWithin(other, ground, point.x, point.y)) {
+      asked[0] = point.x;
+      asked[1] = point.y;
+      if (!isWithin(other, ground)) {
         return false;
       }
     }
@@ -215,27 +226,31 @@ function liesWithin({ manifold: m, bodyA }: Arbiter, ground: Polygon, other: Pol
   return true;
 }
 
-/** On the surface of the ground, relative to its body: scratch. */
-const point = { x: 0, y: 0 };
-
 /** Whether an edge of a ground, from its end near `point` on, is not within another polygon. */
 function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
   const { edges } = ground;
   const next = edge + EDGE_STRIDE === edges.length ? 0 : edge + EDGE_STRIDE;
-  const isNext = distanceSquared(edges, next) < distanceSquared(edges, edge);
+  const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
   const way = isNext ? -OPEN_WAY : OPEN_WAY;
-  return !isWithin(other, ground, edges[from]! - way * up.y, edges[from + 1]! + way * up.x);
+  asked[0] = edges[from]! - way * up.y;
+  asked[1] = edges[from + 1]! + way * up.x;
+  return !isWithin(other, ground);
 }
 
-function distanceSquared(edges: Float64Array, corner: number): number {
-  const x = edges[corner]! - point.x;
-  const y = edges[corner + 1]! - point.y;
-  return x * x + y * y;
+/** Whether one corner is nearer to `point` than another. */
+function isNearer(edges: Float64Array, one: number, other: number): boolean {
+  const oneX = edges[one]! - point.x;
+  const oneY = edges[one + 1]! - point.y;
+  const otherX = edges[other]! - point.x;
+  const otherY = edges[other + 1]! - point.y;
+  return oneX * oneX + oneY * oneY < otherX * otherX + otherY * otherY;
 }
 
-/** Whether a polygon contains a point, given relative to the body of a ground, or nearly. */
-function isWithin(polygon: Polygon, ground: Shape, x: number, y: number): boolean {
+/** Whether a polygon contains the point that is asked for, given relative to the body of a ground, or nearly. */
+function isWithin(polygon: Polygon, ground: Shape): boolean {
   const { owner } = polygon;
-  return polygonContains(polygon, x + ground.owner!.x - owner!.x, y + ground.owner!.y - owner!.y, FLUSH_TOLERANCE);
+  asked[0] = asked[0]! + ground.owner!.x - owner!.x;
+  asked[1] = asked[1]! + ground.owner!.y - owner!.y;
+  return polygonContains(polygon, asked, FLUSH_TOLERANCE);
 }

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { SPECULATIVE_MARGIN, STRAIN_DELAY, STRAIN_SPEED } from '../config.js';
+import { FAR, SPECULATIVE_MARGIN, STRAIN_DELAY, STRAIN_SPEED } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -9,6 +9,7 @@ import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 import { endForesight } from './foresee.js';
+import { settleFrozen } from './freeze.js';
 import { beginLate, solveImpact } from './impact.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
@@ -18,6 +19,9 @@ export function store(world: World): void {
   storeBodies(world, world.liveKinematics);
   storeContacts(world, data, data.two);
   storeContacts(world, data, data.one);
+  if (world.frozen.size > 0) {
+    settleFrozen(world);
+  }
 }
 
 function storeBodies(world: World, bodies: readonly RigidBody[]): void {
@@ -36,6 +40,11 @@ function storeBody(world: World, body: RigidBody): void {
   const dx = q[at + d.DX]!;
   const dy = q[at + d.DY]!;
   const turn = q[at + d.DW]!;
+  const sum = Math.abs(v[at + d.VX]!) + Math.abs(v[at + d.VY]!) + Math.abs(v[at + d.W]!);
+  if (!(sum + Math.abs(body.x + dx) + Math.abs(body.y + dy) + Math.abs(body.angle + turn) <= FAR)) {
+    world.frozen.add(body);
+    return;
+  }
   body.lastDx = dx;
   body.lastDy = dy;
   body.lastTurn = turn;
@@ -64,6 +73,10 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
   const two = batch === data.two;
   for (let k = 0; k < batch.count; k += 1) {
     const pair = batch.arbiters[k]!;
+    if (world.frozen.size > 0 && (world.frozen.has(pair.bodyA) || world.frozen.has(pair.bodyB))) {
+      pair.near = false;
+      continue;
+    }
     const used = pair.usedPoints;
     if (two) {
       storePoint(batch, k, 0, 0);

@@ -112,11 +112,15 @@ export function countIgnoring(constraint: Constraint, change: number): void {
 
 /** Some constraint of the world keeps the two from interacting. */
 export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
-  const [few, other] = a.constraints.length < b.constraints.length ? [a, b] : [b, a];
-  return few.constraints.some(
-    ({ enabled, ignoreInteractions, owner, members }) =>
-      enabled && ignoreInteractions && owner === few.owner && members.includes(other),
-  );
+  const few = a.constraints.length < b.constraints.length ? a : b;
+  const other = few === a ? b : a;
+  for (let i = 0; i < few.constraints.length; i += 1) {
+    const { enabled, ignoreInteractions, owner, members } = few.constraints[i]!;
+    if (enabled && ignoreInteractions && owner === few.owner && members.includes(other)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** Wakes the sleeping constraints of a body, as it joins the world. */

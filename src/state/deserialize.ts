@@ -25,7 +25,10 @@ const WHERE = 'deserialize';
  * @throws TypeError, RangeError or Error for data that `serialize` cannot have made; the message names the place.
  */
 export function deserialize(phys2D: Physics2DDevice, data: PlainWorld, options: DeserializeOptions = {}): World {
-  const given = checkedOptions(WHERE, options, false);
+  if (typeof phys2D?.createWorld !== 'function') {
+    throw typeError(WHERE, 'phys2D', 'a Physics2DDevice', phys2D);
+  }
+  const given = checkedOptions(WHERE, options, false, 'options');
   const source = object<PlainWorld>('data', data);
   if (source.format !== 'phys2d world' || source.version !== 1) {
     throw rangeError(WHERE, 'data', 'a phys2d world of version 1', `${source.format} ${source.version}`);

@@ -77,16 +77,10 @@ export class Recorder {
     ...args: T[K] extends (...args: infer A) => unknown ? A : never
   ): T[K] extends (...args: never[]) => infer R ? R : never {
     const where = 'Recorder.call';
-    const made = object?.[method];
-    callable(where, `object.${method}`, made);
-    if (method === 'step' || method === 'restore') {
-      throw new Error(
-        `${where}: ${method} is not to be called so: step has its own method, and restore cannot be recorded`,
-      );
-    }
+    const made = methodOf(where, object, method);
     const kept = args.map((argument) => (Array.isArray(argument) ? [...argument] : argument));
     const before = ADDING.includes(method) ? this.world.hash() : null;
-    const result = (made as (...args: unknown[]) => unknown).apply(object, args);
+    const result = made.apply(object, args);
     const added = before === null ? null : { before, after: this.world.snapshot() };
     this.calls.push({ object, method, args: kept, added });
     return result as never;
@@ -109,10 +103,15 @@ export class Recorder {
  * Brings a world back to where a recording began, and does again what was done.
  *
  * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
+ * @throws TypeError for what is no recording, or names what is no method of the object; RangeError for a damaged snapshot.
  */
 export function replay(world: World, recording: Recording): number {
   if (typeof world?.restore !== 'function') {
     throw typeError('replay', 'world', 'a World', world);
+  }
+  const frames: unknown = recording?.frames;
+  if (!(recording?.snapshot instanceof ArrayBuffer) || !Array.isArray(frames)) {
+    throw typeError('replay', 'recording', 'the recording of a Recorder', recording);
   }
   world.restore(recording.snapshot);
   return recording.frames.findIndex(({ calls, deltaTime, hash }) => {
@@ -124,6 +123,18 @@ export function replay(world: World, recording: Recording): number {
   });
 }
 
+/** A method that can be recorded; not what every object has. */
+function methodOf(where: string, object: Recorded, method: string): (...args: unknown[]) => unknown {
+  const made = method in Object.prototype ? undefined : object?.[method as keyof Recorded];
+  callable(where, `object.${method}`, made);
+  if (method === 'step' || method === 'restore') {
+    throw new Error(
+      `${where}: ${method} is not to be called so: step has its own method, and restore cannot be recorded`,
+    );
+  }
+  return made as unknown as (...args: unknown[]) => unknown;
+}
+
 /** @returns whether all is as it was then. */
 function repeat(world: World, { object, method, args, added }: RecordedCall): boolean {
   if (added !== null) {
@@ -131,8 +142,7 @@ function repeat(world: World, { object, method, args, added }: RecordedCall): bo
     world.restore(added.after);
     return isRight;
   }
-  const made = object[method as keyof Recorded] as unknown as (...args: unknown[]) => unknown;
-  made.apply(
+  methodOf('replay', object, method).apply(
     object,
     args.map((argument) => (Array.isArray(argument) ? [...argument] : argument)),
   );

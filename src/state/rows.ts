@@ -1,8 +1,10 @@
 import type { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
-import { MAX_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
+import { FAR, MAX_JOINT_SWEEPS, MAX_SIZE, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import { polygonArea } from '../geometry/mass.js';
+import { repeatedVertex } from '../geometry/vertices.js';
 import type { Material } from '../material.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
@@ -22,8 +24,6 @@ export const GROUP = 5;
 export const LISTED = 6;
 
 const MOST = 0x3fffffff;
-/** m, rad. Nothing is farther away; beyond, bounds could not be told. */
-const FAR = 1e150;
 /** Numbers that name features of shapes. */
 const FEATURES = 0xffffff;
 
@@ -31,6 +31,10 @@ const FEATURES = 0xffffff;
 export function materialNumbers(material: Material): Float64Array {
   const { elasticity, staticFriction, dynamicFriction, rollingFriction, density } = material;
   return Float64Array.of(elasticity, staticFriction, dynamicFriction, rollingFriction, density);
+}
+
+function isUnit(x: number, y: number): boolean {
+  return Math.abs(x * x + y * y - 1) <= 1e-9;
 }
 
 /** @returns whether its mass has to be worked out anew. */
@@ -45,7 +49,9 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   b.y = tape.number(b.y, -FAR, FAR);
   b.angle = tape.number(b.angle, -FAR, FAR);
   b.cos = tape.number(b.cos, -1, 1);
+  const cos = tape.latest;
   b.sin = tape.number(b.sin, -1, 1);
+  tape.require(!tape.checks || isUnit(cos, tape.latest), 'cosine and sine are of no angle');
   b.vx = tape.sparse(b.vx);
   b.vy = tape.sparse(b.vy);
   b.w = tape.sparse(b.w);
@@ -78,18 +84,19 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
 
 function keepCircle(tape: Tape, circle: Circle): boolean {
   const { radius, originX, originY } = circle;
-  circle.radius = tape.number(radius, Number.MIN_VALUE, FAR);
-  circle.originX = tape.number(originX, -FAR, FAR);
-  circle.originY = tape.number(originY, -FAR, FAR);
+  circle.radius = tape.number(radius, Number.MIN_VALUE, MAX_SIZE);
+  circle.originX = tape.number(originX, -MAX_SIZE, MAX_SIZE);
+  circle.originY = tape.number(originY, -MAX_SIZE, MAX_SIZE);
   return radius !== circle.radius || originX !== circle.originX || originY !== circle.originY;
 }
 
 function keepPolygon(tape: Tape, polygon: Polygon): boolean {
   const { vertices, geometryStamp } = polygon;
   const stamp = tape.integer(geometryStamp, 1, MOST);
-  const stored = tape.shared(vertices, FAR);
+  const stored = tape.shared(vertices, MAX_SIZE);
   tape.require(stored.length >= 6 && stored.length % 2 === 0, 'a polygon has no corners');
   if (stored !== vertices) {
+    tape.require(polygonArea(stored) > 0 && repeatedVertex(stored) < 0, 'corners of a polygon are those of none');
     polygon.takeVertices(stored);
   }
   polygon.geometryStamp = stamp;
@@ -151,7 +158,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   tape.begins(GROUP);
   group.fresh = tape.flag(group.fresh);
   group.contested = tape.flag(group.contested);
-  group.sweeps = tape.integer(group.sweeps, 0, MAX_JOINT_SWEEPS);
+  group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);
   group.to = tape.integer(group.to, -MOST, MOST);

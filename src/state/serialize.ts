@@ -5,6 +5,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
 import type { Material } from '../material.js';
 import type { Shape } from '../shape/shape.js';
+import { callable, options as checkedOptions, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import { toBase64 } from './base64.js';
 
@@ -144,12 +145,19 @@ function plain(value: number): PlainNumber {
  * @throws Error when called from a handler or callback of the world.
  */
 export function serialize(world: World, options: SerializeOptions = {}): PlainWorld {
+  if (typeof world?.snapshot !== 'function') {
+    throw typeError('serialize', 'world', 'a World', world);
+  }
+  const { userData: convert } = checkedOptions('serialize', options, false, 'options');
+  if (convert !== undefined) {
+    callable('serialize', 'options.userData', convert);
+  }
   const state = toBase64(world.snapshot());
   const bodies = [...new Set([...world.rigidBodies, ...world.constraints.flatMap(membersOf)])];
   const shapes = bodies.flatMap((body) => body.shapes);
   const materials = [...new Set(shapes.map((shape) => shape.getMaterial()))];
   const ranks = new Map([...shapes].sort((a, b) => a.id - b.id).map((shape, rank) => [shape, rank]));
-  const userData = (value: unknown): unknown => options.userData?.(value) ?? null;
+  const userData = (value: unknown): unknown => convert?.(value) ?? null;
   return {
     format: 'phys2d world',
     version: 1,

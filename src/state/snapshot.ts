@@ -1,10 +1,11 @@
-import type { RigidBody } from '../body.js';
-import type { Shape } from '../shape/shape.js';
+import { RigidBody } from '../body.js';
+import { Constraint } from '../constraint/constraint.js';
+import { Shape } from '../shape/shape.js';
 import type { Group } from '../solver/joint-data.js';
 import { orderJoints } from '../solver/joint-order.js';
 import { widened } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
-import { instance } from '../validate.js';
+import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
 import { VERSION } from './format.js';
@@ -70,12 +71,13 @@ function replace<T>(list: T[], by: readonly T[]): void {
 
 /** Brings a world back to a state; nothing changes unless all is right. */
 function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
+  const list = checkedHeld(where, held);
   instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer');
   tape.load(where, buffer);
   const found = known.get(buffer);
   const own = found?.checksum === tape.checksum ? found : null;
   const ids = tape.integers([]);
-  const there = resolve(tape, world, ids, own, held);
+  const there = resolve(tape, world, ids, own, list);
   if (own === null) {
     walk(tape, world, there);
     walkGroups(tape, world);
@@ -91,6 +93,19 @@ function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Itera
   }
   walkGroups(tape, world);
   place(world, there);
+}
+
+function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {
+  if (typeof held !== 'object' || held === null || !(Symbol.iterator in held)) {
+    throw typeError(where, 'held', 'a list of bodies, shapes and constraints', held);
+  }
+  const list = [...(held as Iterable<unknown>)];
+  const isRight = (each: unknown) => [RigidBody, Shape, Constraint].some((kind) => each instanceof kind);
+  const wrong = list.findIndex((each) => !isRight(each));
+  if (wrong >= 0) {
+    throw typeError(where, `held[${wrong}]`, 'a RigidBody, Shape or Constraint', list[wrong]);
+  }
+  return list as (RigidBody | Shape | Constraint)[];
 }
 
 /** What joints that hang together remember, unless they are about to be listed anew. */
@@ -196,7 +211,8 @@ function takeShapes(world: World, body: RigidBody, shapes: readonly Shape[], fir
     }
   }
   for (const shape of own) {
-    body.attach(shape);
+    body.claim(shape);
+    body.shapes.push(shape);
   }
   body.massStale = true;
   body.placeStale = true;

@@ -207,6 +207,11 @@ export class Tape {
     return this.takes ? row[i]! : value;
   }
 
+  /** What is stored as the number that was passed last, to be checked. */
+  get latest(): number {
+    return this.row[this.field - 1]!;
+  }
+
   /** A number that is 0 in many rows, and seldom the same in two. */
   sparse(value: number): number {
     const i = this.next();

@@ -40,32 +40,32 @@ const NOT_INDEX: Bad[] = [
 ];
 const NOT_ARRAY: Bad[] = [...MISSING, [5, TypeError, '5'], ['x', TypeError, '"x"']];
 
-function refusesBounds(call: (bounds: never) => unknown, where: string): void {
+function refusesBounds(call: (bounds: never) => unknown, where: string, name = 'bounds'): void {
   for (const bad of NOT_BOUNDS) {
-    refuses(call, where, 'bounds', bad);
+    refuses(call, where, name, bad);
   }
   for (let i = 0; i < 4; i += 1) {
     const withNaN = [0, 0, 1, 1].map((value, at) => (at === i ? NaN : value));
-    refuses(() => call(withNaN as never), where, `bounds[${i}]`, [NaN, RangeError]);
+    refuses(() => call(withNaN as never), where, `${name}[${i}]`, [NaN, RangeError]);
     const withHole = [0, 0, 1, 1].map((value, at) => (at === i ? undefined : value));
-    refuses(() => call(withHole as never), where, `bounds[${i}]`, [undefined, TypeError]);
+    refuses(() => call(withHole as never), where, `${name}[${i}]`, [undefined, TypeError]);
   }
-  refuses(() => call([2, 0, 1, 1] as never), where, 'bounds[2]', [1, RangeError]);
-  refuses(() => call([0, 2, 1, 1] as never), where, 'bounds[3]', [1, RangeError]);
-  refuses(() => call([Infinity, 0, -Infinity, 1] as never), where, 'bounds[2]', [-Infinity, RangeError]);
+  refuses(() => call([2, 0, 1, 1] as never), where, `${name}[2]`, [1, RangeError]);
+  refuses(() => call([0, 2, 1, 1] as never), where, `${name}[3]`, [1, RangeError]);
+  refuses(() => call([Infinity, 0, -Infinity, 1] as never), where, `${name}[2]`, [-Infinity, RangeError]);
 }
 
-function refusesMissing(call: (bounds: never) => unknown, where: string): void {
+function refusesMissing(call: (bounds: never) => unknown, where: string, name = 'bounds'): void {
   for (const bad of MISSING) {
-    refuses(call, where, 'bounds', bad);
+    refuses(call, where, name, bad);
   }
 }
 
-function refusesAlike(call: (bounds: never) => unknown, where: string): void {
+function refusesAlike(call: (bounds: never) => unknown, where: string, name = 'bounds'): void {
   for (const [bounds, shown] of ALIKE) {
-    refuses(() => call(bounds as never), where, 'bounds[0]', [bounds, TypeError, shown]);
+    refuses(() => call(bounds as never), where, `${name}[0]`, [bounds, TypeError, shown]);
   }
-  refuses(() => call('0011' as never), where, 'bounds', ['0011', TypeError, '"0011"']);
+  refuses(() => call('0011' as never), where, name, ['0011', TypeError, '"0011"']);
 }
 
 describe.each(BROADPHASES)('refusals: %s', (name, create) => {
@@ -181,20 +181,24 @@ describe('refusals: BoxTree', () => {
     expect(of.getOverlappingPairs([])).toBe(4);
   };
 
-  for (const [method, call] of [
-    ['add', (of: BoxTree<Item>, _: Item, bounds: never) => of.add({ id: 3 }, bounds)],
-    ['update', (of: BoxTree<Item>, item: Item, bounds: never) => of.update(item, bounds)],
-    ['getOverlappingNodes', (of: BoxTree<Item>, _: Item, bounds: never) => of.getOverlappingNodes(bounds, [])],
+  for (const [method, call, name] of [
+    ['add', (of: BoxTree<Item>, _: Item, bounds: never) => of.add({ id: 3 }, bounds), 'extents'],
+    ['update', (of: BoxTree<Item>, item: Item, bounds: never) => of.update(item, bounds), 'extents'],
+    [
+      'getOverlappingNodes',
+      (of: BoxTree<Item>, _: Item, bounds: never) => of.getOverlappingNodes(bounds, []),
+      'queryExtents',
+    ],
   ] as const) {
     it(`${method}: bounds`, () => {
-      refusesBounds((bounds) => call(tree, items[1]!, bounds), `BoxTree.${method}`);
-      refusesMissing((bounds) => call(tree, items[1]!, bounds), `BoxTree.${method}`);
+      refusesBounds((bounds) => call(tree, items[1]!, bounds), `BoxTree.${method}`, name);
+      refusesMissing((bounds) => call(tree, items[1]!, bounds), `BoxTree.${method}`, name);
       same(tree);
     });
 
     it(`${method}: bounds of what is only compared like numbers`, () => {
       const fresh = three();
-      refusesAlike((bounds) => call(fresh.tree, fresh.items[1]!, bounds), `BoxTree.${method}`);
+      refusesAlike((bounds) => call(fresh.tree, fresh.items[1]!, bounds), `BoxTree.${method}`, name);
       same(fresh.tree);
     });
   }

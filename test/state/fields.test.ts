@@ -10,7 +10,7 @@ type Fields = Record<string, unknown>;
 /** Worked out anew before it is used, dead between steps, or the number by which the world itself finds something. */
 const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['staleCount', 'stepping', 'delivering', 'jointsTouched'],
-  solver: ['bodyCount', 'impulseScale', 'crowded'],
+  solver: ['bodyCount', 'impulseScale', 'hardCount', 'crowded'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
   shape: ['groundStamp', 'stateIndex', 'centreX', 'centreY', 'halfWidth'],
   // Only whether it has failed in this step; where the solver has its numbers.
@@ -24,6 +24,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
 const FIXED: Readonly<Record<string, readonly string[]>> = {
   body: [],
   shape: ['id', 'sensor', 'kind'],
+  polygon: ['radius'],
   constraint: ['dimension', 'positional', 'bounded'],
   arbiter: ['sensor'],
 };
@@ -37,7 +38,10 @@ const UNHEARD: Readonly<Record<string, readonly string[]>> = {
   arbiter: ['listIndex', 'listed', 'awake', 'indexA', 'indexB'],
 };
 
-const names = (of: Readonly<Record<string, readonly string[]>>, kind: string): readonly string[] => of[kind] ?? [];
+const names = (of: Readonly<Record<string, readonly string[]>>, kind: string): readonly string[] => [
+  ...(kind === 'polygon' ? (of.shape ?? []) : []),
+  ...(of[kind] ?? []),
+];
 
 /** A world in the middle of everything, awake and asleep. */
 function busy(name: string, steps: number): World {
@@ -58,9 +62,9 @@ function objects(world: World): [string, () => object][] {
     ['world', () => world],
     ['solver', () => world.solver],
     ['body', () => dynamic],
-    ...[circle, polygon]
-      .filter((i) => i >= 0)
-      .map((i): [string, () => object] => ['shape', () => world.rigidBodies[i]!.shapes[0]!]),
+    ...Object.entries({ shape: circle, polygon })
+      .filter(([, i]) => i >= 0)
+      .map(([kind, i]): [string, () => object] => [kind, () => world.rigidBodies[i]!.shapes[0]!]),
     ...[...kinds].map((kind): [string, () => object] => {
       const constraint = world.constraints.find(({ type }) => type === kind)!;
       return ['constraint', () => constraint];

@@ -1,0 +1,53 @@
+import type { RigidBody } from '../body.js';
+import { FAR } from '../config.js';
+import type { World } from '../world.js';
+import type { SolverData } from './data.js';
+import * as d from './data.js';
+
+// In spite of all checks a body may come to numbers that are not finite: forces and masses are legal up to 1e308, and a custom constraint may write
+// what it likes. Such a body is frozen for the step, so that nothing else is touched.
+
+/** Freezes a body whose packed numbers would overflow, before it can spoil what it touches: in this step nothing moves it. */
+export function holdWild(world: World, body: RigidBody): void {
+  const at = body.slot * d.BODY_STRIDE;
+  const { velocity: v, drive: f } = world.solver;
+  const speed = Math.abs(v[at + d.VX]!) + Math.abs(v[at + d.VY]!) + Math.abs(v[at + d.W]!);
+  const gain = Math.abs(f[at + d.GAIN_X]!) + Math.abs(f[at + d.GAIN_Y]!) + Math.abs(f[at + d.GAIN_W]!);
+  if (!(speed + gain + v[at + d.INV_MASS]! + v[at + d.INV_INERTIA]! <= FAR)) {
+    hold(world.solver, at);
+    world.frozen.add(body);
+  }
+}
+
+function hold({ velocity, motion, drive }: SolverData, at: number): void {
+  velocity.fill(0, at, at + d.BODY_STRIDE);
+  motion.fill(0, at, at + d.BODY_STRIDE);
+  drive.fill(0, at, at + d.BODY_STRIDE);
+  drive[at + d.REST_RADIUS] = -1;
+}
+
+/** Ends the step of the frozen bodies: they rest where they were, without what drove them, and joints and contacts forget what they did to them. */
+export function settleFrozen(world: World): void {
+  for (const body of world.frozen) {
+    body.vx = 0;
+    body.vy = 0;
+    body.w = 0;
+    body.fx = 0;
+    body.fy = 0;
+    body.appliedTorque = 0;
+    body.lastDx = 0;
+    body.lastDy = 0;
+    body.lastTurn = 0;
+    for (const { arbiters } of body.shapes) {
+      for (const pair of arbiters) {
+        pair.dropPoints();
+      }
+    }
+    for (const constraint of body.constraints) {
+      constraint.forget();
+      constraint.touch();
+    }
+    world.events.frozen(world, body);
+  }
+  world.frozen.clear();
+}

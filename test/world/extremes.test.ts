@@ -1,0 +1,81 @@
+import { expect, it } from 'vitest';
+import { validate } from '../../src/audit/index.js';
+import { type Constraint, phys2D, type RigidBody, type World } from '../../src/index.js';
+import { type Dice, dice } from '../quality/dice.js';
+
+// All that is extreme but legal at once, at random: sizes of 1 mm to 1000 km, speeds up to 1e5 m/s, masses of 1 mg to a million tons, steps of 10 µs to 1 s.
+// All stays finite and consistent, nothing has to be frozen for it, and no step hangs: the time limit of tests would tell.
+
+const BODIES = 24;
+const STEPS = 12;
+
+function makeBody({ within, scaled, pick }: Dice): RigidBody {
+  const size = scaled(1e-3, 1e6);
+  const place = size * scaled(0.01, 10);
+  const speed = pick([0, scaled(1, 1e5)]);
+  const spin = pick([1, 1e3]);
+  return phys2D.createRigidBody({
+    type: pick(['dynamic', 'dynamic', 'dynamic', 'static', 'kinematic']),
+    position: [within(-place, place), within(-place, place)],
+    rotation: within(-10, 10),
+    velocity: [within(-speed, speed), within(-speed, speed)],
+    angularVelocity: within(-spin, spin),
+    bullet: pick([true, false]),
+    mass: pick([undefined, scaled(1e-6, 1e9)]),
+    shapes: [
+      pick([
+        phys2D.createCircleShape({ radius: size / 2 }),
+        phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(size, size * scaled(0.1, 1)) }),
+      ]),
+    ],
+  });
+}
+
+function makeConstraint({ scaled, within, pick }: Dice, bodyA: RigidBody, bodyB: RigidBody): Constraint {
+  const common = {
+    bodyA,
+    bodyB,
+    stiff: pick([true, false]),
+    frequency: scaled(0.1, 100),
+    maxForce: scaled(1, 1e9),
+    breakUnderForce: pick([true, false]),
+  };
+  const bounds = { lowerBound: -1, upperBound: 1 };
+  const ratio = scaled(1e-3, 1e3);
+  return pick([
+    () => phys2D.createPointConstraint(common),
+    () => phys2D.createWeldConstraint({ ...common, phase: within(-3, 3) }),
+    () => phys2D.createAngleConstraint({ ...common, ...bounds, ratio }),
+    () => phys2D.createDistanceConstraint({ ...common, lowerBound: 0, upperBound: scaled(1e-3, 1e6) }),
+    () => phys2D.createLineConstraint({ ...common, ...bounds, axis: [within(-1, 1), 1] }),
+    () => phys2D.createMotorConstraint({ ...common, rate: scaled(0.1, 1e5), ratio }),
+  ])();
+}
+
+function build(random: Dice): World {
+  const { scaled, pick } = random;
+  const world = phys2D.createWorld({ gravity: [0, scaled(0.01, 1000)], substeps: pick([1, 2, 4]) });
+  const bodies = Array.from({ length: BODIES }, () => makeBody(random));
+  for (const body of bodies) {
+    world.addRigidBody(body);
+  }
+  for (let i = 0; i < BODIES / 4; i += 1) {
+    const bodyA = pick(bodies);
+    const bodyB = pick(bodies.filter((body) => body !== bodyA));
+    world.addConstraint(makeConstraint(random, bodyA, bodyB));
+  }
+  return world;
+}
+
+it.each(Array.from({ length: 40 }, (_, i) => i + 1))('extremes by seed %d', (seed) => {
+  const random = dice(seed);
+  const world = build(random);
+  const frozen: RigidBody[] = [];
+  world.addEventListener('nonfinite', (body) => void frozen.push(body));
+  for (let i = 0; i < STEPS; i += 1) {
+    world.step(random.scaled(1e-5, 1));
+    validate(world);
+  }
+  expect(world.timeStamp).toBe(STEPS);
+  expect(frozen).toEqual([]);
+});
