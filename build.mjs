@@ -189,6 +189,7 @@ function umdTypes() {
     const exported = /export (type )?\{([^}]*)\}|export (?:declare )?(class|interface|function) (\w+)/g;
     for (const [, type, list, kind, single] of readFileSync(join(dist, file), 'utf8').matchAll(exported)) {
       for (const name of (list ?? single).split(',').map((part) => part.trim().replace(/.* as default$/, ''))) {
+        // Constants are UPPER_SNAKE.
         const isType = /^[A-Z]\w*[a-z]/.test(name);
         const isValue = type === undefined && kind !== 'interface' && name !== '';
         members.set(name, [

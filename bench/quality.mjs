@@ -7,6 +7,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { engines as all, versionOf } from './engines.mjs';
 import { collapsed, markdown, print, summarize } from './quality-table.mjs';
+import { writeFigures } from './readme.mjs';
 
 /** Those compared unless names say otherwise: flavours of one engine differ in speed, and phaser-box2d is Box2D. */
 const USUAL = ['phys2d', 'planck', 'Rapier', 'Box2D', 'matter-js', 'p2-es'];
@@ -128,6 +129,7 @@ async function compare(wanted) {
   const results = { ...about, timeout: TIMEOUT / 1000, summary: summarize(engines, tables), tables };
   if (flags.includes('--write')) {
     writeFileSync(here('QUALITY.md'), markdown(results));
+    writeFigures();
   }
   if (flags.includes('--json')) {
     console.log(JSON.stringify(results, null, 2));

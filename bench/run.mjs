@@ -7,6 +7,7 @@ import { build } from 'esbuild';
 import { engines as all, usual, versionOf } from './engines.mjs';
 import { attempt, here, summary } from './measure.mjs';
 import { parts } from './parts.mjs';
+import { writeFigures } from './readme.mjs';
 import { markdown, printPart, printScene, printTargets } from './speed-table.mjs';
 import { judge } from './targets.mjs';
 
@@ -78,6 +79,7 @@ for (const name of wantedParts) {
 json || printTargets(results);
 if (flags.includes('--write')) {
   writeFileSync(here('RESULTS.md'), markdown(results));
+  writeFigures();
 }
 if (json) {
   console.log(JSON.stringify(results, null, 2));

@@ -1,5 +1,5 @@
 import { CanvasDebugDevice, type DebugGraphicsDevice } from '../src/debug/index.js';
-import type { Circle, Polygon, Shape, Vec2 } from '../src/index.js';
+import type { Shape, Vec2 } from '../src/index.js';
 import { type Frame, inkOf, poseOf, type Surface, strengthOf } from './surface.js';
 import type { Rgb } from './theme.js';
 
@@ -58,16 +58,15 @@ export class CanvasSurface implements Surface {
 function trace(context: CanvasRenderingContext2D, shape: Shape, ticked: boolean): void {
   context.beginPath();
   if (shape.type === 'CIRCLE') {
-    const circle = shape as Circle;
-    const [x, y] = circle.getOrigin();
-    const radius = circle.getRadius();
+    const [x, y] = shape.getOrigin();
+    const radius = shape.getRadius();
     context.arc(x, y, radius, 0, 2 * Math.PI);
     if (ticked) {
       context.lineTo(x + 0.4 * radius, y);
     }
     return;
   }
-  const { vertices } = shape as Polygon;
+  const { vertices } = shape;
   for (let i = 0; i < vertices.length; i += 2) {
     context.lineTo(vertices[i]!, vertices[i + 1]!);
   }

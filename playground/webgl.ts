@@ -1,5 +1,5 @@
 import { type DebugGraphicsDevice, WebGLDebugDevice } from '../src/debug/index.js';
-import type { Circle, Polygon, RigidBody, Shape, Vec2 } from '../src/index.js';
+import type { RigidBody, Shape, Vec2 } from '../src/index.js';
 import { type Frame, inkOf, poseOf, type Surface, strengthOf } from './surface.js';
 import type { Rgb } from './theme.js';
 
@@ -194,9 +194,8 @@ export class WebGLSurface implements Surface {
 function addShape(numbers: number[], shape: Shape, body: number): void {
   const kind = (shape.sensor ? 2 : 0) + (shape.body!.isStatic() ? 4 : 0);
   if (shape.type === 'CIRCLE') {
-    const circle = shape as Circle;
-    const radius = circle.getRadius();
-    const [x, y] = circle.getOrigin();
+    const radius = shape.getRadius();
+    const [x, y] = shape.getOrigin();
     // A little wider, for the soft edge.
     const reach = radius * 1.1;
     for (const [dx, dy] of [
@@ -210,7 +209,7 @@ function addShape(numbers: number[], shape: Shape, body: number): void {
       numbers.push(x + reach * dx, y + reach * dy, body, x, y, radius, 1 + kind);
     }
   } else {
-    addPolygon(numbers, (shape as Polygon).vertices, body, kind);
+    addPolygon(numbers, shape.vertices, body, kind);
   }
 }
 

@@ -1,6 +1,7 @@
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { Vec2Like } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
+import type { UserDataOf } from './user-data.js';
 import {
   boolean,
   finite,
@@ -48,8 +49,8 @@ export interface RigidBodyParams {
   angularDrag?: number | undefined;
   /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
   surfaceVelocity?: Vec2Like | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
-  userData?: unknown;
+  /** Anything of yours. Default `null`. */
+  userData?: UserDataOf<'body'> | undefined;
 }
 
 const KINDS: Readonly<Record<string, number>> = { dynamic: DYNAMIC, kinematic: KINEMATIC, static: STATIC };

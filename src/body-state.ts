@@ -7,6 +7,7 @@ import { cos, cosSin, sin } from './math/trig.js';
 import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
+import type { UserDataOf } from './user-data.js';
 import { sink } from './validate.js';
 import type { World } from './world.js';
 
@@ -22,7 +23,7 @@ export abstract class BodyState {
   /** Is swept against other dynamic bodies too; takes effect in the next step. */
   bullet: boolean;
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'body'>;
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
   kind: number;

@@ -5,6 +5,7 @@ import type { Broadphase } from './broadphase/broadphase.js';
 import { SweepAndPrune } from './broadphase/sweep-and-prune.js';
 import { CollisionUtils } from './collide/utils.js';
 import { AngleConstraint, type AngleConstraintParams } from './constraint/angle.js';
+import type { Constraint } from './constraint/constraint.js';
 import { CustomConstraint, type CustomConstraintParams } from './constraint/custom.js';
 import { DistanceConstraint, type DistanceConstraintParams } from './constraint/distance.js';
 import { LineConstraint, type LineConstraintParams } from './constraint/line.js';
@@ -15,12 +16,13 @@ import { WeldConstraint, type WeldConstraintParams } from './constraint/weld.js'
 import { DEFAULT_MATERIAL, Material, type MaterialParams } from './material.js';
 import { Circle, type CircleParams } from './shape/circle.js';
 import { Polygon, type PolygonParams } from './shape/polygon.js';
+import { jointSolver } from './solver/joints.js';
 import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 
 // One function for each kind of object, so that a bundler leaves out what a game does not make. The methods of `Physics2DDevice` are the same.
 
-/** A world without bodies. */
+/** A world without bodies. To save, restore and hash it, pass `state: worldState`. */
 export function createWorld(params?: WorldParams): World {
   return new World(params);
 }
@@ -67,40 +69,45 @@ export function createCollisionUtils(): CollisionUtils {
 
 /** Two points of two bodies coincide. */
 export function createPointConstraint(params: PointConstraintParams): PointConstraint {
-  return new PointConstraint(params);
+  return solvable(new PointConstraint(params));
 }
 
 /** Two points of two bodies coincide, and the bodies keep their angle. */
 export function createWeldConstraint(params: WeldConstraintParams): WeldConstraint {
-  return new WeldConstraint(params);
+  return solvable(new WeldConstraint(params));
 }
 
 /** The angle between two bodies stays between bounds; with a ratio, a gear. */
 export function createAngleConstraint(params: AngleConstraintParams): AngleConstraint {
-  return new AngleConstraint(params);
+  return solvable(new AngleConstraint(params));
 }
 
 /** The distance of two points of two bodies stays between bounds: rod, rope, spring. */
 export function createDistanceConstraint(params: DistanceConstraintParams): DistanceConstraint {
-  return new DistanceConstraint(params);
+  return solvable(new DistanceConstraint(params));
 }
 
 /** A point of body B stays on a line of body A, between bounds along it. */
 export function createLineConstraint(params: LineConstraintParams): LineConstraint {
-  return new LineConstraint(params);
+  return solvable(new LineConstraint(params));
 }
 
 /** Two bodies turn against each other at a rate. */
 export function createMotorConstraint(params: MotorConstraintParams): MotorConstraint {
-  return new MotorConstraint(params);
+  return solvable(new MotorConstraint(params));
 }
 
 /** A rope over two bodies: its two links have a length together. */
 export function createPulleyConstraint(params: PulleyConstraintParams): PulleyConstraint {
-  return new PulleyConstraint(params);
+  return solvable(new PulleyConstraint(params));
 }
 
 /** A constraint of your own, given by its error and its Jacobian. */
 export function createCustomConstraint(params: CustomConstraintParams): CustomConstraint {
-  return new CustomConstraint(params);
+  return solvable(new CustomConstraint(params));
+}
+
+function solvable<T extends Constraint>(constraint: T): T {
+  constraint.solver = jointSolver;
+  return constraint;
 }

@@ -16,7 +16,8 @@ import type { Material, MaterialParams } from './material.js';
 import type { Vec2 } from './math/vectors.js';
 import type { Circle, CircleParams } from './shape/circle.js';
 import type { Polygon, PolygonParams } from './shape/polygon.js';
-import type { World } from './world.js';
+import { worldState } from './state/snapshot.js';
+import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 
 /**
@@ -38,9 +39,9 @@ export class Physics2DDevice {
     return new Physics2DDevice();
   }
 
-  /** A world without bodies. */
+  /** A world without bodies, that can be saved, restored and hashed. */
   createWorld(params?: WorldParams): World {
-    return create.createWorld(params);
+    return new World(params, worldState);
   }
 
   /** A broadphase for any scene; the default of `createWorld`. */

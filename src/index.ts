@@ -64,5 +64,7 @@ export type { PolygonParams } from './shape/polygon.js';
 export { Polygon } from './shape/polygon.js';
 export type { HitHandler, ShapeEvents, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
 export { Shape } from './shape/shape.js';
+export { worldState } from './state/snapshot.js';
+export type { UserData } from './user-data.js';
 export { World } from './world.js';
-export type { WorldEventType, WorldHandler, WorldParams } from './world-state.js';
+export type { PoseUpdate, WorldEventType, WorldHandler, WorldParams, WorldSaving } from './world-state.js';

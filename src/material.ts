@@ -1,3 +1,4 @@
+import type { UserDataOf } from './user-data.js';
 import { nonNegative, notNaN, optional, options } from './validate.js';
 
 /** Options of `createMaterial`. */
@@ -12,8 +13,8 @@ export interface MaterialParams {
   rollingFriction?: number | undefined;
   /** Mass per area, kg/m², >= 0. Default 1. */
   density?: number | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
-  userData?: unknown;
+  /** Anything of yours. Default `null`. */
+  userData?: UserDataOf<'material'> | undefined;
 }
 
 /**
@@ -27,7 +28,7 @@ export class Material {
   }
 
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'material'>;
 
   /** @internal */
   readonly elasticity: number;

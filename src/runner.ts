@@ -6,6 +6,7 @@ import type { World } from './world.js';
 
 /** Options of `FixedStepRunner.create`. */
 export interface FixedStepRunnerParams {
+  /** What is stepped; nobody else should step it. */
   world: World;
   /** Length of each step, s, > 0. Default 1/60. */
   deltaTime?: number | undefined;
@@ -21,9 +22,11 @@ export interface FixedStepRunnerParams {
  * After G. Fiedler, "Fix Your Timestep!", 2004.
  */
 export class FixedStepRunner {
+  /** What it steps. */
   readonly world: World;
   /** s. */
   readonly deltaTime: number;
+  /** Most steps for one frame. */
   readonly maxSteps: number;
   /** s that have passed and are not simulated yet; less than `deltaTime`. */
   private waiting = 0;

@@ -13,10 +13,17 @@ import type { Shape } from './shape/shape.js';
 import { SolverData } from './solver/data.js';
 import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joint-data.js';
+import type { JointSolver } from './solver/joints.js';
 import { Movers } from './solver/movers.js';
 import type { Tape } from './state/tape.js';
 import { boolean, callable, integer, optional, options, typeError, vector } from './validate.js';
 import type { World } from './world.js';
+
+/** What `World.poses` is: a `PoseBuffer`, or anything with such a method. */
+export interface PoseUpdate {
+  /** Called at the end of each step, before events. */
+  update(): void;
+}
 
 /** What worlds tell their listeners. */
 export type WorldEventType = 'nonfinite';
@@ -38,6 +45,23 @@ export interface WorldParams {
   substeps?: number | undefined;
   /** Whether bodies at rest fall asleep by themselves. Default `true`. */
   allowSleeping?: boolean | undefined;
+  /**
+   * What `snapshot`, `restore` and `hash` work with: `worldState`. Default: nothing with the function `createWorld`, so that a bundle that does not
+   * save worlds has nothing of it, and these methods throw; `worldState` with the one of `phys2D`.
+   */
+  state?: WorldSaving | undefined;
+}
+
+/** What `WorldParams.state` is: `worldState`. */
+export interface WorldSaving {
+  /** Of the snapshots. */
+  readonly version: number;
+  /** @internal */
+  hash(world: World): string;
+  /** @internal */
+  snapshot(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer;
+  /** @internal */
+  restore(where: string, world: World, snapshot: ArrayBuffer, held: Iterable<unknown>): void;
 }
 
 const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 'sample'] as const;
@@ -60,8 +84,8 @@ export abstract class WorldState {
   readonly staticArbiters: Arbiter[] = [];
   /** What finds pairs of shapes that are near each other. */
   readonly broadphase: Broadphase;
-  /** Told at the end of each step where bodies are, before events; `null` for none. A `PoseBuffer`, or anything with such a method. */
-  poses: { update(): void } | null = null;
+  /** Told at the end of each step where bodies are, before events. Default `null`: nothing is. */
+  poses: PoseUpdate | null = null;
 
   /** @internal */
   gravityX: number;
@@ -79,6 +103,10 @@ export abstract class WorldState {
   readonly closing: Arbiter[] = [];
   /** @internal shapes that lie on or near several static ones, of one step */
   readonly straddling: Shape[] = [];
+  /** @internal */
+  readonly saving: WorldSaving | null;
+  /** @internal since there was a constraint */
+  jointSolver: JointSolver | null = null;
   /** @internal what the solver knows of the live constraints is out of date */
   jointsStale = false;
   /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */
@@ -114,7 +142,7 @@ export abstract class WorldState {
   private measured: Profile | null = null;
 
   /** @internal use `createWorld` */
-  constructor(params?: WorldParams) {
+  constructor(params?: WorldParams, saving: WorldSaving | null = null) {
     const where = 'createWorld';
     const given = options(where, params, false);
     const gravity = given.gravity === undefined ? [0, 10] : vector(where, 'gravity', given.gravity, 2);
@@ -134,6 +162,7 @@ export abstract class WorldState {
     );
     this.parts = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
     this.mayRest = boolean(where, 'allowSleeping', optional(given.allowSleeping, true));
+    this.saving = given.state === undefined ? saving : checkedSaving(where, given.state);
     this.broadphase =
       given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
   }
@@ -233,6 +262,13 @@ export abstract class WorldState {
 
   /** @internal wakes all bodies */
   protected abstract wakeAll(): void;
+}
+
+function checkedSaving(where: string, value: unknown): WorldSaving {
+  if (typeof (value as WorldSaving | null)?.snapshot !== 'function') {
+    throw typeError(where, 'state', 'worldState', value);
+  }
+  return value as WorldSaving;
 }
 
 function checkedBroadphase(where: string, value: unknown): Broadphase {

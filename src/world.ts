@@ -1,6 +1,6 @@
 import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
-import { Constraint } from './constraint/constraint.js';
+import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './listeners.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
@@ -12,7 +12,6 @@ import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
-import { hashOf, restoreTo, snapshotOf } from './state/snapshot.js';
 import {
   boolean,
   callable,
@@ -25,7 +24,13 @@ import {
   typeError,
   vector,
 } from './validate.js';
-import { type WorldEventType, type WorldHandler, type WorldParams, WorldState } from './world-state.js';
+import {
+  type WorldEventType,
+  type WorldHandler,
+  type WorldParams,
+  type WorldSaving,
+  WorldState,
+} from './world-state.js';
 
 /**
  * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
@@ -40,8 +45,8 @@ export class World extends WorldState {
   }
 
   /** @internal use `createWorld` */
-  constructor(params?: WorldParams) {
-    super(params);
+  constructor(params?: WorldParams, saving?: WorldSaving) {
+    super(params, saving);
   }
 
   /**
@@ -155,7 +160,7 @@ export class World extends WorldState {
    * @returns `false`, without effect, if it is in a world already, or during a step.
    */
   addConstraint(constraint: Constraint): boolean {
-    instance('World.addConstraint', 'constraint', constraint, Constraint, 'a Constraint');
+    checkConstraint('World.addConstraint', constraint);
     if (this.stepping || constraint.owner !== null) {
       return false;
     }
@@ -165,7 +170,7 @@ export class World extends WorldState {
 
   /** Removes a constraint; if it was asleep its bodies wake. @returns `false`, without effect, if not in this world, or during a step. */
   removeConstraint(constraint: Constraint): boolean {
-    instance('World.removeConstraint', 'constraint', constraint, Constraint, 'a Constraint');
+    checkConstraint('World.removeConstraint', constraint);
     if (this.stepping || constraint.owner !== this) {
       return false;
     }
@@ -295,11 +300,10 @@ export class World extends WorldState {
    * A digest of all that influences the future, 16 hexadecimal digits: worlds of equal digests go on alike, as far as handlers and callbacks do. The same in
    * every JavaScript engine, whatever the broadphase, for the same calls.
    *
-   * @throws Error when called from a handler or callback of this world, as `snapshot` and `restore`.
+   * @throws Error when called from a handler or callback of this world, or of a world that was made without `state`, as `snapshot` and `restore`.
    */
   hash(): string {
-    this.refuseInside('World.hash');
-    return hashOf(this);
+    return this.saved('World.hash').hash(this);
   }
 
   /**
@@ -310,8 +314,7 @@ export class World extends WorldState {
    */
   snapshot(target?: ArrayBuffer): ArrayBuffer {
     const where = 'World.snapshot';
-    this.refuseInside(where);
-    return snapshotOf(where, this, target);
+    return this.saved(where).snapshot(where, this, target);
   }
 
   /**
@@ -328,8 +331,15 @@ export class World extends WorldState {
    */
   restore(snapshot: ArrayBuffer, held: Iterable<RigidBody | Shape | Constraint> = []): void {
     const where = 'World.restore';
+    this.saved(where).restore(where, this, snapshot, held);
+  }
+
+  private saved(where: string): WorldSaving {
     this.refuseInside(where);
-    restoreTo(where, this, snapshot, checkedHeld(where, held));
+    if (this.saving === null) {
+      throw new Error(`${where}: the world was made without state: pass { state: worldState } to createWorld`);
+    }
+    return this.saving;
   }
 
   /**
@@ -468,23 +478,17 @@ export class World extends WorldState {
   }
 }
 
+/** Asked for what it can do, as its class would be in every bundle that has a world. */
+function checkConstraint(where: string, constraint: Constraint): void {
+  if (typeof constraint?.measure !== 'function') {
+    throw typeError(where, 'constraint', 'a Constraint', constraint);
+  }
+}
+
 function shapeOfBody(where: string, shape: Shape): void {
   if (instance(where, 'shape', shape, Shape, 'a Shape').owner === null) {
     throw typeError(where, 'shape', 'a shape of a body', shape);
   }
-}
-
-function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {
-  if (typeof held !== 'object' || held === null || !(Symbol.iterator in held)) {
-    throw typeError(where, 'held', 'a list of bodies, shapes and constraints', held);
-  }
-  const list = [...(held as Iterable<unknown>)];
-  const isRight = (each: unknown) => [RigidBody, Shape, Constraint].some((kind) => each instanceof kind);
-  const wrong = list.findIndex((each) => !isRight(each));
-  if (wrong >= 0) {
-    throw typeError(where, `held[${wrong}]`, 'a RigidBody, Shape or Constraint', list[wrong]);
-  }
-  return list as (RigidBody | Shape | Constraint)[];
 }
 
 function optionalCallable<T>(where: string, callback: T | undefined): T | null {

@@ -112,9 +112,9 @@ function auditShape(audit: Audit, body: RigidBody, shape: Shape): void {
   audit.demand(handle !== null && handle.data === shape, shape, 'must have a handle in the broadphase that names it');
   audit.demand(handle!.isStatic === body.asleep, shape, 'its handle must be static just while its body sleeps');
   if (shape.type === 'CIRCLE') {
-    auditCircle(audit, shape as Circle);
+    auditCircle(audit, shape);
   } else {
-    auditPolygon(audit, shape as Polygon);
+    auditPolygon(audit, shape);
   }
   if (!body.placeStale) {
     auditBounds(audit, body, shape);
@@ -158,12 +158,12 @@ function auditPolygon(audit: Audit, polygon: Polygon): void {
 /** The bounds of a shape from its geometry and where its body is, computed as `place` does. */
 function placedBounds({ x, y, cos, sin }: RigidBody, shape: Shape): readonly [number, number, number, number] {
   if (shape.type === 'CIRCLE') {
-    const { originX, originY, radius } = shape as Circle;
+    const { originX, originY, radius } = shape;
     const cx = cos * originX - sin * originY;
     const cy = sin * originX + cos * originY;
     return [x + cx - radius, y + cy - radius, x + cx + radius, y + cy + radius];
   }
-  const { vertices } = shape as Polygon;
+  const { vertices } = shape;
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let i = 0; i < vertices.length; i += 2) {
     const px = cos * vertices[i]! - sin * vertices[i + 1]!;

@@ -16,11 +16,13 @@ import { BOX, NONE, PackedTree } from './packed-tree.js';
 
 /** Anything that can be put into a {@link BoxTree}; the tree writes its index. */
 export interface BoxTreeExternalNode {
+  /** Written by the tree: place of the object in it, `undefined` if it is in none. */
   boxTreeIndex?: number | undefined;
 }
 
 /** What a {@link BoxTree.rayTest} callback answers for a hit. */
 export interface BoxTreeRayResult {
+  /** How far along the ray, in lengths of its direction; the ray ends there for what is visited later. */
   factor: number;
 }
 
@@ -33,9 +35,13 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
 
   /** @internal */
   constructor(
+    /** Left side of the bounds. */
     public minX: number,
+    /** Upper side of the bounds: y points down. */
     public minY: number,
+    /** Right side of the bounds. */
     public maxX: number,
+    /** Lower side of the bounds. */
     public maxY: number,
     /** How many places further the next node outside this subtree is. */
     public escapeNodeOffset: number,

@@ -1,6 +1,5 @@
 import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
-import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
@@ -11,10 +10,10 @@ import { POLYGON } from './table.js';
 /** How far a placed shape reaches along a unit vector, from the origin of its body. */
 export function reachAlong(shape: Shape, nx: number, ny: number): number {
   if (shape.kind !== POLYGON) {
-    const { centreX, centreY, radius } = shape as Circle;
+    const { centreX, centreY, radius } = shape;
     return nx * centreX + ny * centreY + radius;
   }
-  const { edges } = shape as Polygon;
+  const { edges } = shape;
   let most = -Infinity;
   for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
     most = Math.max(most, nx * edges[k]! + ny * edges[k + 1]!);
@@ -38,7 +37,7 @@ export function roundness(shape: Shape, separation: number): number {
 /** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
 export function collideAlong(a: Shape, b: Shape, m: Manifold, nx: number, ny: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    collidePolygonsAlong(a as Polygon, b as Polygon, m, nx, ny);
+    collidePolygonsAlong(a, b, m, nx, ny);
     return;
   }
   const dx = m.numbers[g.DX]!;

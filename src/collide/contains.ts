@@ -1,6 +1,5 @@
 import { CIRCLE_POINT_TOLERANCE, POLYGON_POINT_TOLERANCE } from '../config.js';
 import { EDGE_STRIDE } from '../geometry/layout.js';
-import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from './table.js';
@@ -10,14 +9,14 @@ const asked = new Float64Array(2);
 /** Whether a placed shape contains a point, given relative to the origin of its body; the boundary counts. */
 export function containsPoint(shape: Shape, x: number, y: number): boolean {
   if (shape.kind !== POLYGON) {
-    const { centreX, centreY, radius } = shape as Circle;
+    const { centreX, centreY, radius } = shape;
     const dx = x - centreX;
     const dy = y - centreY;
     return dx * dx + dy * dy - radius * radius <= CIRCLE_POINT_TOLERANCE;
   }
   asked[0] = x;
   asked[1] = y;
-  return polygonContains(shape as Polygon, asked, POLYGON_POINT_TOLERANCE);
+  return polygonContains(shape, asked, POLYGON_POINT_TOLERANCE);
 }
 
 /** Whether a placed polygon contains a point, given relative to the origin of its body, or is no farther from it than a tolerance beyond any edge. */

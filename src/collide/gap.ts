@@ -3,9 +3,9 @@ import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
 import type { Shape } from '../shape/shape.js';
 
-const outlineA = new Outline();
-const outlineB = new Outline();
-const distance = new Distance();
+const outlineA = /* @__PURE__ */ new Outline();
+const outlineB = /* @__PURE__ */ new Outline();
+const distance = /* @__PURE__ */ new Distance();
 
 /** How two shapes lie to each other where their bodies are now, relative to the origin of the first body. Dead after the next call. */
 export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {

@@ -21,7 +21,7 @@ export class RayTest {
 
 /** Whether a ray meets the surface of a placed shape; convex, so that it does so from outside or, if it starts inside, from there. */
 export function rayShape(shape: Shape, ray: RayTest): boolean {
-  return shape.kind === POLYGON ? rayPolygon(shape as Polygon, ray) : rayCircle(shape as Circle, ray);
+  return shape.kind === POLYGON ? rayPolygon(shape, ray) : rayCircle(shape, ray);
 }
 
 /** Clips the ray to the half-planes of the edges: it is inside from the last one that it enters to the first that it leaves (Cyrus & Beck 1978). */

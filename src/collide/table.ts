@@ -28,7 +28,7 @@ export function collide(a: Shape, b: Shape, m: Manifold): void {
 /** Whether two placed shapes intersect; touching counts. The manifold, which says how their bodies lie, stays empty. */
 export function intersect(a: Shape, b: Shape, m: Manifold): boolean {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    return polygonsIntersect(a as Polygon, b as Polygon, m);
+    return polygonsIntersect(a, b, m);
   }
   collide(a, b, m);
   const found = m.overlaps();

@@ -9,12 +9,21 @@ import {
   removeListener,
 } from '../listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
+import type { JointSolver } from '../solver/joints.js';
 import type { Island } from '../solver/sleep.js';
 import type { Tape } from '../state/tape.js';
+import type { UserDataOf } from '../user-data.js';
 import { boolean, callable, instance, notNaN, optional, rangeError } from '../validate.js';
 import type { World } from '../world.js';
+import type { AngleConstraint } from './angle.js';
 import type { CustomConstraint } from './custom.js';
+import type { DistanceConstraint } from './distance.js';
+import type { LineConstraint } from './line.js';
+import type { MotorConstraint } from './motor.js';
 import { type ConstraintConfig, type ConstraintParams, checkedConfig } from './params.js';
+import type { PointConstraint } from './point.js';
+import type { PulleyConstraint } from './pulley.js';
+import type { WeldConstraint } from './weld.js';
 
 /** The kinds of constraints. */
 export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
@@ -24,6 +33,17 @@ export type ConstraintEventType = 'wake' | 'sleep' | 'break';
 
 /** Called without arguments, `this` = the constraint. */
 export type ConstraintHandler = (this: Constraint) => void;
+
+/** Of any kind: where `constraint.type === 'MOTOR'` it is a {@link MotorConstraint}, and has a rate. */
+export type Constraint =
+  | AngleConstraint
+  | CustomConstraint
+  | DistanceConstraint
+  | LineConstraint
+  | MotorConstraint
+  | PointConstraint
+  | PulleyConstraint
+  | WeldConstraint;
 
 /** @internal what a constraint remembers from step to step */
 export interface Numbers {
@@ -50,13 +70,13 @@ export interface Keeper {
  * A kind says what it is in one place, `measure`: its position error C, one number per dimension, and the derivative of C
  * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
  */
-export abstract class Constraint {
+export abstract class BaseConstraint {
   /** Tells the kinds apart. */
   abstract readonly type: ConstraintType;
   /** How many numbers its error is made of. */
   readonly dimension: number;
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'constraint'>;
 
   /** @internal its bodies in the order of the Jacobian's columns; one may be listed twice */
   readonly members: readonly RigidBody[];
@@ -87,6 +107,8 @@ export abstract class Constraint {
   /** @internal */
   bounded = false;
 
+  /** @internal what solves it, given by whoever makes it: nothing of that is in a bundle without constraints */
+  solver: JointSolver | null = null;
   /** @internal */
   owner: World | null = null;
   /** @internal */
@@ -191,10 +213,10 @@ export abstract class Constraint {
   configure(params: ConstraintConfig): void {
     const config = checkedConfig('Constraint.configure', params);
     const { owner } = this;
-    owner?.countIgnoring(this, -1);
+    owner?.countIgnoring(this.self, -1);
     Object.assign(this, config);
     if (owner !== null) {
-      owner.countIgnoring(this, 1);
+      owner.countIgnoring(this.self, 1);
       owner.jointsStale = true;
     }
     this.rouse();
@@ -216,7 +238,7 @@ export abstract class Constraint {
       return;
     }
     if (this.owner !== null) {
-      this.owner.switchOn(this);
+      this.owner.switchOn(this.self);
     } else {
       this.enabled = true;
       this.asleep = false;
@@ -230,7 +252,7 @@ export abstract class Constraint {
     }
     this.wake();
     if (this.owner !== null) {
-      this.owner.switchOff(this);
+      this.owner.switchOff(this.self);
     } else {
       this.enabled = false;
       this.forget();
@@ -242,7 +264,7 @@ export abstract class Constraint {
     if (this.owner === null) {
       this.asleep = false;
     } else {
-      this.owner.wakeConstraint(this, true);
+      this.owner.wakeConstraint(this.self, true);
     }
   }
 
@@ -251,7 +273,7 @@ export abstract class Constraint {
     if (this.owner === null) {
       this.asleep = true;
     } else {
-      this.owner.sleepConstraint(this);
+      this.owner.sleepConstraint(this.self);
     }
   }
 
@@ -291,7 +313,7 @@ export abstract class Constraint {
     if (this.owner === null) {
       this.asleep = false;
     } else {
-      this.owner.wakeConstraint(this, false);
+      this.owner.wakeConstraint(this.self, false);
     }
   }
 
@@ -353,6 +375,11 @@ export abstract class Constraint {
     return this.positional && !this.stiff;
   }
 
+  /** @internal itself: its classes are all that there are, which only the compiler cannot know here */
+  private get self(): Constraint {
+    return this as unknown as Constraint;
+  }
+
   /** @internal its class, for messages */
   get kind(): string {
     return `${this.type[0]}${this.type.slice(1).toLowerCase()}Constraint`;
@@ -404,3 +431,6 @@ export function checkBounds(where: string, name: string, lower: number, upper: n
 export function isCustom(constraint: Constraint): constraint is CustomConstraint {
   return constraint.type === 'CUSTOM';
 }
+
+/** For `instanceof`. Constraints are made by `createPointConstraint` and the like. */
+export const Constraint = BaseConstraint as unknown as abstract new (...args: never[]) => Constraint;

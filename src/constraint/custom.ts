@@ -3,7 +3,7 @@ import type { Physics2DDebugDraw } from '../debug/draw.js';
 import type { NumberSink } from '../math/vectors.js';
 import type { Tape } from '../state/tape.js';
 import { callable, instance, integer, options, rangeError, typeError } from '../validate.js';
-import { Constraint } from './constraint.js';
+import { BaseConstraint } from './constraint.js';
 import type { ConstraintParams } from './params.js';
 import { checkedBody } from './two-body.js';
 
@@ -28,22 +28,22 @@ export interface CustomConstraintParams extends ConstraintParams {
   jacobian: CustomCallback;
   /** Writes the error C to `data[index + d]`. Without it the constraint is one of velocities alone, J·v = 0. */
   position?: CustomCallback | undefined;
-  /** Called before the others, to compute what they share. */
+  /** Called before the others, to compute what they share. Default: nothing is. */
   positionConstants?: ((this: CustomConstraint) => void) | undefined;
-  /** Limits the impulse `data[index + d]` of the step, accumulated so far, in place. */
+  /** Limits the impulse `data[index + d]` of the step, accumulated so far, in place. Without it there is no limit but `maxForce`. */
   velocityClamp?: CustomCallback | undefined;
-  /** Limits the correction impulse `data[index + d]` of this position iteration, in place. */
+  /** Limits the correction impulse `data[index + d]` of this position iteration, in place. Without it there is no limit. */
   positionClamp?: CustomCallback | undefined;
-  /** What callbacks remember from step to step, if they do: kept with the world by `snapshot`, put back in place by `restore`, part of `hash`. */
+  /** What callbacks remember from step to step, if they do: kept with the world by `snapshot`, put back in place by `restore`, part of `hash`. Default: nothing. */
   state?: Float64Array | undefined;
-  /** Draws the constraint, for `Physics2DDebugDraw`. `stiff` is the option of that name. */
+  /** Draws the constraint, for `Physics2DDebugDraw`. `stiff` is the option of that name. Without it, it is not drawn. */
   debugDraw?: ((this: CustomConstraint, debug: Physics2DDebugDraw, stiff: boolean) => void) | undefined;
 }
 
 type CallbackName = 'position' | 'jacobian' | 'velocityClamp' | 'positionClamp';
 
 /** A constraint given by callbacks: any number of rows and bodies, through the same solver as the built-in kinds. */
-export class CustomConstraint extends Constraint {
+export class CustomConstraint extends BaseConstraint {
   /** Tells the kinds apart. */
   readonly type = 'CUSTOM';
   /** The bodies of the Jacobian's columns. Do not modify. */

@@ -1,3 +1,4 @@
+import type { UserDataOf } from '../user-data.js';
 import { boolean, nonNegative, nonNegativeOrInfinite, options, positive } from '../validate.js';
 import type { Constraint } from './constraint.js';
 
@@ -29,8 +30,8 @@ export interface ConstraintParams extends ConstraintConfig {
   sleeping?: boolean | undefined;
   /** Does nothing until enabled. Default `false`. */
   disabled?: boolean | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
-  userData?: unknown;
+  /** Anything of yours. Default `null`. */
+  userData?: UserDataOf<'constraint'> | undefined;
 }
 
 /** The options that are given, checked; nothing is changed before all are. */

@@ -2,15 +2,18 @@ import { RigidBody } from '../body.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import type { Tape } from '../state/tape.js';
 import { finite, instance, notNaN, optional, options, rangeError, vector } from '../validate.js';
-import { Constraint, checkBounds } from './constraint.js';
+import { BaseConstraint, checkBounds } from './constraint.js';
 import type { ConstraintParams } from './params.js';
 
+/** Options of constraints between two bodies. */
 export interface TwoBodyParams extends ConstraintParams {
+  /** In any world or none; static, it is an anchor. */
   bodyA: RigidBody;
   /** If it is bodyA again, the constraint does nothing. */
   bodyB: RigidBody;
 }
 
+/** Options of constraints between points of two bodies. */
 export interface TwoAnchorParams extends TwoBodyParams {
   /** Body A coordinates, m. Default `[0, 0]`. */
   anchorA?: Vec2Like | undefined;
@@ -29,7 +32,7 @@ export interface Bounds {
 const ORIGIN: Vec2Like = [0, 0];
 
 /** A constraint between two bodies. They cannot be changed later. */
-export abstract class TwoBodyConstraint extends Constraint {
+export abstract class TwoBodyConstraint extends BaseConstraint {
   /** @internal of the kinds that have one */
   ratio = 1;
 
@@ -138,7 +141,13 @@ export function checkedRatio(where: string, ratio: unknown): number {
 }
 
 /** @internal puts the bounds given, or the defaults, into a constraint under construction */
-export function takeBounds(constraint: Constraint, where: string, params: Bounds, lower: number, upper: number): void {
+export function takeBounds(
+  constraint: BaseConstraint,
+  where: string,
+  params: Bounds,
+  lower: number,
+  upper: number,
+): void {
   constraint.lower = notNaN(where, 'lowerBound', optional(params.lowerBound, lower));
   constraint.upper = notNaN(where, 'upperBound', optional(params.upperBound, upper));
   checkBounds(where, params.upperBound === undefined ? 'lowerBound' : 'upperBound', constraint.lower, constraint.upper);

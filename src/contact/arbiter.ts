@@ -32,6 +32,7 @@ export class Arbiter {
 
   /** The shape with the lower id. */
   shapeA: Shape;
+  /** The other one: normals point from A to B. */
   shapeB: Shape;
   /**
    * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and

@@ -77,9 +77,9 @@ function colorOf(colors: ShapeColors, sensor: boolean, sleeping: boolean): Color
 
 function addShape(debug: Physics2DDebugDraw, shape: Shape, ticked: boolean): void {
   if (shape.type === 'CIRCLE') {
-    addCircleShape(debug, shape as Circle, ticked);
+    addCircleShape(debug, shape, ticked);
   } else {
-    addPolygonShape(debug, shape as Polygon);
+    addPolygonShape(debug, shape);
   }
 }
 

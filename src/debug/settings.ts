@@ -137,9 +137,13 @@ export abstract class DebugSettings {
   declare constraintColorC: Color;
   /** Anchor of body D. */
   declare constraintColorD: Color;
+  /** Anchor of body A, of a constraint that sleeps. */
   declare constraintSleepingColorA: Color;
+  /** Anchor of body B, of a constraint that sleeps. */
   declare constraintSleepingColorB: Color;
+  /** Anchor of body C, of a constraint that sleeps. */
   declare constraintSleepingColorC: Color;
+  /** Anchor of body D, of a constraint that sleeps. */
   declare constraintSleepingColorD: Color;
   /** Lower bounds; what concerns body A. */
   declare constraintErrorColorA: Color;
@@ -149,17 +153,25 @@ export abstract class DebugSettings {
   declare constraintErrorColorC: Color;
   /** The upper bound of the second link of a pulley. */
   declare constraintErrorColorD: Color;
+  /** As `constraintErrorColorA`, of a constraint that sleeps. */
   declare constraintErrorSleepingColorA: Color;
+  /** As `constraintErrorColorB`, of a constraint that sleeps. */
   declare constraintErrorSleepingColorB: Color;
+  /** As `constraintErrorColorC`, of a constraint that sleeps. */
   declare constraintErrorSleepingColorC: Color;
+  /** As `constraintErrorColorD`, of a constraint that sleeps. */
   declare constraintErrorSleepingColorD: Color;
   /** Contacts of two dynamic bodies. */
   declare dynamicContactColor: Color;
   /** Contacts with a static or kinematic body. */
   declare staticContactColor: Color;
+  /** What pushes two shapes apart, if `showContactImpulses`. */
   declare normalImpulseColor: Color;
+  /** What slows their sliding, if `showContactImpulses`. */
   declare frictionImpulseColor: Color;
+  /** Of what `showBodyDetail` shows. */
   declare bodyDetailColor: Color;
+  /** Of what `showShapeDetail` shows. */
   declare shapeDetailColor: Color;
 
   private readonly settings: Record<string, unknown> = {};

@@ -9,9 +9,9 @@ import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 
 /** Scratch of one test; no user code runs within. */
-const own = new Outline();
-const other = new Outline();
-const distance = new Distance();
+const own = /* @__PURE__ */ new Outline();
+const other = /* @__PURE__ */ new Outline();
+const distance = /* @__PURE__ */ new Distance();
 
 /** All shapes whose bounds may meet `bounds`, at their present placement. */
 export function near(world: World, bounds: RectLike): Shape[] {

@@ -3,7 +3,7 @@ import { MAX_SIZE } from '../config.js';
 import type { Outline } from '../geometry/outline.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options, positive, vector, within } from '../validate.js';
-import { Shape, type ShapeParams } from './shape.js';
+import { BaseShape, type ShapeParams } from './shape.js';
 
 /** Options of `createCircleShape`. */
 export interface CircleParams extends ShapeParams {
@@ -14,7 +14,7 @@ export interface CircleParams extends ShapeParams {
 }
 
 /** A disc. */
-export class Circle extends Shape {
+export class Circle extends BaseShape {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;

@@ -7,7 +7,7 @@ import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options } from '../validate.js';
-import { Shape, type ShapeParams } from './shape.js';
+import { BaseShape, type ShapeParams } from './shape.js';
 
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
@@ -65,7 +65,7 @@ function makeForm(corners: ArrayLike<number>): Form {
 }
 
 /** A convex polygon with any number of corners. */
-export class Polygon extends Shape {
+export class Polygon extends BaseShape {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;

@@ -9,7 +9,10 @@ import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { doubles } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
+import type { UserDataOf } from '../user-data.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, rangeError, vector } from '../validate.js';
+import type { Circle } from './circle.js';
+import type { Polygon } from './polygon.js';
 
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
@@ -19,10 +22,15 @@ export type HitHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape, hit:
 
 /** The events of a shape, and what their handlers are. */
 export interface ShapeEvents {
+  /** Two shapes touch for the first time, or again. */
   begin: ShapeHandler;
+  /** They touch in another step, and are awake. */
   progress: ShapeHandler;
+  /** They do not touch any more, or one of them is gone. */
   end: ShapeHandler;
+  /** They are about to collide; the handler may refuse. Called within the step. */
   preSolve: ShapeHandler;
+  /** A collision has begun. */
   hit: HitHandler;
 }
 
@@ -39,9 +47,12 @@ export interface ShapeParams {
   group?: number | undefined;
   /** Bits of the groups that this shape meets. Default 0xffffffff. */
   mask?: number | undefined;
-  /** Anything of yours; `undefined` becomes `null`. */
-  userData?: unknown;
+  /** Anything of yours. Default `null`. */
+  userData?: UserDataOf<'shape'> | undefined;
 }
+
+/** A circle or a polygon: where `shape.type === 'CIRCLE'` it is the former, and has a radius. */
+export type Shape = Circle | Polygon;
 
 /** @internal kernels are looked up by `kind`: 0 circle, 1 polygon */
 export type ShapeKind = 0 | 1;
@@ -52,7 +63,7 @@ let nextId = 0;
  * A convex piece of a body: where it collides, what it is made of, what it meets. Coordinates are those of the body.
  * After every change of geometry or material the body's mass and inertia follow, unless they were given.
  */
-export abstract class Shape {
+export abstract class BaseShape {
   /** Tells circles from polygons. */
   abstract readonly type: 'CIRCLE' | 'POLYGON';
 
@@ -63,7 +74,7 @@ export abstract class Shape {
   /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
   readonly arbiters: Arbiter[] = [];
   /** Anything of yours. */
-  userData: unknown;
+  userData: UserDataOf<'shape'>;
 
   /** @internal */
   abstract readonly kind: ShapeKind;
@@ -309,3 +320,6 @@ export abstract class Shape {
     };
   }
 }
+
+/** For `instanceof`, which tells a `Circle | Polygon`. Shapes are made by `createCircleShape` and `createPolygonShape`. */
+export const Shape = BaseShape as unknown as abstract new (...args: never[]) => Shape;

@@ -37,7 +37,7 @@ import {
 import { pushRows, solveVelocityRows } from './row-joints.js';
 
 /** Packs the live constraints for sub-steps of length h. Of rigid point joints, the many, what did not change is still there. */
-export function packJoints(world: World, h: number): void {
+function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
   const isTouched = world.jointsTouched || world.jointsStale;
@@ -128,7 +128,7 @@ function excuse(data: JointData, { start, end }: Group, share: number): void {
 }
 
 /** Starts a sub-step: finds how often each group has to be swept over. */
-export function warmStartJoints(data: SolverData, isFirst: boolean): void {
+function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { groups, worst, strained } = data.joints;
   for (let i = 0; i < groups.length; i += 1) {
     const group = groups[i]!;
@@ -191,7 +191,7 @@ function sweepOver(data: SolverData, group: Group, isWhole: boolean, solve: Solv
 }
 
 /** Velocity iteration `i` of `count`. */
-export function solveVelocityJoints(data: SolverData, i: number, count: number): void {
+function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   const { groups } = data.joints;
   solveVelocityCustoms(data);
   for (let k = 0; k < groups.length; k += 1) {
@@ -232,7 +232,7 @@ function solveVelocityCustoms(data: SolverData): void {
  * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
  * contacts came in between or they are large. @returns whether there is something left for another.
  */
-export function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
+function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups, worst, isTouched } = data.joints;
   let isLeft = pushCustoms(data);
   for (let k = 0; k < groups.length; k += 1) {
@@ -312,7 +312,7 @@ function pushCustoms(data: SolverData): boolean {
 }
 
 /** Ends a sub-step. */
-export function finishJoints(data: SolverData): void {
+function finishJoints(data: SolverData): void {
   const { groups, runs, joints } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
     dropMomentum(data, groups[k]!);
@@ -337,7 +337,7 @@ export function finishJoints(data: SolverData): void {
 }
 
 /** Writes the outcome of the step back to the constraints, but those that fetch it; those that broke leave. */
-export function storeJoints(world: World): void {
+function storeJoints(world: World): void {
   const data = world.solver;
   const { joints } = data;
   hidePoses(data);
@@ -358,3 +358,15 @@ function breakJoints(world: World, joints: JointData): void {
   }
   broken.length = 0;
 }
+
+/** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */
+export const jointSolver = {
+  pack: packJoints,
+  warmStart: warmStartJoints,
+  solveVelocities: solveVelocityJoints,
+  solvePositions: solvePositionJoints,
+  finish: finishJoints,
+  store: storeJoints,
+};
+
+export type JointSolver = typeof jointSolver;

@@ -6,7 +6,6 @@ import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import { holdWild } from './freeze.js';
-import { packJoints } from './joints.js';
 import { packContacts } from './pack-contacts.js';
 
 /** Packs awake bodies, live constraints and accepted contacts for sub-steps of length h. */
@@ -16,7 +15,12 @@ export function prepare(world: World, h: number): void {
   data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
   data.previousH = h;
   packContacts(data, world.pairs.sorted, world.timeStamp);
-  packJoints(world, h);
+  if (world.jointSolver === null) {
+    world.jointsStale = false;
+    world.jointsTouched = false;
+  } else {
+    world.jointSolver.pack(world, h);
+  }
 }
 
 function packBodies(world: World, h: number): void {

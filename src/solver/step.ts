@@ -7,7 +7,6 @@ import { findPairs, listArbiters } from './find-pairs.js';
 import { foresee } from './foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
-import { finishJoints, solvePositionJoints, solveVelocityJoints, storeJoints, warmStartJoints } from './joints.js';
 import { prepare } from './prepare.js';
 import { refreshMoved } from './refresh.js';
 import { sleepKinematics } from './sleep.js';
@@ -18,7 +17,7 @@ import { store } from './store.js';
  * parts, over which the iterations are spread (Macklin et al., "Small Steps in Physics Simulation", 2019).
  */
 export function step(world: World, dt: number): void {
-  const { solver, substeps, profile } = world;
+  const { solver, substeps, profile, jointSolver } = world;
   const h = dt / substeps;
   profile?.begin();
   refreshMoved(world);
@@ -35,12 +34,12 @@ export function step(world: World, dt: number): void {
   for (let part = 0; part < substeps; part += 1) {
     planBounces(solver, h);
     integrateVelocities(solver);
-    warmStartJoints(solver, part === 0);
+    jointSolver?.warmStart(solver, part === 0);
     warmStartContacts(solver, h, part === 0);
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
     for (let i = 0; i < turns; i += 1) {
-      solveVelocityJoints(solver, i, turns);
+      jointSolver?.solveVelocities(solver, i, turns);
       solveVelocityContacts(solver);
     }
     for (let i = turns; i < CONTACT_SWEEPS * turns; i += 1) {
@@ -51,18 +50,18 @@ export function step(world: World, dt: number): void {
     releaseBounces(solver);
     const pushes = share(world.positionIterations, part, substeps);
     for (let i = 0; i < pushes; i += 1) {
-      const pushedJoints = solvePositionJoints(solver, i, pushes);
+      const pushedJoints = jointSolver?.solvePositions(solver, i, pushes) ?? false;
       const pushedContacts = solvePositionContacts(solver);
       if (!pushedJoints && !pushedContacts) {
         break;
       }
     }
     partCrowds(solver);
-    finishJoints(solver);
+    jointSolver?.finish(solver);
     advance(solver);
     profile?.lap('positions');
   }
-  storeJoints(world);
+  jointSolver?.store(world);
   store(world);
   profile?.lap('store');
   continuous(world, dt);

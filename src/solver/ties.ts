@@ -15,6 +15,7 @@ function distinct(constraint: Constraint): Iterable<RigidBody> {
 /** Puts a constraint into the world's lists and those of its bodies. */
 export function tie(world: World, constraint: Constraint): void {
   constraint.owner = world;
+  world.jointSolver = constraint.solver;
   constraint.index = world.constraints.push(constraint) - 1;
   constraint.order = world.nextOrder;
   world.nextOrder += 1;

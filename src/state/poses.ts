@@ -4,6 +4,7 @@ import { integer, optional, options, typeError } from '../validate.js';
 /** Numbers of a body in a pose buffer. */
 export const POSE_STRIDE = 4;
 
+/** Options of `PoseBuffer.create`. */
 export interface PoseBufferParams {
   /** How many bodies there is room for, integer >= 1. Default 1024. */
   capacity?: number | undefined;
@@ -18,7 +19,9 @@ export interface PoseBufferParams {
  * A thread that reads while another steps may see some bodies one step ahead of others; each number is whole.
  */
 export class PoseBuffer {
+  /** How many bodies there is room for. */
   readonly capacity: number;
+  /** x and y in m, cosine and sine of the rotation, of the body with index i from `poses[4 * i]` on. */
   readonly poses: Float32Array | Float64Array;
   private readonly bodies: (RigidBody | null)[] = [];
   private readonly indices = new Map<RigidBody, number>();
@@ -37,6 +40,7 @@ export class PoseBuffer {
     this.poses = poses ?? new Float32Array(POSE_STRIDE * this.capacity);
   }
 
+  /** A buffer that tracks no body yet. @throws if an option is not valid, or `poses` has too little room. */
   static create(params?: PoseBufferParams): PoseBuffer {
     return new PoseBuffer(params);
   }

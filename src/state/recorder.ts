@@ -8,20 +8,40 @@ import type { World } from '../world.js';
 type Recorded = World | RigidBody | Shape | Constraint;
 
 /** A call, with the object and those among its arguments by reference: a recording is for the program that made it. */
-interface Call {
+export interface RecordedCall {
+  /** What it was made on. */
   readonly object: Recorded;
+  /** Which of its methods. */
   readonly method: string;
+  /** As given; arrays are copies. */
   readonly args: readonly unknown[];
-  /** Of a call that added something, which may be in another state by now: the hash before it, and the state after it. */
-  readonly added: { readonly before: string; readonly after: ArrayBuffer } | null;
+  /** Of a call that added something, which may be in another state by now; else `null`. */
+  readonly added: {
+    /** Hash before the call. */
+    readonly before: string;
+    /** Snapshot after it. */
+    readonly after: ArrayBuffer;
+  } | null;
 }
 
 const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
 
 /** A snapshot, and what was called from then on, step by step. */
 export interface Recording {
+  /** The world as it was when the recording began. */
   readonly snapshot: ArrayBuffer;
-  readonly frames: readonly { readonly calls: readonly Call[]; readonly deltaTime: number; readonly hash: string }[];
+  /** One for each step, in turn. */
+  readonly frames: readonly RecordedStep[];
+}
+
+/** What a game did before a step, and the step. */
+export interface RecordedStep {
+  /** In the order in which they were made. */
+  readonly calls: readonly RecordedCall[];
+  /** Of the step, s. */
+  readonly deltaTime: number;
+  /** `world.hash()` after the step. */
+  readonly hash: string;
 }
 
 /**
@@ -29,9 +49,10 @@ export interface Recording {
  * hashes. What handlers do is not recorded, as they are called again.
  */
 export class Recorder {
+  /** The world as it was when the recording began. */
   readonly snapshot: ArrayBuffer;
-  private readonly frames: { calls: Call[]; deltaTime: number; hash: string }[] = [];
-  private calls: Call[] = [];
+  private readonly frames: RecordedStep[] = [];
+  private calls: RecordedCall[] = [];
 
   /** @internal use `create` */
   constructor(private readonly world: World) {
@@ -115,7 +136,7 @@ function methodOf(where: string, object: Recorded, method: string): (...args: un
 }
 
 /** @returns whether all is as it was then. */
-function repeat(world: World, { object, method, args, added }: Call): boolean {
+function repeat(world: World, { object, method, args, added }: RecordedCall): boolean {
   if (added !== null) {
     const isRight = world.hash() === added.before;
     world.restore(added.after);

@@ -6,7 +6,6 @@ import * as c from '../contact/layout.js';
 import { polygonArea } from '../geometry/mass.js';
 import { repeatedVertex } from '../geometry/vertices.js';
 import type { Material } from '../material.js';
-import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { Group } from '../solver/joint-data.js';
@@ -23,13 +22,13 @@ const BEFORE = c.NORMAL;
 const IMPULSES = c.ELASTICITY - c.NORMAL;
 const MATERIAL = 4;
 
-const bodyRow = new Row(1, 23);
-const shapeRow = new Row(1, 6);
-const pairRow = new Row(8, 8);
+const bodyRow = /* @__PURE__ */ new Row(1, 23);
+const shapeRow = /* @__PURE__ */ new Row(1, 6);
+const pairRow = /* @__PURE__ */ new Row(8, 8);
 /** … for those that have not met yet: rows of either kind are like others of that. */
-const nearRow = new Row(8, 8);
-const contactRow = new Row(0, g.FACE_DX + IMPULSES + MATERIAL);
-const againRow = new Row(0, 4);
+const nearRow = /* @__PURE__ */ new Row(8, 8);
+const contactRow = /* @__PURE__ */ new Row(0, g.FACE_DX + IMPULSES + MATERIAL);
+const againRow = /* @__PURE__ */ new Row(0, 4);
 
 /** All there are, for a tape. */
 export const ROWS: readonly Row[] = [bodyRow, shapeRow, pairRow, nearRow, contactRow, againRow];
@@ -120,8 +119,8 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
 /** @returns whether it is another shape now. */
 export function keepShape(tape: Tape, shape: Shape): boolean {
   const { numbers: n, integers } = shapeRow;
-  const circle = shape.kind === 0 ? (shape as Circle) : null;
-  const polygon = shape.kind === 0 ? null : (shape as Polygon);
+  const circle = shape.kind === 0 ? shape : null;
+  const polygon = shape.kind === 0 ? null : shape;
   if (tape.writes) {
     integers[0] = polygon === null ? 1 : polygon.geometryStamp;
     n[0] = shape.group;

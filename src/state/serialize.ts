@@ -1,18 +1,9 @@
 import type { RigidBody } from '../body.js';
 import type { BodyType } from '../body-params.js';
 import type { Broadphase } from '../broadphase/broadphase.js';
-import type { AngleConstraint } from '../constraint/angle.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
-import type { DistanceConstraint } from '../constraint/distance.js';
-import type { LineConstraint } from '../constraint/line.js';
-import type { MotorConstraint } from '../constraint/motor.js';
-import type { PointConstraint } from '../constraint/point.js';
-import type { PulleyConstraint } from '../constraint/pulley.js';
-import type { WeldConstraint } from '../constraint/weld.js';
 import type { Material } from '../material.js';
-import type { Circle } from '../shape/circle.js';
-import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { callable, options as checkedOptions, typeError } from '../validate.js';
 import type { World } from '../world.js';
@@ -21,83 +12,125 @@ import { toBase64 } from './base64.js';
 /** A number as JSON can hold it: infinite ones as their names. */
 export type PlainNumber = number | 'Infinity' | '-Infinity';
 
+/** A material of a {@link PlainWorld}. */
 export interface PlainMaterial {
+  /** As `MaterialParams.elasticity`. */
   elasticity: PlainNumber;
+  /** >= 0. */
   staticFriction: number;
+  /** >= 0. */
   dynamicFriction: number;
+  /** >= 0. */
   rollingFriction: number;
+  /** kg/m². */
   density: number;
+  /** What `SerializeOptions.userData` made of it; else `null`. */
   userData: unknown;
 }
 
+/** A shape of a {@link PlainBody}. */
 export interface PlainShape {
   /** When it was added; the first of two is the first of their arbiter. */
   order: number;
   /** Place among all shapes by when they were created. */
   rank: number;
+  /** Which of the options below it has. */
   type: 'CIRCLE' | 'POLYGON';
+  /** Collides with nothing. */
   sensor: boolean;
   /** Index in `materials`. */
   material: number;
+  /** Bits that say what it is. */
   group: number;
+  /** Bits of the groups that it meets. */
   mask: number;
+  /** Of a circle, m. */
   radius?: number;
+  /** Centre of a circle in body coordinates, m. */
   origin?: number[];
+  /** Corners of a polygon in body coordinates, `[x, y]` each, m. */
   vertices?: number[][];
+  /** What `SerializeOptions.userData` made of it; else `null`. */
   userData: unknown;
 }
 
+/** A body of a {@link PlainWorld}. */
 export interface PlainBody {
+  /** When it was added. */
   order: number;
   /** `false` for what is only an anchor of constraints. */
   inWorld: boolean;
+  /** What moves it. */
   type: BodyType;
+  /** `[x, y]`, m. */
   position: number[];
+  /** rad, clockwise on screen. */
   rotation: number;
+  /** `[x, y]`, m/s. */
   velocity: number[];
+  /** rad/s, clockwise on screen. */
   angularVelocity: number;
+  /** In the order of `body.shapes`. */
   shapes: PlainShape[];
+  /** What `SerializeOptions.userData` made of it; else `null`. */
   userData: unknown;
 }
 
+/** A constraint of a {@link PlainWorld}. */
 export interface PlainConstraint {
+  /** When it was added. */
   order: number;
+  /** Which kind it is, and so which of the options below it has. */
   type: Constraint['type'];
   /** Indices in `bodies`. */
   bodies: number[];
   /** One for each body. */
   anchors?: number[][];
+  /** Of a line: its direction in coordinates of body A, length 1. */
   axis?: number[];
+  /** Of a weld: the angle that it keeps, rad. */
   phase?: number;
+  /** Of an angle, a motor, a pulley. */
   ratio?: number;
+  /** Of a motor, rad/s. */
   rate?: number;
+  /** m, of an angle rad. */
   lowerBound?: PlainNumber;
+  /** m, of an angle rad. */
   upperBound?: PlainNumber;
+  /** What `SerializeOptions.userData` made of it; else `null`. */
   userData: unknown;
 }
 
 /** A world as data that JSON can hold. What objects there are can be read and, with care, edited; `state` is what the solver knows of them. */
 export interface PlainWorld {
+  /** Tells it from other data. */
   format: 'phys2d world';
+  /** Of the format. */
   version: 1;
+  /** Those of the shapes, each once. */
   materials: PlainMaterial[];
+  /** Those of the world, and anchors of its constraints that are in none. */
   bodies: PlainBody[];
+  /** Those of the world. */
   constraints: PlainConstraint[];
   /** A snapshot, base64. */
   state: string;
 }
 
+/** Options of {@link serialize}. */
 export interface SerializeOptions {
   /** Turns the user data of a material, shape, body or constraint into what JSON can hold. Default: it is left out. */
   userData?: ((userData: unknown) => unknown) | undefined;
 }
 
+/** Options of {@link deserialize}. */
 export interface DeserializeOptions {
   /** The reverse of `SerializeOptions.userData`. Default: it is taken as it is. */
   userData?: ((plain: unknown) => unknown) | undefined;
-  /** Makes a custom constraint anew, of as many rows, as its callbacks are code. Needed if there are any. */
+  /** Makes a custom constraint anew, of as many rows, as its callbacks are code. Without it, data with custom constraints is refused. */
   custom?: ((plain: PlainConstraint, bodies: RigidBody[]) => CustomConstraint) | undefined;
-  /** For the new world; as in `createWorld`. */
+  /** For the new world. Default: a box tree, as in `createWorld`. */
   broadphase?: Broadphase | undefined;
 }
 
@@ -148,12 +181,10 @@ export function serialize(world: World, options: SerializeOptions = {}): PlainWo
 /** The bodies of a constraint, in their order. */
 export function membersOf(constraint: Constraint): readonly RigidBody[] {
   if (constraint.type === 'CUSTOM') {
-    return (constraint as CustomConstraint).bodies;
+    return constraint.bodies;
   }
-  const { bodyA, bodyB } = constraint as PointConstraint;
-  return constraint.type === 'PULLEY'
-    ? [bodyA, bodyB, (constraint as PulleyConstraint).bodyC, (constraint as PulleyConstraint).bodyD]
-    : [bodyA, bodyB];
+  const { bodyA, bodyB } = constraint;
+  return constraint.type === 'PULLEY' ? [bodyA, bodyB, constraint.bodyC, constraint.bodyD] : [bodyA, bodyB];
 }
 
 type UserData = (value: unknown) => unknown;
@@ -179,8 +210,8 @@ function plainShape(shape: Shape, rank: number, materials: readonly Material[], 
     group: shape.getGroup(),
     mask: shape.getMask(),
     ...(shape.type === 'CIRCLE'
-      ? { radius: (shape as Circle).getRadius(), origin: (shape as Circle).getOrigin() }
-      : { vertices: pairs((shape as Polygon).vertices) }),
+      ? { radius: shape.getRadius(), origin: shape.getOrigin() }
+      : { vertices: pairs(shape.vertices) }),
     userData: userData(shape.userData),
   };
 }
@@ -190,35 +221,33 @@ function pairs(numbers: ArrayLike<number>): number[][] {
 }
 
 function plainConstraint(constraint: Constraint, bodies: readonly RigidBody[], userData: UserData): PlainConstraint {
-  const { type } = constraint;
   const result: PlainConstraint = {
     order: constraint.order,
-    type,
+    type: constraint.type,
     bodies: membersOf(constraint).map((body) => bodies.indexOf(body)),
     userData: userData(constraint.userData),
   };
-  if (type === 'POINT' || type === 'WELD' || type === 'DISTANCE' || type === 'LINE' || type === 'PULLEY') {
-    const anchored = constraint as PulleyConstraint;
-    result.anchors = [anchored.getAnchorA(), anchored.getAnchorB()];
-    if (type === 'PULLEY') {
-      result.anchors.push(anchored.getAnchorC(), anchored.getAnchorD());
+  if ('getAnchorA' in constraint) {
+    result.anchors = [constraint.getAnchorA(), constraint.getAnchorB()];
+    if (constraint.type === 'PULLEY') {
+      result.anchors.push(constraint.getAnchorC(), constraint.getAnchorD());
     }
   }
-  if (type === 'WELD') {
-    result.phase = (constraint as WeldConstraint).getPhase();
+  if (constraint.type === 'WELD') {
+    result.phase = constraint.getPhase();
   }
-  if (type === 'LINE') {
-    result.axis = (constraint as LineConstraint).getAxis();
+  if (constraint.type === 'LINE') {
+    result.axis = constraint.getAxis();
   }
-  if (type === 'MOTOR') {
-    result.rate = (constraint as MotorConstraint).getRate();
+  if (constraint.type === 'MOTOR') {
+    result.rate = constraint.getRate();
   }
-  if (type === 'ANGLE' || type === 'MOTOR' || type === 'PULLEY') {
-    result.ratio = (constraint as AngleConstraint).getRatio();
+  if ('getRatio' in constraint) {
+    result.ratio = constraint.getRatio();
   }
-  if (type === 'DISTANCE' || type === 'LINE' || type === 'ANGLE' || type === 'PULLEY') {
-    result.lowerBound = plain((constraint as DistanceConstraint).getLowerBound());
-    result.upperBound = plain((constraint as DistanceConstraint).getUpperBound());
+  if ('getLowerBound' in constraint) {
+    result.lowerBound = plain(constraint.getLowerBound());
+    result.upperBound = plain(constraint.getUpperBound());
   }
   return result;
 }

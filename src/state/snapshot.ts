@@ -1,11 +1,14 @@
-import type { RigidBody } from '../body.js';
-import type { Shape } from '../shape/shape.js';
+import { RigidBody } from '../body.js';
+import { Constraint } from '../constraint/constraint.js';
+import { Shape } from '../shape/shape.js';
 import type { Group } from '../solver/joint-data.js';
 import { orderJoints } from '../solver/joint-order.js';
 import { widened } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
-import { instance } from '../validate.js';
+import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
+import type { WorldSaving } from '../world-state.js';
+import { VERSION } from './format.js';
 import { describe, ranksOf, resolve } from './identity.js';
 import { keepGroup, ROWS } from './rows.js';
 import { emptyScene, gather, type Objects, type Scene } from './scene.js';
@@ -14,18 +17,18 @@ import { walk } from './walk.js';
 import { endsRow } from './walk-pairs.js';
 
 /** Scratch: nothing in them lives on. */
-const tape = new Tape([...ROWS, endsRow]);
-const scene = emptyScene();
+const tape = /* @__PURE__ */ new Tape(/* @__PURE__ */ ROWS.concat(endsRow));
+const scene = /* @__PURE__ */ emptyScene();
 
 /** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
 interface Known extends Objects {
   checksum: string;
 }
 
-const known = new WeakMap<ArrayBuffer, Known>();
+const known = /* @__PURE__ */ new WeakMap<ArrayBuffer, Known>();
 
 /** A digest of everything that influences the future, 16 hexadecimal digits. */
-export function hashOf(world: World): string {
+function hashOf(world: World): string {
   gather(world, scene);
   tape.hash();
   tape.integers(ranksOf(scene.shapes));
@@ -36,7 +39,7 @@ export function hashOf(world: World): string {
 }
 
 /** The state of a world, in `target` if that is large enough. */
-export function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer {
+function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer {
   if (target !== undefined) {
     instance(where, 'target', target, ArrayBuffer, 'an ArrayBuffer');
   }
@@ -68,13 +71,14 @@ function replace<T>(list: T[], by: readonly T[]): void {
 }
 
 /** Brings a world back to a state; nothing changes unless all is right. */
-export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
+function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
+  const list = checkedHeld(where, held);
   instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer');
   tape.load(where, buffer);
   const found = known.get(buffer);
   const own = found?.checksum === tape.checksum ? found : null;
   const ids = tape.integers([]);
-  const there = resolve(tape, world, ids, own, held);
+  const there = resolve(tape, world, ids, own, list);
   if (own === null) {
     walk(tape, world, there);
     walkGroups(tape, world);
@@ -90,6 +94,19 @@ export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held
   }
   walkGroups(tape, world);
   place(world, there);
+}
+
+function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {
+  if (typeof held !== 'object' || held === null || !(Symbol.iterator in held)) {
+    throw typeError(where, 'held', 'a list of bodies, shapes and constraints', held);
+  }
+  const list = [...(held as Iterable<unknown>)];
+  const isRight = (each: unknown) => [RigidBody, Shape, Constraint].some((kind) => each instanceof kind);
+  const wrong = list.findIndex((each) => !isRight(each));
+  if (wrong >= 0) {
+    throw typeError(where, `held[${wrong}]`, 'a RigidBody, Shape or Constraint', list[wrong]);
+  }
+  return list as (RigidBody | Shape | Constraint)[];
 }
 
 /** What joints that hang together remember, unless they are about to be listed anew. */
@@ -179,6 +196,7 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
   for (let i = 0; i < constraints.length; i += 1, at += 1) {
     const constraint = constraints[i]!;
     constraint.owner = world;
+    world.jointSolver = constraint.solver;
     constraint.order = ids[at]!;
     constraint.index = i;
     world.constraints.push(constraint);
@@ -243,3 +261,11 @@ function drop(list: unknown[]): void {
     list.pop();
   }
 }
+
+/** For `createWorld({ state: worldState })`: the world can be saved, restored and hashed. Those that `phys2D` makes always can. */
+export const worldState: WorldSaving = {
+  version: VERSION,
+  hash: hashOf,
+  snapshot: snapshotOf,
+  restore: restoreTo,
+};

@@ -25,7 +25,7 @@ const PLACE_B = 4;
 /** Which of the world's lists, 0 the dynamic one; −1 for the place: in none. */
 const LIST = 5;
 const PLACE = 6;
-export const endsRow = new Row(7, 0);
+export const endsRow = /* @__PURE__ */ new Row(7, 0);
 
 /** All pairs: awake ones in order, sleeping ones, then those that only events name. */
 export function walkPairs(tape: Tape, world: World, scene: Scene): void {

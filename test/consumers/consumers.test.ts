@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { PROGRAMS, partsOf } from '../package/bundlers.js';
 import { installTools, Project, tool, toolFile } from './project.js';
-import { TYPES } from './types.js';
+import { TYPES, USER_DATA } from './types.js';
 
 // The package as npm packs it, installed into a fresh project and used with the compilers and bundlers that users have.
 
@@ -13,7 +13,7 @@ const home = (...path: string[]): string => join(project.folder, 'node_modules/p
 beforeAll(() => {
   installTools();
   project = new Project();
-  project.write(TYPES);
+  project.write({ ...TYPES, ...USER_DATA });
   project.write(Object.fromEntries(PROGRAMS.map(({ code }, i) => [`bundles/${i}.mjs`, code])));
 }, 120_000);
 
@@ -29,15 +29,22 @@ describe('checkers', () => {
     expect(messages).toEqual([]);
   });
 
-  it('@arethetypeswrong/cli has nothing to say', () => {
-    const report = project.node(toolFile('@arethetypeswrong/cli/dist/index.js'), project.tarball, '--format', 'json');
+  it('@arethetypeswrong/cli has nothing to say', async () => {
+    const report = await project.node(
+      toolFile('@arethetypeswrong/cli/dist/index.js'),
+      project.tarball,
+      '--format',
+      'json',
+    );
     const { analysis, problems } = JSON.parse(report) as { analysis: { entrypoints: object }; problems?: object };
-    expect(Object.keys(analysis.entrypoints)).toEqual(expect.arrayContaining(['.', './debug', './runner']));
+    expect(Object.keys(analysis.entrypoints)).toEqual(
+      expect.arrayContaining(['.', './debug', './runner', './state', './validate']),
+    );
     expect(problems ?? {}).toEqual({});
   });
 });
 
-describe('compilers', () => {
+describe.concurrent('compilers', () => {
   const STRICT =
     '--noEmit --strict --skipDefaultLibCheck --exactOptionalPropertyTypes --noUncheckedIndexedAccess --noPropertyAccessFromIndexSignature --esModuleInterop';
   const options = `${STRICT} --target es2022 --lib es2022,dom --typeRoots none`.split(' ');
@@ -57,16 +64,19 @@ describe('compilers', () => {
     ['newest', 'node16', files],
     ['newest', 'nodenext', files],
     ['newest', 'bundler', ['import.mts']],
-  ])('TypeScript %s with moduleResolution %s', (version, resolution, sources) => {
+    ['5.0', 'bundler', ['user-data.mts']],
+    ['5.9', 'node16', ['user-data.mts']],
+    ['newest', 'nodenext', ['user-data.mts']],
+  ])('TypeScript %s with moduleResolution %s: %j', async (version, resolution, sources) => {
     const tsc = version === 'newest' ? newest : old(version);
     const module = { bundler: 'esnext', node10: 'commonjs' }[resolution] ?? resolution;
     const command = [tsc, ...options, '--module', module, '--moduleResolution', resolution, ...sources];
-    expect(project.node(...command)).toBe('');
+    expect(await project.node(...command)).toBe('');
   });
 
-  it('a mistake is one for them', () => {
+  it('a mistake is one for them', async () => {
     project.write({ 'mistake.mts': "import { World } from 'phys2d';\nexport const name: string = World.name.length;" });
-    expect(project.node(newest, ...options, '--module', 'node16', 'mistake.mts')).toContain('TS2322');
+    expect(await project.node(newest, ...options, '--module', 'node16', 'mistake.mts')).toContain('TS2322');
   });
 
   it('the declarations have no any', () => {
@@ -140,13 +150,13 @@ it.each([
     const text = await BUNDLERS[bundler]!(join(project.folder, `bundles/${i}.mjs`));
     expect(partsOf(text).sort()).toEqual([...PROGRAMS[i]!.parts].sort());
     writeFileSync(join(project.folder, 'out.mjs'), text);
-    expect(project.node('out.mjs')).toBe('fell 5');
+    expect(await project.node('out.mjs')).toBe('fell 5');
   },
   60_000,
 );
 
 describe('Node', () => {
-  it('imports and requires it, and a worker thread does', () => {
+  it('imports and requires it, and a worker thread does', async () => {
     const fall = `const world = phys2D.createWorld();
 const body = phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 0.5 })] });
 world.addRigidBody(body);
@@ -157,21 +167,24 @@ console.log(body.getPosition().join());`;
       'run.cjs': `const phys2D = require('phys2d');\n${fall}`,
       'thread.mjs': "import { Worker } from 'node:worker_threads';\nnew Worker(new URL('run.mjs', import.meta.url));",
     });
-    const imported = project.node('run.mjs');
+    const imported = await project.node('run.mjs');
     expect(imported).toMatch(/^0,4\.\d+$/);
-    expect(project.node('run.cjs')).toBe(imported);
-    expect(project.node('thread.mjs')).toBe(imported);
+    expect(await project.node('run.cjs')).toBe(imported);
+    expect(await project.node('thread.mjs')).toBe(imported);
   });
 
-  it.each(['phys2d.js', 'phys2d.min.js', 'phys2d.umd.cjs'])('an error within %s is traced to the source', (name) => {
-    const code = `import phys2D from './node_modules/phys2d/dist/${name}';\nphys2D.createWorld().step(0);`;
-    project.write({ 'trace.mjs': code });
-    const trace = project.node('--enable-source-maps', 'trace.mjs');
-    expect(trace).toContain('RangeError: World.step: deltaTime');
-    const line = Number(/src[/\\]world\.ts:(\d+)/.exec(trace)?.[1]);
-    const source = readFileSync(join(import.meta.dirname, '../../src/world.ts'), 'utf8').split('\n');
-    expect(source[line - 1]).toContain("positive('World.step'");
-  });
+  it.each(['phys2d.js', 'phys2d.min.js', 'phys2d.umd.cjs'])(
+    'an error within %s is traced to the source',
+    async (name) => {
+      const code = `import phys2D from './node_modules/phys2d/dist/${name}';\nphys2D.createWorld().step(0);`;
+      project.write({ 'trace.mjs': code });
+      const trace = await project.node('--enable-source-maps', 'trace.mjs');
+      expect(trace).toContain('RangeError: World.step: deltaTime');
+      const line = Number(/src[/\\]world\.ts:(\d+)/.exec(trace)?.[1]);
+      const source = readFileSync(join(import.meta.dirname, '../../src/world.ts'), 'utf8').split('\n');
+      expect(source[line - 1]).toContain("positive('World.step'");
+    },
+  );
 
   it('each bundle has a map that holds all its sources', () => {
     const bundles = readdirSync(home('dist')).filter((name) => /\.c?js$/.test(name));

@@ -1,14 +1,16 @@
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 
 // A fresh project with the package as npm packs it, and the tools of package.json beside this file.
 
 const root = join(import.meta.dirname, '../..');
 const tools = createRequire(join(import.meta.dirname, 'package.json'));
+const execFileAsync = promisify(execFile);
 const npm = { encoding: 'utf8', shell: process.platform === 'win32', stdio: 'pipe' } as const;
 
 /** Installs compilers, bundlers and checkers; takes no time if they are there. */
@@ -55,9 +57,10 @@ export class Project {
   }
 
   /** Runs Node in the project. @returns what it prints, to both outputs. */
-  node(...args: string[]): string {
+  async node(...args: string[]): Promise<string> {
     try {
-      return execFileSync(process.execPath, args, { cwd: this.folder, encoding: 'utf8', stdio: 'pipe' }).trim();
+      const { stdout } = await execFileAsync(process.execPath, args, { cwd: this.folder, maxBuffer: 2 ** 24 });
+      return stdout.trim();
     } catch (error) {
       const { stdout, stderr } = error as { stdout: string; stderr: string };
       return `${stdout}${stderr}`.trim();

@@ -1,10 +1,13 @@
 import { execFileSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { dirname, join, normalize } from 'node:path';
-import { beforeAll, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
+import * as audit from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as names from '../../src/index.js';
 import * as runner from '../../src/runner.js';
+import * as state from '../../src/state/index.js';
 
 // The documentation site, built as `npm run docs` does; TypeDoc's warnings are errors.
 
@@ -44,9 +47,11 @@ it('has no broken link', () => {
 });
 
 it('has every public name and every page of the guide, for people and for machines', () => {
-  const search = readFileSync(join(site, 'modules.html'), 'utf8') + readdirSync(join(site, 'classes')).join(' ');
+  const search = ['classes', 'variables'].flatMap((kind) => readdirSync(join(site, kind))).join(' ');
   const llms = readFileSync(join(site, 'llms.txt'), 'utf8');
-  const public_ = Object.keys({ ...names, ...debug, ...runner }).filter((name) => name !== 'default');
+  const public_ = Object.keys({ ...names, ...debug, ...runner, ...state, ...audit }).filter(
+    (name) => name !== 'default',
+  );
   expect(public_.filter((name) => /^[A-Z]/.test(name) && !search.includes(name))).toEqual([]);
   expect(public_.filter((name) => !llms.includes(name))).toEqual([]);
   const guide = readdirSync(join(docs, 'guide')).filter((name) => name.endsWith('.md'));
@@ -55,4 +60,70 @@ it('has every public name and every page of the guide, for people and for machin
     expect(existsSync(join(site, 'documents', `${title.replaceAll(' ', '_')}.html`)), name).toBe(true);
     expect(llms).toContain(`# ${title}\n`);
   }
+});
+
+describe('comments', () => {
+  interface Report {
+    checked: number;
+    poor: string[];
+  }
+  const report = (...files: string[]): Report =>
+    JSON.parse(execFileSync(process.execPath, [join(docs, 'comments.mjs'), ...files], { encoding: 'utf8' })) as Report;
+
+  it('each public name has one that says something', () => {
+    const { checked, poor } = report();
+    console.log(`${checked - poor.length} of ${checked} public names have a complete comment`);
+    expect(poor).toEqual([]);
+    expect(checked).toBeGreaterThan(Object.keys({ ...names, ...debug, ...runner, ...state, ...audit }).length);
+  });
+
+  it('a poor one is found', () => {
+    const folder = mkdtempSync(join(tmpdir(), 'phys2d-comments-'));
+    const file = join(folder, 'poor.d.ts');
+    writeFileSync(
+      file,
+      `/** Things. */
+export interface ThingParams {
+  size?: number;
+  /** The mass. */
+  mass?: number;
+  /** kg. */
+  load?: number;
+  /** Default 1. */
+  good?: number;
+}
+declare class Base {
+  a(): void;
+  private b: number;
+  /** m. */
+  get c(): number;
+  set c(c: number);
+}
+/** Does this and that. */
+export declare class Thing extends Base {
+  static make(): void;
+  list: {
+    /** Good. */
+    x: 1;
+    y: 2;
+  }[] | null;
+}
+export declare function make(): Thing;
+export {};`,
+    );
+    expect(report(file)).toEqual({
+      checked: 13,
+      poor: [
+        'Thing.a has no comment',
+        'Thing.list has no comment',
+        'Thing.list.y has no comment',
+        'Thing.make has no comment',
+        'ThingParams.load does not say its default',
+        'ThingParams.mass has a comment that says nothing but the name',
+        'ThingParams.size has no comment',
+        'make has no comment',
+      ],
+    });
+    rmSync(folder, { recursive: true });
+  });
 });

@@ -1,13 +1,5 @@
 import type { validate } from '../../src/audit/index.js';
-import type {
-  Arbiter,
-  Constraint,
-  DistanceConstraint,
-  Physics2DDevice,
-  RigidBody,
-  Shape,
-  World,
-} from '../../src/index.js';
+import type { Arbiter, Constraint, Physics2DDevice, RigidBody, Shape, World } from '../../src/index.js';
 
 /** What programs throw on purpose. */
 class Stop extends Error {}
@@ -86,10 +78,9 @@ export class Stage {
   readonly bind = (constraint: Constraint | undefined, first: number, second: number): void => {
     if (constraint !== undefined && 'setLowerBound' in constraint) {
       const least = constraint.type === 'DISTANCE' ? 0 : -Infinity;
-      const bounded = constraint as DistanceConstraint;
-      bounded.setUpperBound(Infinity);
-      bounded.setLowerBound(Math.max(least, Math.min(first, second)));
-      bounded.setUpperBound(Math.max(0, first, second));
+      constraint.setUpperBound(Infinity);
+      constraint.setLowerBound(Math.max(least, Math.min(first, second)));
+      constraint.setUpperBound(Math.max(0, first, second));
     }
   };
 

@@ -9,7 +9,7 @@ type House = ReadonlyMap<string, string>;
 
 /** From the ground up. A value import may point to its own layer or a lower one; a type-only import anywhere. */
 const LAYERS: readonly (readonly string[])[] = [
-  ['config', 'validate', 'listeners'],
+  ['config', 'validate', 'listeners', 'user'],
   ['math'],
   ['geometry'],
   ['material', 'shape'],

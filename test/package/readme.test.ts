@@ -1,7 +1,9 @@
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
+import { withFigures } from '../../bench/readme.mjs';
+import { PROGRAMS } from './bundlers.js';
 
 // The examples of the README are files of examples/, which the type check and the build read as well.
 
@@ -33,4 +35,26 @@ it('the example with events prints what the README says', () => {
   const output = execFileSync(process.execPath, [join(root, 'dist/examples/events.js')], { encoding: 'utf8' });
   expect(output.split('\n').length).toBeGreaterThan(3);
   expect(read('README.md')).toContain(`\`\`\`\n${output}\`\`\``);
+});
+
+it('the README has the figures of the last runs beside other engines', () => {
+  const speed = existsSync(join(root, 'bench/RESULTS.md')) ? read('bench/RESULTS.md') : null;
+  const readme = read('README.md');
+  expect(withFigures(readme, read('bench/QUALITY.md'), speed)).toBe(readme);
+  const page = `Written on 2020-01-02 by\n\n## Median of a step, ms\n\n| | phys2d |\n|---|---|\n| mud (m) | 3 |\n| rain (m) | 7 |\n\n`;
+  const changed = withFigures(readme, read('bench/QUALITY.md'), page);
+  expect(changed).toContain('measured on 2020-01-02 by');
+  expect(changed).toContain('| | phys2d |\n|---|---|\n| rain (m) | 7 |\n\n');
+});
+
+it('the README has the sizes that the tests allow', () => {
+  const line = /\*\*Size\*\*[^.]*?at most (.*?) kB\. A bundler/s.exec(read('README.md'))![1]!;
+  const named = [
+    'world, circles and a broadphase',
+    'everything but constraints',
+    'everything',
+    'everything, with debug drawing',
+  ];
+  const budgets = named.map((name) => PROGRAMS.find((program) => program.name === name)!.budget / 1000);
+  expect([...line.matchAll(/[\d.]+(?= kB|$)/g)].map(Number)).toEqual(budgets);
 });

@@ -23,12 +23,15 @@ async function bundle(i: number): Promise<string> {
   return outputFiles[0]!.text;
 }
 
-describe.each(PROGRAMS.map((program, i) => ({ ...program, i })))('$name', ({ name, parts, i }) => {
+describe.each(PROGRAMS.map((program, i) => ({ ...program, i })))('$name', ({ name, parts, budget, i }) => {
   it('has in its bundle what it uses and nothing else, and runs', async () => {
     const text = await bundle(i);
     const size = gzipSync(text, { level: 9 }).length;
     console.log(`${name}: ${(size / 1000).toFixed(1)} kB minified and gzipped`);
     expect(partsOf(text).sort()).toEqual([...parts].sort());
+    expect(size).toBeLessThanOrEqual(budget);
+    // Else the README promises too little.
+    expect(size).toBeGreaterThan(0.95 * budget);
     const output = execFileSync(process.execPath, ['--input-type=module', '-'], { input: text, encoding: 'utf8' });
     expect(output.trim()).toBe('fell 5');
   });

@@ -11,7 +11,7 @@ function asText(data: PlainWorld): PlainWorld {
 
 /** A custom constraint is code: the scenes' own are found by their place. */
 function customOf(world: World) {
-  const found = world.constraints.filter(({ type }) => type === 'CUSTOM') as CustomConstraint[];
+  const found = world.constraints.filter((constraint) => constraint.type === 'CUSTOM');
   return (_: unknown, bodies: ConstructorParameters<typeof CustomConstraint>[0]['bodies'] & object) => {
     const { callbacks } = found.shift()!;
     return phys2D.createCustomConstraint({ ...callbacks, bodies });
