@@ -11,7 +11,7 @@ import { engines } from './engines.mjs';
 const WARM_SECONDS = 6;
 
 const scenes = { ...built, rays, casts };
-const tasks = { speed, crowd, events, continuous, garbage, memory, hash };
+const tasks = { speed, crowd, events, continuous, garbage, memory, hash, snapshot };
 const { task, ...params } = JSON.parse(process.argv[2]);
 // At once, as Box2D's threads would keep the process.
 writeSync(1, `\n${JSON.stringify(await tasks[task](params))}\n`);
@@ -266,4 +266,40 @@ function hash({ base, steps }) {
     sweepAndPrune: run(phys2D.createSweepAndPruneBroadphase()),
     secondWorld: run(undefined, () => other.step(DT)),
   };
+}
+
+/**
+ * 1,000 boxes in a pile, awake: milliseconds to take a snapshot, and to restore it after four more steps, and its bytes. An engine that cannot restore in
+ * place makes a new world, and drops the old one.
+ */
+async function snapshot({ engine, warmUp, times }) {
+  const device = await engines[engine].load();
+  const world = device.createWorld({ allowSleeping: false });
+  const box = (width, height, params) => {
+    const shapes = [device.createPolygonShape({ vertices: device.createBoxVertices(width, height) })];
+    world.addRigidBody(device.createRigidBody({ ...params, shapes }));
+  };
+  box(100, 1, { type: 'static', position: [0, 0.5] });
+  for (let i = 0; i < 1000; i += 1) {
+    box(1, 1, { position: [1.02 * (i % 40) - 20, -0.5 - 1.01 * Math.floor(i / 40)] });
+  }
+  repeat(120, () => world.step(DT));
+  let taken;
+  const run = (count) => {
+    const take = [];
+    const restore = [];
+    repeat(count, () => {
+      take.push(
+        ...time(1, () => {
+          taken = world.snapshot(taken);
+        }),
+      );
+      repeat(4, () => world.step(DT));
+      restore.push(...time(1, () => world.restore(taken)));
+      world.step(DT);
+    });
+    return { take, restore };
+  };
+  run(warmUp);
+  return { ...run(times), bytes: world.snapshot().byteLength };
 }

@@ -122,6 +122,16 @@ class RapierWorld extends PeerWorld {
     this.world.step();
   }
 
+  snapshot() {
+    return this.world.takeSnapshot();
+  }
+
+  /** Makes a new world: the bodies that there are do not belong to it. */
+  restore(snapshot) {
+    this.world.free();
+    this.world = RAPIER.World.restoreSnapshot(snapshot);
+  }
+
   caster() {
     const { Cuboid, Ray } = RAPIER;
     const { world } = this;

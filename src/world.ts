@@ -304,7 +304,7 @@ export class World extends WorldState {
 
   /**
    * The state of the world: all that `restore` needs to go on from here to the bit. Listeners, user data and the variables of handlers and
-   * callbacks are not in it (but see `state` of custom constraints).
+   * callbacks are not in it (but see `state` of custom constraints), nor are bodies that are in no world, unless a constraint in this one has them.
    *
    * @param target is written to, if it is large enough, and returned: keep what is returned, and a game that saves each step makes no garbage.
    */
@@ -316,7 +316,8 @@ export class World extends WorldState {
 
   /**
    * Brings the world back to where it was when a snapshot was taken, in place: bodies, shapes, constraints and materials are the same objects. What was added
-   * since is removed, without events; what was removed comes back, as do shapes and materials that were exchanged. Arbiters are new.
+   * since is removed, without events; what was removed comes back, as do shapes and materials that were exchanged. A pair of shapes may have another
+   * arbiter object than before.
    *
    * A buffer that `snapshot` returned names its objects, so they always come back. A copy of its bytes names them by when they were added:
    * what is not in the world then has to be in `held`.

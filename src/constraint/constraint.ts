@@ -337,7 +337,7 @@ export abstract class Constraint {
     this.lower = tape.number(this.lower);
     const lower = tape.latest;
     this.upper = tape.number(this.upper);
-    tape.require(!tape.checks || lower <= tape.latest, 'bounds of a constraint cross');
+    tape.require(!tape.checks || lower <= tape.latest);
     tape.list(this.impulse);
     tape.list(this.undone);
     tape.list(this.given);

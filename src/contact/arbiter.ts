@@ -315,6 +315,15 @@ export class Arbiter {
     this.forget();
   }
 
+  /** @internal in a world that is restored, with what a snapshot has of it, which is set next */
+  revive(): void {
+    this.dead = false;
+    this.awake = false;
+    this.near = false;
+    this.foreseen = false;
+    this.before = null;
+  }
+
   /** @internal drops what is only kept while an interaction runs or is cached */
   forget(): void {
     this.shown = 0;

@@ -2,6 +2,10 @@ import { DYNAMIC } from '../body-kind.js';
 import { CROWD } from '../config.js';
 import type { Shape } from '../shape/shape.js';
 
+interface Noting {
+  note(shapeA: Shape, shapeB: Shape): void;
+}
+
 /**
  * Shapes that lie in the middle of each other, of which there may be thousands at one point: all pairs of them would be millions, and none of
  * them matters much. Each shape is given its first partners, by their ids, until it has enough; two that both have enough wait until they do not lie so deep
@@ -33,15 +37,15 @@ export class Crowd {
     }
   }
 
-  /** Tells the pairs that are to be made, some twice; of each the shape with the lower id comes first. */
-  drain(note: (shapeA: Shape, shapeB: Shape) => void): void {
+  /** Tells which pairs are to be made, some twice; of each the shape with the lower id comes first. */
+  drainTo(pairs: Noting): void {
     for (const shape of this.shapes) {
       keepFirst(shape);
       for (const partner of shape.partners) {
         if (shape.id < partner.id) {
-          note(shape, partner);
+          pairs.note(shape, partner);
         } else {
-          note(partner, shape);
+          pairs.note(partner, shape);
         }
       }
       shape.partners.length = 0;

@@ -16,6 +16,9 @@ const PLACE = 3;
 /** What marks a place without an arbiter: no shape has it as its id. */
 const FREE = -1;
 
+/** In place of a step: brought back with its world. */
+const CLAIMED = -2;
+
 /**
  * Arbiters by their two shapes: open addressing, linear probing, no tombstones, at most half full. What a lookup needs lies in one array of integers: the
  * broadphase reports all pairs in each step in an order of its own, and would have to wait for each arbiter otherwise.
@@ -34,11 +37,11 @@ export class PairTable {
   }
 
   /** Adds an arbiter that is not in the table. */
-  add(arbiter: Arbiter): void {
+  add(arbiter: Arbiter, seen: number = FREE): void {
     if (2 * (this.size + 1) > this.mask) {
       this.grow();
     }
-    this.put(arbiter, FREE);
+    this.put(arbiter, seen);
     this.size += 1;
   }
 
@@ -88,14 +91,41 @@ export class PairTable {
     this.size = 0;
   }
 
-  /** Moves all arbiters to the end of a list. */
-  drainTo(list: Arbiter[]): void {
-    for (const arbiter of this.arbiters) {
-      if (arbiter !== null) {
-        list.push(arbiter);
-      }
+  /** For a world that is restored: all arbiters are to be claimed, and it is forgotten when they were reported. */
+  release(): void {
+    const { places } = this;
+    for (let at = SEEN; at < places.length; at += PLACE) {
+      places[at] = FREE;
     }
-    this.clear();
+  }
+
+  /** … finds one that has not been claimed. */
+  claim({ id: idA }: Shape, { id: idB }: Shape): Arbiter | null {
+    const at = this.placeOf(idA, idB);
+    const isThere = at >= 0 && this.places[at * PLACE + SEEN] === FREE;
+    if (isThere) {
+      this.places[at * PLACE + SEEN] = CLAIMED;
+    }
+    return isThere ? this.arbiters[at]! : null;
+  }
+
+  /** … adds one that was not there. */
+  addClaimed(arbiter: Arbiter): void {
+    this.add(arbiter, CLAIMED);
+  }
+
+  /** … those that have not been, once all others are. */
+  unclaimed(): Arbiter[] {
+    const { arbiters, places } = this;
+    const found: Arbiter[] = [];
+    for (let i = 0; i < arbiters.length; i += 1) {
+      const at = i * PLACE;
+      if (places[at + ID_A] !== FREE && places[at + SEEN] === FREE) {
+        found.push(arbiters[i]!);
+      }
+      places[at + SEEN] = FREE;
+    }
+    return found;
   }
 
   private placeOf(idA: number, idB: number): number {

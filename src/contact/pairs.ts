@@ -63,10 +63,15 @@ export class Pairs {
     return pair;
   }
 
-  /** For a world that is restored: a pair that is in no list yet, and is not looked for. */
+  /** For a world that is restored: a pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
   restore(shapeA: Shape, shapeB: Shape): Arbiter {
+    const there = this.table.claim(shapeA, shapeB);
+    if (there !== null) {
+      there.revive();
+      return there;
+    }
     const pair = this.make(shapeA, shapeB);
-    this.table.add(pair);
+    this.table.addClaimed(pair);
     return pair;
   }
 
@@ -94,7 +99,8 @@ export class Pairs {
     }
   }
 
-  private note(shapeA: Shape, shapeB: Shape): void {
+  /** @internal the pair of two shapes is to be made */
+  note(shapeA: Shape, shapeB: Shape): void {
     if (this.reportedCount === this.reported.length) {
       this.reported.push({ shapeA, shapeB });
     }
@@ -111,7 +117,7 @@ export class Pairs {
 
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
   makeReported(stamp: number): void {
-    this.crowd.drain((shapeA, shapeB) => this.note(shapeA, shapeB));
+    this.crowd.drainTo(this);
     const { reported, reportedCount } = this;
     sortFirst(reported, reportedCount, before);
     for (let i = 0; i < reportedCount; i += 1) {
@@ -214,16 +220,24 @@ export class Pairs {
     this.cut = free;
   }
 
-  /** For a world that is restored: as `clear`, and all arbiters are free for use. */
+  /** … and the pairs that were not brought back. */
+  dropUnclaimed(): void {
+    for (const pair of this.table.unclaimed()) {
+      this.retire(pair);
+    }
+  }
+
+  /** For a world that is restored: nothing is listed, and pairs are dropped unless brought back. */
   reset(): void {
-    this.table.drainTo(this.pool);
+    this.table.release();
     for (const list of [this.cut, this.cutBefore]) {
       for (const pair of list) {
         this.pool.push(pair);
       }
       list.length = 0;
     }
-    this.clear();
+    this.sorted.length = 0;
+    this.arriving.length = 0;
   }
 
   clear(): void {

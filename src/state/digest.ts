@@ -1,7 +1,3 @@
-/** Scratch: a number and its bits. */
-const scratch = new Float64Array(1);
-const words = new Int32Array(scratch.buffer);
-
 /** A digest of 64 bits of what is given to it, 64 bits at a time; mixed as by MurmurHash3 (Appleby 2011). */
 export class Digest {
   low = 0;
@@ -12,16 +8,17 @@ export class Digest {
     this.high = 0x51ed270b;
   }
 
-  add(low: number, high: number): void {
-    const a = this.low ^ Math.imul(low, 0xcc9e2d51);
-    const b = this.high ^ Math.imul(high ^ (a >>> 15), 0x1b873593);
-    this.low = (Math.imul((a << 13) | (a >>> 19), 5) + b) | 0;
-    this.high = (Math.imul((b << 17) | (b >>> 15), 5) + 0x38b34ae5) | 0;
-  }
-
-  addNumber(value: number): void {
-    scratch[0] = value;
-    this.add(words[0]!, words[1]!);
+  /** Words from one index up to another, two at a time. */
+  add(words: Int32Array, from: number, to: number): void {
+    let { low, high } = this;
+    for (let i = from; i < to; i += 2) {
+      const a = low ^ Math.imul(words[i]!, 0xcc9e2d51);
+      const b = high ^ Math.imul((i + 1 < to ? words[i + 1]! : 0) ^ (a >>> 15), 0x1b873593);
+      low = (Math.imul((a << 13) | (a >>> 19), 5) + b) | 0;
+      high = (Math.imul((b << 17) | (b >>> 15), 5) + 0x38b34ae5) | 0;
+    }
+    this.low = low;
+    this.high = high;
   }
 
   end(): void {

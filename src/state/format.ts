@@ -1,13 +1,75 @@
 import { Digest } from './digest.js';
 
-/** Int32 words before the numbers. */
-export const HEADER = 8;
-export const MAGIC = 0x32643270;
-export const VERSION = 1;
-export const LENGTH = 2;
-export const NUMBERS = 3;
-export const BYTES = 4;
-export const CHECKSUM = 6;
+// A snapshot: a header, then numbers of 64 bits, then words of 32.
+
+/** Words of the header. */
+const HEADER = 8;
+const MAGIC = 0x32643270;
+const VERSION = 1;
+const LENGTH = 2;
+const NUMBERS = 3;
+const WORDS = 4;
+const CHECKSUM = 6;
+
+/** Bytes of a snapshot of so many numbers and words. */
+function lengthOf(numbers: number, words: number): number {
+  return 4 * HEADER + 8 * numbers + 8 * Math.ceil(words / 2);
+}
+
+/** A snapshot, in `target` if that is large enough, else in a new buffer. */
+export function packed(
+  numbers: Float64Array,
+  words: Int32Array,
+  target: ArrayBuffer | undefined,
+  digest: Digest,
+): ArrayBuffer {
+  const length = lengthOf(numbers.length, words.length);
+  const buffer =
+    target !== undefined && target.byteLength >= length
+      ? target
+      : new ArrayBuffer(target === undefined ? length : 8 * Math.ceil((length * 5) / 32));
+  const all = new Int32Array(buffer, 0, length >> 2);
+  all[0] = MAGIC;
+  all[1] = VERSION;
+  all[LENGTH] = length;
+  all[NUMBERS] = numbers.length;
+  all[WORDS] = words.length;
+  all[5] = 0;
+  all[all.length - 1] = 0;
+  new Float64Array(buffer, 4 * HEADER, numbers.length).set(numbers);
+  all.set(words, HEADER + 2 * numbers.length);
+  seal(buffer, digest);
+  return buffer;
+}
+
+/** What is in a snapshot. `where` is the function to name in errors. @throws unless it is whole and of this version. */
+export function opened(
+  where: string,
+  buffer: ArrayBuffer,
+  digest: Digest,
+): { numbers: Float64Array; words: Int32Array } {
+  const header = buffer.byteLength >= 4 * HEADER ? new Int32Array(buffer, 0, HEADER) : null;
+  if (header === null || header[0] !== MAGIC) {
+    throw new RangeError(`${where}: this is no snapshot of a world`);
+  }
+  if (header[1] !== VERSION) {
+    throw new RangeError(`${where}: the snapshot is of version ${header[1]}, this is version ${VERSION}`);
+  }
+  const length = header[LENGTH]!;
+  const numbers = header[NUMBERS]!;
+  const words = header[WORDS]!;
+  if (numbers < 0 || words < 0 || length !== lengthOf(numbers, words) || length > buffer.byteLength) {
+    throw new RangeError(`${where}: the snapshot is damaged: its parts do not fit its length`);
+  }
+  sum(buffer, length, digest);
+  if (digest.low !== header[CHECKSUM] || digest.high !== header[CHECKSUM + 1]) {
+    throw new RangeError(`${where}: the snapshot is damaged: its checksum is wrong`);
+  }
+  return {
+    numbers: new Float64Array(buffer, 4 * HEADER, numbers),
+    words: new Int32Array(buffer, 4 * HEADER + 8 * numbers, words),
+  };
+}
 
 /** Writes the checksum of a snapshot into it. */
 export function seal(buffer: ArrayBuffer, digest: Digest = new Digest()): void {
@@ -18,13 +80,10 @@ export function seal(buffer: ArrayBuffer, digest: Digest = new Digest()): void {
 }
 
 /** The checksum of a snapshot: of all but itself. */
-export function sum(buffer: ArrayBuffer, length: number, digest: Digest): void {
+function sum(buffer: ArrayBuffer, length: number, digest: Digest): void {
   const all = new Int32Array(buffer, 0, length >> 2);
   digest.begin();
-  for (let i = 0; i < all.length; i += 2) {
-    if (i !== CHECKSUM) {
-      digest.add(all[i]!, all[i + 1]!);
-    }
-  }
+  digest.add(all, 0, CHECKSUM);
+  digest.add(all, HEADER, all.length);
   digest.end();
 }

@@ -62,8 +62,8 @@ export function resolve(
   const isWhole =
     Math.min(inside, outside, attached, loose, ties) >= 0 &&
     ids.length === HEAD + 2 * inside + 3 * (attached + loose) + ties + 2 * outside;
-  tape.require(isWhole, 'the list of its objects is too short');
-  const finder = new Finder(tape, world, held);
+  tape.require(isWhole);
+  const finder = new Finder(tape, world, held, known === null);
   const scene: Scene = { ...emptyScene(), inside, attached, isCopy: known === null };
   const { bodies, shapes, counts, constraints } = scene;
   let at = HEAD;
@@ -72,12 +72,12 @@ export function resolve(
     counts.push(ids[at + 1]!);
   }
   const count = counts.reduce((sum, own) => sum + Math.max(0, own), 0);
-  tape.require(count === attached, 'the numbers of shapes do not fit');
+  tape.require(count === attached);
   const ranked: Shape[] = [];
   for (let i = 0; i < attached + loose; i += 1, at += 3) {
     const isGone = known === null && i >= attached;
     const shape = isGone ? standIn(ids[at + 1]!) : (known?.shapes[i] ?? finder.find(ids[at]!, Shape, 'a shape'));
-    tape.require(shape.kind === ids[at + 1], 'a shape is of another kind');
+    demand(tape, shape.kind === ids[at + 1], 'a shape of it is of another kind');
     shapes.push(shape);
     if (i < attached) {
       ranked[ids[at + 2]!] = shape;
@@ -88,13 +88,20 @@ export function resolve(
   }
   for (let i = 0; i < outside; i += 1, at += 2) {
     const body = known?.bodies[inside + i] ?? constraints[ids[at]!]?.members[ids[at + 1]!];
-    tape.require(body !== undefined, 'a constraint has another number of bodies');
+    demand(tape, body !== undefined, 'a constraint of it has other bodies');
     bodies.push(body!);
   }
-  tape.require(areAscending(ranked, attached), 'its shapes were created in another order than those here');
+  demand(tape, areAscending(ranked, attached), 'its shapes were created in another order');
   scene.materials.push(...(known?.materials ?? []));
   finder.refuseOthers(scene);
   return scene;
+}
+
+/** A right snapshot may be of another world than this. */
+function demand(tape: Tape, holds: boolean, otherwise: string): void {
+  if (!holds) {
+    throw tape.refusal(otherwise);
+  }
 }
 
 /** A shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
@@ -117,12 +124,13 @@ class Finder {
     private readonly tape: Tape,
     private readonly world: World,
     held: Iterable<unknown>,
+    isNeeded: boolean,
   ) {
-    for (const object of held) {
-      this.add(object);
+    for (const list of isNeeded ? [held, world.rigidBodies, world.constraints] : []) {
+      for (const object of list) {
+        this.add(object);
+      }
     }
-    world.rigidBodies.forEach(this.add, this);
-    world.constraints.forEach(this.add, this);
   }
 
   private add(object: unknown): void {

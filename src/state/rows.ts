@@ -10,22 +10,29 @@ import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { Group } from '../solver/joint-data.js';
-import type { Tape } from './tape.js';
+import { Row, type Tape } from './tape.js';
 
 // What of each object influences the future, field by field. What can be worked out from other fields is not there, nor are listeners and user data.
-
-/** Rows of a tape. */
-export const WORLD = 0;
-export const BODY = 1;
-export const SHAPE = 2;
-export const CONSTRAINT = 3;
-export const PAIR = 4;
-export const GROUP = 5;
-export const LISTED = 6;
 
 const MOST = 0x3fffffff;
 /** Numbers that name features of shapes. */
 const FEATURES = 0xffffff;
+
+/** How many numbers of a manifold lie before the impulses, and how many impulses there are. */
+const BEFORE = c.NORMAL;
+const IMPULSES = c.ELASTICITY - c.NORMAL;
+const MATERIAL = 4;
+
+const bodyRow = new Row(1, 23);
+const shapeRow = new Row(1, 6);
+const pairRow = new Row(8, 8);
+/** … for those that have not met yet: rows of either kind are like others of that. */
+const nearRow = new Row(8, 8);
+const contactRow = new Row(0, g.FACE_DX + IMPULSES + MATERIAL);
+const againRow = new Row(0, 4);
+
+/** All there are, for a tape. */
+export const ROWS: readonly Row[] = [bodyRow, shapeRow, pairRow, nearRow, contactRow, againRow];
 
 /** The numbers of a material, which cannot change. */
 export function materialNumbers(material: Material): Float64Array {
@@ -37,125 +44,281 @@ function isUnit(x: number, y: number): boolean {
   return Math.abs(x * x + y * y - 1) <= 1e-9;
 }
 
+/** Distances and angles are not beyond all bounds. */
+function isNear(...values: number[]): boolean {
+  return values.every((value) => Math.abs(value) <= FAR);
+}
+
 /** @returns whether its mass has to be worked out anew. */
 export function keepBody(tape: Tape, b: RigidBody): boolean {
   const { fixedMass, fixedInertia } = b;
-  tape.begins(BODY);
-  b.asleep = tape.flag(b.asleep);
-  b.woken = tape.flag(b.woken);
-  b.bullet = tape.flag(b.bullet);
-  b.kind = tape.integer(b.kind, 0, 2);
-  b.x = tape.number(b.x, -FAR, FAR);
-  b.y = tape.number(b.y, -FAR, FAR);
-  b.angle = tape.number(b.angle, -FAR, FAR);
-  b.cos = tape.number(b.cos, -1, 1);
-  const cos = tape.latest;
-  b.sin = tape.number(b.sin, -1, 1);
-  tape.require(!tape.checks || isUnit(cos, tape.latest), 'cosine and sine are of no angle');
-  b.vx = tape.sparse(b.vx);
-  b.vy = tape.sparse(b.vy);
-  b.w = tape.sparse(b.w);
-  b.lastDx = tape.sparse(b.lastDx);
-  b.lastDy = tape.sparse(b.lastDy);
-  b.lastTurn = tape.sparse(b.lastTurn);
-  b.fx = tape.sparse(b.fx);
-  b.fy = tape.sparse(b.fy);
-  b.appliedTorque = tape.sparse(b.appliedTorque);
-  b.surfaceX = tape.sparse(b.surfaceX);
-  b.surfaceY = tape.sparse(b.surfaceY);
-  b.clearance = tape.sparse(b.clearance);
-  b.linearDrag = tape.number(b.linearDrag);
-  b.angularDrag = tape.number(b.angularDrag);
-  b.fixedMass = tape.number(b.fixedMass);
-  b.fixedInertia = tape.number(b.fixedInertia);
-  b.wakeTime = tape.number(b.wakeTime);
-  b.unloaded = tape.number(b.unloaded);
+  const { numbers: n, integers } = bodyRow;
+  if (tape.writes) {
+    integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.bullet ? 4 : 0) | (b.kind << 3);
+    n[0] = b.x;
+    n[1] = b.y;
+    n[2] = b.angle;
+    n[3] = b.cos;
+    n[4] = b.sin;
+    n[5] = b.vx;
+    n[6] = b.vy;
+    n[7] = b.w;
+    n[8] = b.lastDx;
+    n[9] = b.lastDy;
+    n[10] = b.lastTurn;
+    n[11] = b.fx;
+    n[12] = b.fy;
+    n[13] = b.appliedTorque;
+    n[14] = b.surfaceX;
+    n[15] = b.surfaceY;
+    n[16] = b.clearance;
+    n[17] = b.linearDrag;
+    n[18] = b.angularDrag;
+    n[19] = fixedMass;
+    n[20] = fixedInertia;
+    n[21] = b.wakeTime;
+    n[22] = b.unloaded;
+  }
+  tape.pass(bodyRow);
+  const flags = integers[0]!;
+  if (tape.checks) {
+    tape.require(flags >= 0 && flags >> 3 <= 2);
+    tape.require(isNear(n[0]!, n[1]!, n[2]!) && isUnit(n[3]!, n[4]!));
+  }
+  if (tape.takes) {
+    b.asleep = (flags & 1) !== 0;
+    b.woken = (flags & 2) !== 0;
+    b.bullet = (flags & 4) !== 0;
+    b.kind = flags >> 3;
+    b.x = n[0]!;
+    b.y = n[1]!;
+    b.angle = n[2]!;
+    b.cos = n[3]!;
+    b.sin = n[4]!;
+    b.vx = n[5]!;
+    b.vy = n[6]!;
+    b.w = n[7]!;
+    b.lastDx = n[8]!;
+    b.lastDy = n[9]!;
+    b.lastTurn = n[10]!;
+    b.fx = n[11]!;
+    b.fy = n[12]!;
+    b.appliedTorque = n[13]!;
+    b.surfaceX = n[14]!;
+    b.surfaceY = n[15]!;
+    b.clearance = n[16]!;
+    b.linearDrag = n[17]!;
+    b.angularDrag = n[18]!;
+    b.fixedMass = n[19]!;
+    b.fixedInertia = n[20]!;
+    b.wakeTime = n[21]!;
+    b.unloaded = n[22]!;
+  }
   return fixedMass !== b.fixedMass || fixedInertia !== b.fixedInertia;
 }
 
 /** @returns whether it is another shape now. */
 export function keepShape(tape: Tape, shape: Shape): boolean {
-  tape.begins(SHAPE);
-  shape.group = tape.number(shape.group);
-  shape.mask = tape.number(shape.mask);
-  shape.entered = tape.number(shape.entered);
-  return shape.kind === 0 ? keepCircle(tape, shape as Circle) : keepPolygon(tape, shape as Polygon);
+  const { numbers: n, integers } = shapeRow;
+  const circle = shape.kind === 0 ? (shape as Circle) : null;
+  const polygon = shape.kind === 0 ? null : (shape as Polygon);
+  if (tape.writes) {
+    integers[0] = polygon === null ? 1 : polygon.geometryStamp;
+    n[0] = shape.group;
+    n[1] = shape.mask;
+    n[2] = shape.entered;
+    n[3] = circle === null ? 1 : circle.radius;
+    n[4] = circle === null ? 0 : circle.originX;
+    n[5] = circle === null ? 0 : circle.originY;
+  }
+  tape.pass(shapeRow);
+  const [stamp, group, mask, entered] = [integers[0]!, n[0]!, n[1]!, n[2]!];
+  const [radius, x, y] = [n[3]!, n[4]!, n[5]!];
+  tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && Math.max(radius, Math.abs(x), Math.abs(y)) <= MAX_SIZE);
+  if (tape.takes) {
+    shape.group = group;
+    shape.mask = mask;
+    shape.entered = entered;
+  }
+  if (polygon !== null) {
+    return keepVertices(tape, polygon, stamp);
+  }
+  const isOther = circle!.radius !== radius || circle!.originX !== x || circle!.originY !== y;
+  if (tape.takes) {
+    circle!.radius = radius;
+    circle!.originX = x;
+    circle!.originY = y;
+  }
+  return isOther;
 }
 
-function keepCircle(tape: Tape, circle: Circle): boolean {
-  const { radius, originX, originY } = circle;
-  circle.radius = tape.number(radius, Number.MIN_VALUE, MAX_SIZE);
-  circle.originX = tape.number(originX, -MAX_SIZE, MAX_SIZE);
-  circle.originY = tape.number(originY, -MAX_SIZE, MAX_SIZE);
-  return radius !== circle.radius || originX !== circle.originX || originY !== circle.originY;
-}
-
-function keepPolygon(tape: Tape, polygon: Polygon): boolean {
-  const { vertices, geometryStamp } = polygon;
-  const stamp = tape.integer(geometryStamp, 1, MOST);
+function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
+  const { vertices } = polygon;
   const stored = tape.shared(vertices, MAX_SIZE);
-  tape.require(stored.length >= 6 && stored.length % 2 === 0, 'a polygon has no corners');
+  tape.require(stored.length >= 6 && stored.length % 2 === 0);
   if (stored !== vertices) {
-    tape.require(polygonArea(stored) > 0 && repeatedVertex(stored) < 0, 'corners of a polygon are those of none');
+    tape.require(!tape.checks || (polygonArea(stored) > 0 && repeatedVertex(stored) < 0));
     polygon.takeVertices(stored);
   }
-  polygon.geometryStamp = stamp;
+  if (tape.takes) {
+    polygon.geometryStamp = stamp;
+  }
   return stored !== vertices;
 }
+
+/** Bits of the first integer of a pair. */
+const ACTIVE = 1;
+const SLEEPING = 2;
+const ACCEPTED = 4;
+const PERSISTENT = 8;
+const AGAIN = 16;
+/** There is more than where to look first. */
+const SOLVED = 32;
+const COUNT = 6;
+const FACE = 8;
+const FIXED = 10;
+const USED = 14;
+const FRESH = 16;
+const SHOWN = 18;
+const FLAGS_END = 20;
 
 /** What the solver and whoever asks know of two shapes. The numbers of points that are not there mean nothing. */
 export function keepPair(tape: Tape, pair: Arbiter): void {
   const { manifold: m } = pair;
   const { numbers: n } = m;
-  tape.begins(PAIR);
-  pair.active = tape.flag(pair.active);
-  pair.sleeping = tape.flag(pair.sleeping);
-  pair.accepted = tape.flag(pair.accepted);
-  pair.persistent = tape.flag(pair.persistent);
-  m.count = tape.integer(m.count, 0, 2);
-  m.id0 = tape.integer(m.id0, 0, FEATURES);
-  m.id1 = tape.integer(m.id1, 0, FEATURES);
-  m.edgeA = tape.integer(m.edgeA, -1, FEATURES);
-  m.edgeB = tape.integer(m.edgeB, -1, FEATURES);
-  m.axis = tape.integer(m.axis, -1, FEATURES);
-  m.face = tape.integer(m.face, -1, 1);
-  m.faceStamp = tape.integer(m.faceStamp, 0, MOST);
-  pair.fixed = tape.integer(pair.fixed, 0, 15);
-  pair.usedPoints = tape.integer(pair.usedPoints, 0, 3);
-  pair.freshPoints = tape.integer(pair.freshPoints, 0, 3);
-  pair.seen = tape.number(pair.seen);
-  pair.began = tape.number(pair.began);
-  pair.strained = tape.number(pair.strained);
-  pair.lastInteraction = tape.number(pair.lastInteraction);
-  pair.shown = tape.integer(pair.shown, 0, 2);
-  pair.strain = tape.integer(pair.strain, 0, MOST);
   const isKnown = pair.listed || pair.dead;
-  for (let i = c.ELASTICITY; i <= c.ROLLING_FRICTION && isKnown; i += 1) {
-    n[i] = tape.number(n[i]!);
+  const row = isKnown ? pairRow : nearRow;
+  const { numbers, integers } = row;
+  if (tape.writes) {
+    integers[0] =
+      (pair.active ? ACTIVE : 0) |
+      (pair.sleeping ? SLEEPING : 0) |
+      (pair.accepted ? ACCEPTED : 0) |
+      (pair.persistent ? PERSISTENT : 0) |
+      (pair.metAgain() ? AGAIN : 0) |
+      (isKnown || hasImpulse(n) ? SOLVED : 0) |
+      (m.count << COUNT) |
+      ((m.face + 1) << FACE) |
+      (pair.fixed << FIXED) |
+      (pair.usedPoints << USED) |
+      (pair.freshPoints << FRESH) |
+      (pair.shown << SHOWN);
+    integers[1] = m.id0;
+    integers[2] = m.id1;
+    integers[3] = m.edgeA;
+    integers[4] = m.edgeB;
+    integers[5] = m.axis;
+    integers[6] = m.faceStamp;
+    integers[7] = pair.strain;
+    numbers[0] = pair.seen;
+    numbers[1] = pair.began;
+    numbers[2] = pair.strained;
+    numbers[3] = pair.lastInteraction;
+    for (let i = 0; i < 4 && m.face >= 0; i += 1) {
+      numbers[4 + i] = n[g.FACE_DX + i]!;
+    }
   }
-  keepMetAgain(tape, pair);
-  // The numbers lie side by side: those of the points, of which there may be none, for what the edges were chosen, and impulses.
-  if (isKnown) {
-    tape.span(n, m.count > 0 ? g.DX : g.NX, m.count === 2 ? g.FACE_DX : m.count === 1 ? g.X1 : g.X0);
+  tape.pass(row);
+  const flags = integers[0]!;
+  if (tape.checks) {
+    checkPair(tape, flags, integers);
   }
-  tape.span(n, m.face >= 0 ? g.FACE_DX : c.NORMAL, c.ELASTICITY);
+  if (tape.takes) {
+    pair.active = (flags & ACTIVE) !== 0;
+    pair.sleeping = (flags & SLEEPING) !== 0;
+    pair.accepted = (flags & ACCEPTED) !== 0;
+    pair.persistent = (flags & PERSISTENT) !== 0;
+    m.count = (flags >> COUNT) & 3;
+    m.face = ((flags >> FACE) & 3) - 1;
+    pair.fixed = (flags >> FIXED) & 15;
+    pair.usedPoints = (flags >> USED) & 3;
+    pair.freshPoints = (flags >> FRESH) & 3;
+    pair.shown = (flags >> SHOWN) & 3;
+    m.id0 = integers[1]!;
+    m.id1 = integers[2]!;
+    m.edgeA = integers[3]!;
+    m.edgeB = integers[4]!;
+    m.axis = integers[5]!;
+    m.faceStamp = integers[6]!;
+    pair.strain = integers[7]!;
+    pair.seen = numbers[0]!;
+    pair.began = numbers[1]!;
+    pair.strained = numbers[2]!;
+    pair.lastInteraction = numbers[3]!;
+    for (let i = 0; i < 4; i += 1) {
+      n[g.FACE_DX + i] = numbers[4 + i]!;
+    }
+  }
+  if ((flags & AGAIN) !== 0) {
+    keepMetAgain(tape, pair);
+  }
+  if ((flags & SOLVED) !== 0) {
+    keepContacts(tape, n, isKnown, m.count);
+  } else if (tape.takes && hasImpulse(n)) {
+    pair.dropPoints();
+  }
+}
+
+function checkPair(tape: Tape, flags: number, integers: Int32Array): void {
+  const isRight =
+    flags >> FLAGS_END === 0 && ((flags >> COUNT) & 3) < 3 && ((flags >> FACE) & 3) < 3 && ((flags >> SHOWN) & 3) < 3;
+  tape.require(isRight);
+  for (let i = 1; i < integers.length; i += 1) {
+    tape.require(integers[i]! >= -1 && integers[i]! <= (i < 6 ? FEATURES : MOST));
+  }
+}
+
+function hasImpulse(n: Float64Array): boolean {
+  let isSolved = false;
+  for (let i = c.NORMAL; i < c.ELASTICITY && !isSolved; i += 1) {
+    isSolved = n[i] !== 0;
+  }
+  return isSolved;
+}
+
+/** Where the points are, if it is known, impulses, and the combined material. */
+function keepContacts(tape: Tape, n: Float64Array, isKnown: boolean, count: number): void {
+  const { numbers } = contactRow;
+  const from = count > 0 ? g.DX : g.NX;
+  const to = isKnown ? g.X0 + g.POINT * count : from;
+  if (tape.writes) {
+    for (let i = 0; i < g.FACE_DX; i += 1) {
+      numbers[i] = i >= from && i < to ? n[i]! : 0;
+    }
+    for (let i = BEFORE; i < BEFORE + IMPULSES + MATERIAL; i += 1) {
+      numbers[i - BEFORE + g.FACE_DX] = isKnown || i < c.ELASTICITY ? n[i]! : 0;
+    }
+  }
+  tape.pass(contactRow);
+  if (tape.takes) {
+    for (let i = from; i < to; i += 1) {
+      n[i] = numbers[i]!;
+    }
+    for (let i = BEFORE; i < BEFORE + IMPULSES + (isKnown ? MATERIAL : 0); i += 1) {
+      n[i] = numbers[i - BEFORE + g.FACE_DX]!;
+    }
+  }
 }
 
 /** What was given in the latest step before the points became others. */
 function keepMetAgain(tape: Tape, pair: Arbiter): void {
-  if (tape.flag(pair.metAgain())) {
-    const before = pair.before ?? { step: pair.lastInteraction, x: 0, y: 0, wA: 0, wB: 0 };
-    before.x = tape.sparse(before.x);
-    before.y = tape.sparse(before.y);
-    before.wA = tape.sparse(before.wA);
-    before.wB = tape.sparse(before.wB);
-    pair.before = before;
+  const { numbers: n } = againRow;
+  const { before } = pair;
+  if (tape.writes) {
+    n[0] = before!.x;
+    n[1] = before!.y;
+    n[2] = before!.wA;
+    n[3] = before!.wB;
+  }
+  tape.pass(againRow);
+  if (tape.takes) {
+    pair.before = { step: pair.lastInteraction, x: n[0]!, y: n[1]!, wA: n[2]!, wB: n[3]! };
   }
 }
 
 /** What joints that hang together carry over from step to step. */
 export function keepGroup(tape: Tape, group: Group): void {
-  tape.begins(GROUP);
+  tape.begins();
   group.fresh = tape.flag(group.fresh);
   group.contested = tape.flag(group.contested);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));

@@ -7,13 +7,14 @@ import { countIgnoring, release } from '../solver/ties.js';
 import { instance } from '../validate.js';
 import type { World } from '../world.js';
 import { describe, ranksOf, resolve } from './identity.js';
-import { keepGroup } from './rows.js';
+import { keepGroup, ROWS } from './rows.js';
 import { emptyScene, gather, type Objects, type Scene } from './scene.js';
 import { Tape } from './tape.js';
 import { walk } from './walk.js';
+import { endsRow } from './walk-pairs.js';
 
 /** Scratch: nothing in them lives on. */
-const tape = new Tape();
+const tape = new Tape([...ROWS, endsRow]);
 const scene = emptyScene();
 
 /** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
@@ -94,7 +95,7 @@ export function restoreTo(where: string, world: World, buffer: ArrayBuffer, held
 /** What joints that hang together remember, unless they are about to be listed anew. */
 function walkGroups(on: Tape, world: World): void {
   const { groups } = world.solver.joints;
-  on.begins(0);
+  on.begins();
   on.checksOnto(true);
   const isListed = on.flag(!world.jointsStale);
   const count = on.count(isListed ? groups.length : 0);
@@ -120,15 +121,19 @@ function empty(world: World, { bodies, inside }: Scene): void {
     countIgnoring(constraint, -1);
     release(constraint);
   }
-  const staying = new Set(bodies.slice(0, inside));
   for (const body of world.rigidBodies) {
-    if (!staying.has(body)) {
+    body.index = -1;
+  }
+  for (let i = 0; i < inside; i += 1) {
+    bodies[i]!.index = i;
+  }
+  for (const body of world.rigidBodies) {
+    if (body.index < 0) {
       takeOut(world, body);
     }
   }
   world.pairs.reset();
   world.events.clear();
-  world.staleCount = 0;
   for (const list of [
     world.rigidBodies,
     world.constraints,
@@ -160,7 +165,6 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     first += counts[i]!;
     body.owner = world;
     body.order = ids[at]!;
-    body.index = i;
     body.liveIndex = -1;
     body.slot = 0;
     body.island = null;
@@ -183,10 +187,14 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
 
 /** Gives a body the shapes it had, if it has others now. */
 function takeShapes(world: World, body: RigidBody, shapes: readonly Shape[], first: number, count: number): void {
-  const own = shapes.slice(first, first + count);
-  if (own.length === body.shapes.length && own.every((shape, i) => shape === body.shapes[i])) {
+  let isSame = count === body.shapes.length;
+  for (let i = 0; i < count && isSame; i += 1) {
+    isSame = shapes[first + i] === body.shapes[i];
+  }
+  if (isSame) {
     return;
   }
+  const own = shapes.slice(first, first + count);
   for (const shape of [...body.shapes, ...own]) {
     if (shape.owner !== null) {
       detach(world, shape);
@@ -211,23 +219,22 @@ function detach(world: World, shape: Shape): void {
   }
 }
 
-/** Brings turned geometry, bounds and the broadphase up to date. */
+/** Shapes that are new to the broadphase go there; what moved is noted, for whoever asks next where it is. */
 function place(world: World, { bodies, inside }: Scene): void {
-  const { broadphase } = world;
+  world.staleCount = 0;
   for (let i = 0; i < inside; i += 1) {
     const body = bodies[i]!;
-    const isStale = body.placeStale;
-    body.place();
-    body.placeStale = false;
     for (const shape of body.shapes) {
       if (shape.handle === null) {
-        shape.handle = broadphase.insert(shape, widened(shape), body.asleep);
-      } else if (isStale || shape.handle.isStatic !== body.asleep) {
-        broadphase.update(shape.handle, widened(shape), body.asleep);
+        body.place();
+        shape.handle = world.broadphase.insert(shape, widened(shape), body.asleep);
       }
+      body.placeStale ||= shape.handle.isStatic !== body.asleep;
+    }
+    if (body.placeStale) {
+      world.noteStale(body);
     }
   }
-  world.staleCount = 0;
 }
 
 /** Empties a list that will soon be as long again: setting its length would give its memory back. */

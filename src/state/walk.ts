@@ -10,7 +10,7 @@ import { walkPairs } from './walk-pairs.js';
 
 /** Passes all that influences the future of a world over a tape, except which objects there are and what the solver keeps of joints. */
 export function walk(tape: Tape, world: World, scene: Scene): void {
-  tape.begins(rows.WORLD);
+  tape.begins();
   world.keep(tape);
   if (!tape.hashes) {
     walkMaterials(tape, scene);
@@ -26,7 +26,7 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
     walkShape(tape, scene, first);
   }
   for (const constraint of constraints) {
-    tape.begins(rows.CONSTRAINT);
+    tape.begins();
     constraint.keep(tape);
   }
   for (const body of bodies) {
@@ -46,7 +46,7 @@ function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
   for (let i = 0; i < count; i += 1) {
     const own = materials[i] === undefined ? new Float64Array(5) : rows.materialNumbers(materials[i]!);
     const stored = tape.shared(own, Infinity);
-    tape.require(stored.length === 5, 'a material is none');
+    tape.require(stored.length === 5);
     if (tape.checks && (materials[i] === undefined || stored !== own)) {
       materials[i] = shapes.find(({ material }) => isMadeOf(material, stored))?.material ?? makeMaterial(stored);
     }
@@ -86,7 +86,7 @@ function walkShape(tape: Tape, { shapes, materials, isCopy }: Scene, i: number):
   const shape = shapes[i]!;
   const { material } = shape;
   if (tape.hashes) {
-    tape.list(rows.materialNumbers(material));
+    tape.shared(rows.materialNumbers(material), Infinity);
     return rows.keepShape(tape, shape);
   }
   const which = tape.index(tape.holds ? 0 : materials.indexOf(material), materials.length);
@@ -110,7 +110,7 @@ function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constr
   const found = new Set<Constraint>();
   for (let i = 0; i < count; i += 1) {
     const constraint = constraints[tape.index(own[i]?.index ?? 0, constraints.length)]!;
-    tape.require(!found.has(constraint) && constraint.members.includes(body), 'a constraint is not of its body');
+    tape.require(!found.has(constraint) && constraint.members.includes(body));
     found.add(constraint);
     if (tape.reads) {
       list.push(constraint);
@@ -124,7 +124,7 @@ function walkAwake<T extends RigidBody | Constraint>(tape: Tape, list: T[], all:
   const found = new Uint8Array(allCount);
   for (let i = 0; i < count; i += 1) {
     const at = tape.index(tape.holds ? 0 : list[i]!.index, allCount);
-    tape.require(found[at] === 0, 'something is awake twice');
+    tape.require(found[at] === 0);
     found[at] = 1;
     if (tape.reads) {
       list[i] = all[at]!;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D } from '../../src/index.js';
 import { generator } from '../scenes/mixed.js';
 import { GAMES } from '../scenes/states.js';
+import { phys2D } from './built.js';
 
 const MOMENTS = 50;
 const STEPS = 300;

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { type CustomConstraint, phys2D, type World } from '../../src/index.js';
-import { deserialize, type PlainWorld, serialize } from '../../src/state/index.js';
+import type { CustomConstraint, World } from '../../src/index.js';
+import type { PlainWorld } from '../../src/state/index.js';
 import { GAMES } from '../scenes/states.js';
+import { deserialize, phys2D, serialize } from './built.js';
 
 /** As JSON has it. */
 function asText(data: PlainWorld): PlainWorld {

@@ -1,11 +1,9 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { type Constraint, phys2D, type RigidBody, type World } from '../../src/index.js';
-import { seal } from '../../src/state/format.js';
+import { type Constraint, phys2D, type RigidBody, type RigidBodyParams, type World } from '../../src/index.js';
 import { addFloor, boxBody, plainBody, steps, weightless } from '../conformance/setting.js';
-import { generator } from '../scenes/mixed.js';
-import { GAMES } from '../scenes/states.js';
+import { phys2D as built } from './built.js';
 
 function pile(count: number): World {
   const world = phys2D.createWorld();
@@ -182,6 +180,24 @@ describe('World.restore', () => {
     expect(two.hash()).toBe(one.hash());
   });
 
+  it('tells what is wrong where the copy of another world does not fit', () => {
+    const circle = (radius: number): RigidBody => plainBody({ shapes: [phys2D.createCircleShape({ radius })] });
+    const [one, two, three] = [weightless(), weightless(), weightless()];
+    one.addRigidBody(circle(1));
+    one.addRigidBody(circle(2));
+    two.addRigidBody(boxBody(1, 1));
+    two.addRigidBody(boxBody(1, 1));
+    const [late, early] = [circle(1), circle(2)].reverse();
+    three.addRigidBody(late!);
+    three.addRigidBody(early!);
+    const copy = copyOf(one.snapshot());
+    const refused = 'World.restore: the snapshot cannot be restored here: ';
+    const hashes = [two, three].map((world) => world.hash());
+    expect(() => two.restore(copy)).toThrow(`${refused}a shape of it is of another kind`);
+    expect(() => three.restore(copy)).toThrow(`${refused}its shapes were created in another order`);
+    expect([two, three].map((world) => world.hash())).toEqual(hashes);
+  });
+
   it('is refused within handlers and callbacks, as are hash and snapshot', () => {
     const world = weightless();
     const body = plainBody();
@@ -217,94 +233,17 @@ describe('World.restore', () => {
   });
 });
 
-describe('damaged snapshots', () => {
-  const CASES = 10_000;
-
-  /** A snapshot with something wrong with it. */
-  function damaged(snapshot: ArrayBuffer, random: () => number): ArrayBuffer {
-    const bytes = new Uint8Array(snapshot);
-    const kind = Math.floor(4 * random());
-    if (kind === 0) {
-      return snapshot.slice(0, Math.floor(bytes.length * random()));
-    }
-    const copy = copyOf(snapshot);
-    if (kind === 1) {
-      new Int32Array(copy)[1] = 2 + Math.floor(1000 * random());
-      return copy;
-    }
-    for (let i = kind === 2 ? 1 : 20; i > 0; i -= 1) {
-      new Uint8Array(copy)[Math.floor(bytes.length * random())]! ^= 1 << Math.floor(8 * random());
-    }
-    return copy;
-  }
-
-  it(`${CASES} of them are refused, and the world is untouched`, () => {
-    const game = GAMES.events!(phys2D);
-    for (let i = 0; i < 100; i += 1) {
-      game.step();
-    }
-    const { world } = game;
-    const snapshot = world.snapshot();
-    const random = generator(5);
-    const hash = world.hash();
-    const bytes = new Uint8Array(copyOf(snapshot));
-    for (let i = 0; i < CASES; i += 1) {
-      const wrong = damaged(snapshot, random);
-      const isRight = wrong.byteLength === bytes.length && new Uint8Array(wrong).every((byte, k) => byte === bytes[k]);
-      if (!isRight) {
-        expect(() => world.restore(wrong), `case ${i}`).toThrow(/^World\.restore: (this is no|the) snapshot/);
-      }
-      if (i % 100 === 0) {
-        expect(world.hash()).toBe(hash);
-      }
-    }
-    expect(world.hash()).toBe(hash);
-    expect([...new Uint8Array(world.snapshot())]).toEqual([...bytes]);
-  }, 120_000);
-});
-
-describe('forged snapshots, whose checksum is right', () => {
-  it.each(['events', 'constraints', 'drum'])(
-    'are refused or taken, but never break the world: %s',
-    (name) => {
-      const game = GAMES[name]!(phys2D);
-      for (let i = 0; i < 120; i += 1) {
-        game.step();
-      }
-      const { world } = game;
-      const snapshot = world.snapshot();
-      const random = generator(8);
-      const hash = world.hash();
-      let taken = 0;
-      for (let i = 0; i < 1500; i += 1) {
-        const forged = copyOf(snapshot);
-        for (let k = Math.floor(3 * random()); k >= 0; k -= 1) {
-          new Uint8Array(forged)[32 + Math.floor((forged.byteLength - 32) * random())]! ^=
-            1 << Math.floor(8 * random());
-        }
-        seal(forged);
-        try {
-          world.restore(forged);
-          taken += 1;
-        } catch (error) {
-          expect(String(error), `case ${i}`).toMatch(
-            /^(Range|Type)?Error: (World\.restore: the snapshot|createMaterial)/,
-          );
-        }
-        world.snapshot();
-        world.restore(snapshot);
-        expect(world.hash(), `case ${i}`).toBe(hash);
-      }
-      expect(taken).toBeGreaterThan(0);
-      expect(taken).toBeLessThan(1500);
-    },
-    120_000,
-  );
-});
-
 describe('cost', () => {
   it('a snapshot of 1,000 piled boxes is at most 0.5 MB', () => {
-    const world = pile(1000);
+    const world = built.createWorld({ allowSleeping: false });
+    const add = (width: number, height: number, params: RigidBodyParams): void => {
+      const shapes = [built.createPolygonShape({ vertices: built.createBoxVertices(width, height) })];
+      world.addRigidBody(built.createRigidBody({ ...params, shapes }));
+    };
+    add(100, 1, { type: 'static', position: [0, 0.5] });
+    for (let i = 0; i < 1000; i += 1) {
+      add(1, 1, { position: [1.02 * (i % 40) - 20, -0.5 - 1.01 * Math.floor(i / 40)] });
+    }
     steps(world, 60);
     const { byteLength } = world.snapshot();
     console.log(`1,000 piled boxes: ${byteLength} bytes, ${world.dynamicArbiters.length} arbiters`);
@@ -325,19 +264,17 @@ describe('cost', () => {
   });
 
   it('a rollback of 8 steps in each of 2,500 frames leaves nothing behind', () => {
-    const child = ['--expose-gc', join(import.meta.dirname, 'heap.mjs')];
-    const { sizes, handles, found, bodies } = JSON.parse(
+    const child = [join(import.meta.dirname, 'heap.mjs')];
+    const { sizes, frames, handles, found, bodies } = JSON.parse(
       execFileSync(process.execPath, child, { encoding: 'utf8' }),
-    ) as {
-      sizes: number[];
-      handles: number;
-      found: number;
-      bodies: number;
-    };
-    const growth = sizes.slice(1).map((size, i) => size - sizes[i]!);
-    console.log(`heap after each 2,500 frames: ${growth.join(', ')} bytes more`);
-    // Compiled code comes and goes, but a leak of an object a frame would grow in all of them.
-    expect(Math.min(...growth)).toBeLessThan(8 * 2500);
+    ) as Record<'frames' | 'handles' | 'found' | 'bodies', number> & { sizes: number[] };
+    // The first frames fill pools.
+    const [, first, ...more] = sizes;
+    const growth = more.at(-1)! - first!;
+    console.log(
+      `rollback: ${growth} bytes more after ${more.length * frames} frames; ${found} of ${bodies} bodies found`,
+    );
+    expect(growth).toBeLessThan(0.1 * more.length * frames);
     expect([handles, found]).toEqual([bodies, bodies]);
   }, 120_000);
 });
