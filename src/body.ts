@@ -452,6 +452,7 @@ export class RigidBody extends BodyState {
     }
   }
 
+  /** @internal */
   override claim(shape: Shape): void {
     shape.owner = this;
     this.shapesChanged();
