@@ -197,7 +197,7 @@ function optionsOf(type: string): Parameter[] {
 }
 
 /** Takes anything: user data, what is `this` in callbacks, what callbacks are given back. */
-const isFree = ({ type }: Parameter): boolean => type === 'unknown';
+const isFree = ({ type }: Parameter): boolean => type === 'unknown' || type.startsWith('UserDataOf<');
 
 interface Attempt {
   /** Such as `World.step.deltaTime = NaN`. */

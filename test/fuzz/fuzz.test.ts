@@ -18,10 +18,10 @@ const { phys2D } = (await load('phys2d.js')) as typeof source;
 const { validate } = (await load('validate.js')) as typeof audit;
 const engine: Engine = { phys2D, validate };
 
-/** Public methods by class, from the published types; boxes and drawing have tests of their own. */
+/** Public methods by class, from the published types; boxes, drawing and what saves have tests of their own. */
 function publicMethods(): [name: string, method: string][] {
   const files = readdirSync(dist, { recursive: true, encoding: 'utf8' }).filter(
-    (name) => name.endsWith('.d.ts') && !/^(?:debug|broadphase|runner)/.test(name),
+    (name) => name.endsWith('.d.ts') && !/^(?:debug|broadphase|runner|state)/.test(name),
   );
   return files.flatMap((file) =>
     readFileSync(join(dist, file), 'utf8')
@@ -47,9 +47,9 @@ describe('random programs', () => {
       '\n',
     );
     const methods = publicMethods();
-    // By `look`, `bind` and the stage itself.
+    // By `look`, `bind`, `save` and the stage itself.
     const looked =
-      /^(?:get|is|compute)[A-Z]|^transform(?:World|Local)|^set(?:Lower|Upper)Bound$|^createCollisionUtils$/;
+      /^(?:get|is|compute)[A-Z]|^transform(?:World|Local)|^set(?:Lower|Upper)Bound$|^createCollisionUtils$|^hash$|^snapshot$|^restore$/;
     const isCalled = (method: string): boolean => new RegExp(`[.( ]${method}(?:\\?\\.)?\\(`).test(programs);
     expect(methods.length).toBeGreaterThan(150);
     expect(methods.filter(([, method]) => !looked.test(method) && !isCalled(method))).toEqual([]);

@@ -16,7 +16,7 @@ export interface Failure {
   readonly program: readonly Statement[];
 }
 
-const NAMES = '{ phys2D, utils, w, b, s, c, m, h, all, step, stop, few, bind, move, look }';
+const NAMES = '{ phys2D, utils, w, b, s, c, m, h, all, step, stop, few, bind, move, save, look }';
 
 /** ms. A call that takes longer hangs. */
 const TOO_LONG = 2000;

@@ -311,6 +311,7 @@ export class Writer {
       () => `if (${b} && ${w}) ${w}.removeRigidBody(${b});`,
       () => `if (${b}) ${b}.world?.removeRigidBody(${b});`,
       () => `move(${b}, ${w});`,
+      () => `save(${w});`,
       () => `if (${c}) ${w}?.addConstraint(${c});`,
       () => `if (${c}) ${w}?.addConstraint(${c});`,
       () => `if (${c}) ${w}?.addConstraint(${c});`,
