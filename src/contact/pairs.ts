@@ -185,7 +185,7 @@ export class Pairs {
   /** Drops a pair that is not listed and is leaving the sorted list. */
   retire(pair: Arbiter): void {
     this.table.remove(pair);
-    this.pool.push(pair);
+    this.free(pair);
   }
 
   /**
@@ -204,6 +204,11 @@ export class Pairs {
     this.cut.push(pair);
   }
 
+  private free(pair: Arbiter): void {
+    pair.awake = false;
+    this.pool.push(pair);
+  }
+
   /** At the start of a step: frees what was cut before the last one. */
   recycle(): void {
     const free = this.cutBefore;
@@ -212,7 +217,7 @@ export class Pairs {
       if (pair.awake) {
         this.cut.push(pair);
       } else {
-        this.pool.push(pair);
+        this.free(pair);
       }
     }
     free.length = 0;
@@ -232,7 +237,7 @@ export class Pairs {
     this.table.release();
     for (const list of [this.cut, this.cutBefore]) {
       for (const pair of list) {
-        this.pool.push(pair);
+        this.free(pair);
       }
       list.length = 0;
     }

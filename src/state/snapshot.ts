@@ -200,6 +200,12 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     constraint.order = ids[at]!;
     constraint.index = i;
     world.constraints.push(constraint);
+    for (const { owner, constraints: ties } of constraint.members) {
+      // Of those that the snapshot is of, the order of the list is passed, too.
+      if (owner !== null && owner !== world && !ties.includes(constraint)) {
+        ties.push(constraint);
+      }
+    }
   }
 }
 
