@@ -29,10 +29,11 @@ import {
   excusePoint,
   finishPoints,
   packPoint,
+  placePoints,
   pushPoints,
-  pushPointsFurther,
   solveVelocityPoints,
   warmStartPoints,
+  weighPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
 
@@ -47,6 +48,7 @@ function packJoints(world: World, h: number): void {
   world.jointsStale = false;
   world.jointsTouched = false;
   joints.isTouched = false;
+  joints.isSteady = false;
   joints.h = h;
   joints.parts = world.substeps;
   if (joints.runs.length > 0) {
@@ -84,32 +86,35 @@ function packJoint(data: SolverData, joint: Joint): void {
 }
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
-function steadyFresh({ joints, groups, records }: JointData): void {
+function steadyFresh(data: JointData): void {
+  const { joints, groups } = data;
   for (const group of groups) {
     for (let k = group.start; k < group.end; k += 1) {
       const { constraint } = joints[k]!;
       if (constraint.fresh) {
         constraint.fresh = false;
         group.fresh = true;
-        steady(joints[k]!, records);
+        steady(data, joints[k]!);
       }
     }
   }
 }
 
 /** Makes no momentum of what corrects a joint in this step. */
-function steady({ kernel, at }: Joint, records: Float64Array): void {
+function steady(data: JointData, { kernel, at }: Joint): void {
+  const { records } = data;
+  data.isSteady = true;
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
   records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 0;
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
-function settle({ joints, records }: JointData, group: Group, worst: number): void {
+function settle(data: JointData, group: Group, worst: number): void {
   const isLarge = worst > JOINT_SNAP * JOINT_SNAP;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(joints[k]!, records);
+    steady(data, data.joints[k]!);
   }
 }
 
@@ -229,8 +234,8 @@ function solveVelocityCustoms(data: SolverData): void {
 }
 
 /**
- * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
- * contacts came in between or they are large. @returns whether there is something left for another.
+ * Position iteration `i` of `count`; where sweeps are few, the first. The errors of point joints are taken as linear in the motion from where the integrator put
+ * the bodies; found anew if contacts came in between, and for each sweep while they are large. @returns whether there is something left for another.
  */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups, worst, isTouched } = data.joints;
@@ -248,10 +253,13 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
     }
     let found = linearise(data, group);
     for (let sweep = before; sweep < after; sweep += 1) {
-      const isLinear = sweep > 0 && !isFar(group) && (sweep > before || !isTouched);
+      const isPlaced = sweep === 0 || isFar(group) || (sweep === before && isTouched);
       worst[0] = 0;
-      found = sweepOver(data, group, sweep === 0, isLinear ? pushRunFurther : pushRun) || found;
-      if (!isLinear) {
+      if (isPlaced) {
+        sweepOver(data, group, sweep === 0, placeRun);
+      }
+      found = sweepOver(data, group, sweep === 0, pushRun) || found;
+      if (isPlaced) {
         group.pushed = worst[0];
       }
     }
@@ -261,7 +269,7 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   return isLeft;
 }
 
-/** More than small motion was left when exact errors were found the last time, or bodies are to be moved without turning. */
+/** More than small motion was left when errors were found the last time, or bodies are to be moved without turning. */
 function isFar({ pushed, settling }: Group): boolean {
   return pushed > JOINT_FAR * JOINT_FAR || settling > 0;
 }
@@ -280,8 +288,14 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
   return false;
 }
 
-function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
+function placeRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  if (kernel === POINT) {
+    placePoints(data, start, end);
+    if (data.joints.isTouched || data.joints.isSteady) {
+      weighPoints(data, start, end);
+    }
+  }
+  return false;
 }
 
 function linearise(data: SolverData, { runs }: Group): boolean {
