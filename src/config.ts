@@ -100,7 +100,7 @@ export const JOINT_SWEEP_MARGIN = 5;
  * m. Later position iterations begin anew with exact errors and arms if the first found a larger error than this: a whirling chain would tear, as
  * what is linear in the turn then is not enough.
  */
-export const JOINT_FAR = 0.012;
+export const JOINT_FAR = 0.016;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is

@@ -6,7 +6,7 @@ import { isOpenBlock, lineariseBlock, noteBlock, pushBlock } from './block-joint
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CARRY, CUSTOM, IMPULSE_X, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED } from './joint-layout.js';
-import { isOpenPoint, notePoints, placePoints, pushPoints, weighPoints } from './point-joints.js';
+import { isOpenPoint, notePoints, pushPoints } from './point-joints.js';
 
 /**
  * Where joints and contacts want different things. Contacts push without momentum, so joints that correct what they did must make none either; and as
@@ -80,8 +80,6 @@ function closeOnce(data: SolverData, { start, end }: Group): boolean {
     }
     found = true;
     if (joint.kernel === POINT) {
-      placePoints(data, k, k + 1);
-      weighPoints(data, k, k + 1);
       pushPoints(data, k, k + 1);
     } else {
       lineariseBlock(data, joint);

@@ -95,8 +95,6 @@ export class JointData implements Keeper {
   parts = 1;
   /** Some joint's body is in contact. */
   isTouched = false;
-  /** Some joint is corrected without momentum, as it was changed. */
-  isSteady = false;
   /** Of a group: the square of the worst error so far in this sweep or at the start of the sub-step, and of the error from which on a joint is strained … */
   readonly worst = new Float64Array(2);
   /** … and which are: the first, and the one after the last. */

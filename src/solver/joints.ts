@@ -29,11 +29,10 @@ import {
   excusePoint,
   finishPoints,
   packPoint,
-  placePoints,
   pushPoints,
+  pushPointsFurther,
   solveVelocityPoints,
   warmStartPoints,
-  weighPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
 
@@ -48,7 +47,6 @@ function packJoints(world: World, h: number): void {
   world.jointsStale = false;
   world.jointsTouched = false;
   joints.isTouched = false;
-  joints.isSteady = false;
   joints.h = h;
   joints.parts = world.substeps;
   if (joints.runs.length > 0) {
@@ -86,35 +84,32 @@ function packJoint(data: SolverData, joint: Joint): void {
 }
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
-function steadyFresh(data: JointData): void {
-  const { joints, groups } = data;
+function steadyFresh({ joints, groups, records }: JointData): void {
   for (const group of groups) {
     for (let k = group.start; k < group.end; k += 1) {
       const { constraint } = joints[k]!;
       if (constraint.fresh) {
         constraint.fresh = false;
         group.fresh = true;
-        steady(data, joints[k]!);
+        steady(joints[k]!, records);
       }
     }
   }
 }
 
 /** Makes no momentum of what corrects a joint in this step. */
-function steady(data: JointData, { kernel, at }: Joint): void {
-  const { records } = data;
-  data.isSteady = true;
+function steady({ kernel, at }: Joint, records: Float64Array): void {
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
   records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 0;
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
-function settle(data: JointData, group: Group, worst: number): void {
+function settle({ joints, records }: JointData, group: Group, worst: number): void {
   const isLarge = worst > JOINT_SNAP * JOINT_SNAP;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(data, data.joints[k]!);
+    steady(joints[k]!, records);
   }
 }
 
@@ -234,8 +229,8 @@ function solveVelocityCustoms(data: SolverData): void {
 }
 
 /**
- * Position iteration `i` of `count`; where sweeps are few, the first. The errors of point joints are taken as linear in the motion from where the integrator put
- * the bodies; found anew if contacts came in between, and for each sweep while they are large. @returns whether there is something left for another.
+ * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
+ * contacts came in between or they are large. @returns whether there is something left for another.
  */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups, worst, isTouched } = data.joints;
@@ -253,13 +248,10 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
     }
     let found = linearise(data, group);
     for (let sweep = before; sweep < after; sweep += 1) {
-      const isPlaced = sweep === 0 || isFar(group) || (sweep === before && isTouched);
+      const isLinear = sweep > 0 && !isFar(group) && (sweep > before || !isTouched);
       worst[0] = 0;
-      if (isPlaced) {
-        sweepOver(data, group, sweep === 0, placeRun);
-      }
-      found = sweepOver(data, group, sweep === 0, pushRun) || found;
-      if (isPlaced) {
+      found = sweepOver(data, group, sweep === 0, isLinear ? pushRunFurther : pushRun) || found;
+      if (!isLinear) {
         group.pushed = worst[0];
       }
     }
@@ -269,7 +261,7 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   return isLeft;
 }
 
-/** More than small motion was left when errors were found the last time, or bodies are to be moved without turning. */
+/** More than small motion was left when exact errors were found the last time, or bodies are to be moved without turning. */
 function isFar({ pushed, settling }: Group): boolean {
   return pushed > JOINT_FAR * JOINT_FAR || settling > 0;
 }
@@ -288,14 +280,8 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
   return false;
 }
 
-function placeRun(data: SolverData, kernel: number, start: number, end: number): boolean {
-  if (kernel === POINT) {
-    placePoints(data, start, end);
-    if (data.joints.isTouched || data.joints.isSteady) {
-      weighPoints(data, start, end);
-    }
-  }
-  return false;
+function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
 }
 
 function linearise(data: SolverData, { runs }: Group): boolean {

@@ -237,18 +237,25 @@ export function notePoints(data: SolverData, start: number, end: number, isAfter
 }
 
 /**
- * Arms, K⁻¹ and error of the placement reached so far: from there on the error is taken as linear in the motion. With those of the start of the
- * sub-step a pendulum is 1 mm off after 5 s. All at once, as the joints do not wait for each other here.
+ * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the
+ * start of the sub-step a pendulum is 1 mm off after 5 s.
+ *
+ * @returns whether an error was worth another iteration.
  */
-export function placePoints(data: SolverData, start: number, end: number): void {
+export function pushPoints(data: SolverData, start: number, end: number): boolean {
   const { records: r, bodies, joints, worst } = data.joints;
   const { motion: q } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
+  let found = false;
   for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
+    const qax = q[a + d.QX]!;
+    const qay = q[a + d.QY]!;
     const wA = q[a + d.QW]!;
+    const qbx = q[b + d.QX]!;
+    const qby = q[b + d.QY]!;
     const wB = q[b + d.QW]!;
     const squareA = wA * wA;
     const squareB = wB * wB;
@@ -267,45 +274,84 @@ export function placePoints(data: SolverData, start: number, end: number): void 
       cb = turn[1]! - 1;
       sb = turn[2]!;
     }
-    const armAX = r[i + j.ARM_AX]!;
-    const armAY = r[i + j.ARM_AY]!;
-    const armBX = r[i + j.ARM_BX]!;
-    const armBY = r[i + j.ARM_BY]!;
-    const dax = ca * armAX - sa * armAY;
-    const day = sa * armAX + ca * armAY;
-    const dbx = cb * armBX - sb * armBY;
-    const dby = sb * armBX + cb * armBY;
-    const ax = armAX + dax;
-    const ay = armAY + day;
-    const bx = armBX + dbx;
-    const by = armBY + dby;
-    const dx = q[b + d.QX]! - q[a + d.QX]!;
-    const dy = q[b + d.QY]! - q[a + d.QY]!;
-    const x = r[i + j.ERROR_X]! + (dbx - dax);
-    const y = r[i + j.ERROR_Y]! + (dby - day);
-    const square = (x + dx) * (x + dx) + (y + dy) * (y + dy);
-    if (square > worst[0]!) {
-      worst[0] = square;
+    let ax = r[i + j.ARM_AX]!;
+    let ay = r[i + j.ARM_AY]!;
+    let bx = r[i + j.ARM_BX]!;
+    let by = r[i + j.ARM_BY]!;
+    const dax = ca * ax - sa * ay;
+    const day = sa * ax + ca * ay;
+    const dbx = cb * bx - sb * by;
+    const dby = sb * bx + cb * by;
+    const cx = r[i + j.ERROR_X]! + (qbx - qax) + (dbx - dax);
+    const cy = r[i + j.ERROR_Y]! + (qby - qay) + (dby - day);
+    const square = cx * cx + cy * cy;
+    if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
+      found = true;
+      if (square > worst[0]!) {
+        worst[0] = square;
+      }
     }
+    if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
+      const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
+      // As `shareOf`, which called from here would have to box its numbers.
+      const share = made <= 0 ? 0 : made < square ? made / square : 1;
+      r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * share;
+      r[i + j.UNDONE_X] = 0;
+      r[i + j.UNDONE_Y] = 0;
+    }
+    const mA = q[a + d.INV_MASS]!;
+    const mB = q[b + d.INV_MASS]!;
+    ax += dax;
+    ay += day;
+    bx += dbx;
+    by += dby;
     const iA = q[a + d.INV_INERTIA]!;
     const iB = q[b + d.INV_INERTIA]!;
-    const m = q[a + d.INV_MASS]! + q[b + d.INV_MASS]!;
+    const m = mA + mB;
+    const k11 = m + iA * ay * ay + iB * by * by;
+    const k12 = -iA * ax * ay - iB * bx * by;
+    const k22 = m + iA * ax * ax + iB * bx * bx;
     r[i + j.PLACED_AX] = ax;
     r[i + j.PLACED_AY] = ay;
     r[i + j.PLACED_BX] = bx;
     r[i + j.PLACED_BY] = by;
-    r[i + j.OFFSET_X] = x + wB * by - wA * ay;
-    r[i + j.OFFSET_Y] = y - wB * bx + wA * ax;
-    r[i + j.I11] = m + iA * ay * ay + iB * by * by;
-    r[i + j.I12] = -iA * ax * ay - iB * bx * by;
-    r[i + j.I22] = m + iA * ax * ax + iB * bx * bx;
+    r[i + j.OFFSET_X] = cx - (qbx - qax - wB * by + wA * ay);
+    r[i + j.OFFSET_Y] = cy - (qby - qay + wB * bx - wA * ax);
+    r[i + j.I11] = k11;
+    r[i + j.I12] = k12;
+    r[i + j.I22] = k22;
     invert(r, i);
+    const i12 = r[i + j.I12]!;
+    let x = r[i + j.I11]! * cx + i12 * cy;
+    let y = i12 * cx + r[i + j.I22]! * cy;
+    if (
+      square > JOINT_SNAP * JOINT_SNAP &&
+      r[i + j.POINT_CARRY] === 0 &&
+      r[i + j.POINT_TOUCHED] === 0 &&
+      m > MIN_INVERSE_MASS
+    ) {
+      x = cx / m;
+      y = cy / m;
+      ax = 0;
+      ay = 0;
+      bx = 0;
+      by = 0;
+    }
+    r[i + j.PUSH_X] = r[i + j.PUSH_X]! - x;
+    r[i + j.PUSH_Y] = r[i + j.PUSH_Y]! - y;
+    q[a + d.QX] = qax + mA * x;
+    q[a + d.QY] = qay + mA * y;
+    q[a + d.QW] = wA + iA * (ax * y - ay * x);
+    q[b + d.QX] = qbx - mB * x;
+    q[b + d.QY] = qby - mB * y;
+    q[b + d.QW] = wB - iB * (bx * y - by * x);
   }
+  return found;
 }
 
-/** One sweep of a position iteration: moves the bodies by −K⁻¹C. @returns whether an error was worth another iteration. */
-export function pushPoints(data: SolverData, start: number, end: number): boolean {
-  const { records: r, bodies, joints, worst } = data.joints;
+/** Another sweep: as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth another iteration. */
+export function pushPointsFurther(data: SolverData, start: number, end: number): boolean {
+  const { records: r, bodies, joints } = data.joints;
   const { motion: q } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -325,12 +371,8 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const wB = q[b + d.QW]!;
     const cx = r[i + j.OFFSET_X]! + (qbx - qax - wB * by + wA * ay);
     const cy = r[i + j.OFFSET_Y]! + (qby - qay + wB * bx - wA * ax);
-    const square = cx * cx + cy * cy;
-    if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
+    if (cx * cx + cy * cy > JOINT_TOLERANCE * JOINT_TOLERANCE) {
       found = true;
-      if (square > worst[0]!) {
-        worst[0] = square;
-      }
     }
     const i12 = r[i + j.I12]!;
     const x = r[i + j.I11]! * cx + i12 * cy;
@@ -347,45 +389,6 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
   return found;
-}
-
-/**
- * Before placed joints are pushed: of one in contact what contacts made of the error makes no momentum; one that was changed, and is far off, moves its bodies
- * without turning them.
- */
-export function weighPoints(data: SolverData, start: number, end: number): void {
-  for (let k = start; k < end; k += 1) {
-    weighPoint(data, data.joints.joints[k]!);
-  }
-}
-
-function weighPoint(data: SolverData, { at: i, first }: Joint): void {
-  const { records: r, bodies } = data.joints;
-  const { motion: q } = data;
-  const a = bodies[first]!;
-  const b = bodies[first + 1]!;
-  const wA = q[a + d.QW]!;
-  const wB = q[b + d.QW]!;
-  const cx = r[i + j.OFFSET_X]! + q[b + d.QX]! - q[a + d.QX]! - wB * r[i + j.PLACED_BY]! + wA * r[i + j.PLACED_AY]!;
-  const cy = r[i + j.OFFSET_Y]! + q[b + d.QY]! - q[a + d.QY]! + wB * r[i + j.PLACED_BX]! - wA * r[i + j.PLACED_AX]!;
-  const square = cx * cx + cy * cy;
-  const isTouched = r[i + j.POINT_TOUCHED] !== 0;
-  if (isTouched && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
-    const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
-    const share = made <= 0 ? 0 : made < square ? made / square : 1;
-    r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * share;
-    r[i + j.UNDONE_X] = 0;
-    r[i + j.UNDONE_Y] = 0;
-  }
-  const m = q[a + d.INV_MASS]! + q[b + d.INV_MASS]!;
-  if (square > JOINT_SNAP * JOINT_SNAP && r[i + j.POINT_CARRY] === 0 && !isTouched && m > MIN_INVERSE_MASS) {
-    r.fill(0, i + j.PLACED_AX, i + j.PLACED_BY + 1);
-    r[i + j.OFFSET_X] = cx - (q[b + d.QX]! - q[a + d.QX]!);
-    r[i + j.OFFSET_Y] = cy - (q[b + d.QY]! - q[a + d.QY]!);
-    r[i + j.I11] = 1 / m;
-    r[i + j.I12] = 0;
-    r[i + j.I22] = 1 / m;
-  }
 }
 
 /** The error noted last is above JOINT_OPEN. */
