@@ -1,7 +1,7 @@
 // Which functions of phys2d allocate in a warm step, and how much: node bench/allocations.mjs [scene]
 import { Session } from 'node:inspector/promises';
-import { DT, pyramidsOf, scenes } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
+import { DT, pyramidsOf, scenes } from './scenes.mjs';
 
 /** s. Large scenes are done in fewer steps. */
 const SECONDS = 10;

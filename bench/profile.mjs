@@ -4,12 +4,13 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { measure } from './measure.mjs';
+import { scenes } from './scenes.mjs';
 
 const ROWS = 20;
 
 const [scene, engine = 'phys2d'] = process.argv.slice(2);
-if (scene === undefined) {
-  console.error('bench: node bench/profile.mjs scene [engine]');
+if (!(scene in scenes)) {
+  console.error(`bench: node bench/profile.mjs scene [engine], scenes are ${Object.keys(scenes).join(', ')}`);
   process.exit(2);
 }
 const folder = mkdtempSync(join(tmpdir(), 'phys2d-profile-'));

@@ -2,12 +2,11 @@
 // node bench/run.mjs [--json] [--write] [--rounds=3] [--limit=60] [engine…] [scene…] [part…]
 import { writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
-import { pathToFileURL } from 'node:url';
-import { build } from 'esbuild';
 import { engines as all, usual, versionOf } from './engines.mjs';
 import { attempt, here, summary } from './measure.mjs';
 import { parts } from './parts.mjs';
 import { writeFigures } from './readme.mjs';
+import { scenes as built } from './scenes.mjs';
 import { markdown, printPart, printScene, printTargets } from './speed-table.mjs';
 import { judge } from './targets.mjs';
 
@@ -16,13 +15,6 @@ const SECONDS = 4;
 /** s. An engine that takes longer than this for a scene does it only once. */
 const SLOW = 15;
 
-await build({
-  entryPoints: [here('../test/scenes/speed/index.ts')],
-  outfile: here('../dist/bench/scenes.js'),
-  bundle: true,
-  format: 'esm',
-});
-const { scenes: built } = await import(pathToFileURL(here('../dist/bench/scenes.js')).href);
 const scenes = { ...built, ...(await import('./casts-scene.mjs')) };
 
 const flags = process.argv.slice(2).filter((argument) => argument.startsWith('--'));
