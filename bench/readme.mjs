@@ -1,4 +1,5 @@
 // Puts figures of the last written runs into the README of the project: node bench/readme.mjs
+import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { here } from './measure.mjs';
@@ -56,6 +57,7 @@ function tableBelow(page, place) {
 export function writeFigures() {
   const read = (name) => (existsSync(here(name)) ? readFileSync(here(name), 'utf8') : null);
   writeFileSync(README, withFigures(readFileSync(README, 'utf8'), read('QUALITY.md'), read('RESULTS.md')));
+  execFileSync(process.execPath, [here('../node_modules/@biomejs/biome/bin/biome'), 'format', '--write', README]);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
