@@ -67,7 +67,7 @@ export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
  * m, rad. In a sub-step joints that hang together are swept over once, and once more for each such part of their worst error, but only where
  * errors are above it and near there: what is overloaded gets more work. This is for nets of hundreds, where less would cost half as much again.
  */
-export const JOINT_SWEEP_ERROR = 0.0022;
+export const JOINT_SWEEP_ERROR = 0.002;
 
 /** The same for few joints, as in a ragdoll or a chain; at 0.004 a chain under a 100-fold ball gapes 27 mm. */
 export const JOINT_SWEEP_ERROR_OF_FEW = 0.0005;
