@@ -40,7 +40,9 @@ it('the example with events prints what the README says', () => {
 it('the README has the figures of the last runs beside other engines', () => {
   const speed = existsSync(join(root, 'bench/RESULTS.md')) ? read('bench/RESULTS.md') : null;
   const readme = read('README.md');
-  expect(withFigures(readme, read('bench/QUALITY.md'), speed)).toBe(readme);
+  // The formatter sets the width of columns.
+  const loose = (text: string): string => text.replace(/ {2,}/g, ' ').replace(/-{3,}/g, '---');
+  expect(loose(withFigures(readme, read('bench/QUALITY.md'), speed))).toBe(loose(readme));
   const page = `Written on 2020-01-02 by\n\n## Median of a step, ms\n\n| | phys2d |\n|---|---|\n| mud (m) | 3 |\n| rain (m) | 7 |\n\n`;
   const changed = withFigures(readme, read('bench/QUALITY.md'), page);
   expect(changed).toContain('measured on 2020-01-02 by');
