@@ -35,7 +35,6 @@ import {
 /**
  * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
  * (in `preSolve` handlers) nothing can be added or removed; in all other handlers everything may be changed.
- *
  * `validate(world)`, imported apart from `phys2d/validate`, checks that all that a world consists of is consistent.
  */
 export class World extends WorldState {
