@@ -1,8 +1,8 @@
-import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { build } from 'esbuild';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+import { find } from './engines.mjs';
 
 // Chromium, and pages that load the built package. What runs in a page is in `pages`, as plain modules.
 
@@ -25,9 +25,7 @@ const ARGUMENTS = [
 
 /** Starts a browser; close it when done. WebGL is computed by the processor, so that it is there on every machine. */
 export async function launch(): Promise<Browser> {
-  const finder = join(import.meta.dirname, 'chromium.mjs');
-  const executablePath = execFileSync(process.execPath, [finder], { encoding: 'utf8' }).trim();
-  return chromium.launch({ executablePath, args: ARGUMENTS });
+  return chromium.launch({ executablePath: find('chromium'), args: ARGUMENTS });
 }
 
 /**

@@ -1,2 +1,2 @@
 /** Where an engine is. @throws if it is nowhere. */
-export function find(name: 'firefox' | 'jsc'): string;
+export function find(name: 'chromium' | 'firefox' | 'jsc'): string;

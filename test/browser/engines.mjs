@@ -1,11 +1,21 @@
-// Prints where Firefox and the shell of JavaScriptCore are, for the tests in all engines: node test/browser/engines.mjs [--install]
-// FIREFOX and JSC may name them. With --install, what is missing is installed as far as that is possible without asking: by apt-get, as root.
+// Prints where Chromium, Firefox and the shell of JavaScriptCore are, for the tests in browsers and all engines: node test/browser/engines.mjs [--install]
+// CHROMIUM, FIREFOX and JSC may name them. With --install, what is missing is installed as far as that is possible without asking: by apt-get, as root.
 import { execFileSync } from 'node:child_process';
 import { accessSync, constants } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const ENGINES = {
+  chromium: {
+    variable: 'CHROMIUM',
+    names: ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'],
+    elsewhere: [
+      '/Applications/Chromium.app/Contents/MacOS/Chromium',
+      '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+      'C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe',
+    ],
+    packageName: 'chromium',
+  },
   firefox: {
     variable: 'FIREFOX',
     names: ['firefox-esr', 'firefox'],
@@ -59,7 +69,9 @@ function install(packages) {
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const missing = Object.values(ENGINES).filter((engine) => look(engine) === undefined);
+  const missing = Object.values(ENGINES).filter(
+    (engine) => !process.env[engine.variable] && look(engine) === undefined,
+  );
   if (process.argv.includes('--install') && missing.length > 0) {
     install(missing.map(({ packageName }) => packageName));
   }

@@ -1,14 +1,10 @@
-import { spawn } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { createServer } from 'node:http';
-import type { AddressInfo } from 'node:net';
-import { tmpdir } from 'node:os';
+import { readFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { expect, it } from 'vitest';
 import { scenes } from '../../playground/scenes.js';
 import { phys2D } from '../../src/index.js';
 import { HANDS_OFF } from '../scenes/play.js';
-import { find } from './engines.mjs';
+import { askFirefox, type Served } from './firefox.js';
 
 // The built playground in Firefox: every scene runs, is seen, reports no error, and goes as in Node. Where Firefox has no WebGL 2, as without a
 // screen, this is the picture on a 2D canvas.
@@ -67,68 +63,19 @@ const DRIVE = `
     fetch('told', { method: 'POST', body: JSON.stringify({ errors, hashes, inked }) });
   });`;
 
-function fileFor(url: string): Buffer | string | null {
+function serve(url: string): Served | null {
   const name = url === '/' ? 'index.html' : url.slice(1);
-  if (!['index.html', 'style.css', 'main.js'].includes(name)) {
+  const type = TYPES[extname(name)];
+  if (!['index.html', 'style.css', 'main.js'].includes(name) || type === undefined) {
     return null;
   }
   const file = readFileSync(join(FOLDER, name));
-  return name === 'index.html' ? String(file).replace('<head>', `<head><script>${WATCH}${DRIVE}</script>`) : file;
-}
-
-/** Serves the playground to a Firefox, until that has told how it went. */
-async function runInFirefox(): Promise<Told> {
-  let tell: (told: Told) => void;
-  const answered = new Promise<Told>((resolve) => {
-    tell = resolve;
-  });
-  const server = createServer((request, response) => {
-    const url = request.url ?? '/';
-    if (request.method === 'POST') {
-      let text = '';
-      request.setEncoding('utf8');
-      request.on('data', (part: string) => {
-        text += part;
-      });
-      request.on('end', () => {
-        response.end();
-        tell(JSON.parse(text) as Told);
-      });
-      return;
-    }
-    const body = fileFor(url);
-    response.writeHead(body === null ? 404 : 200, { 'Content-Type': TYPES[extname(url)] ?? 'text/html' });
-    response.end(body ?? '');
-  });
-  await new Promise<void>((resolve) => {
-    server.listen(0, '127.0.0.1', resolve);
-  });
-  const { port } = server.address() as AddressInfo;
-  const profile = mkdtempSync(join(tmpdir(), 'phys2d-firefox-'));
-  const options = ['--headless', '--no-remote', '--profile', profile, `http://127.0.0.1:${port}/`];
-  const firefox = spawn(find('firefox'), options, { stdio: 'ignore', env: { ...process.env, HOME: profile } });
-  const ended = new Promise<never>((_, reject) => {
-    firefox.on('error', reject);
-    firefox.on('exit', (code) => reject(new Error(`Firefox ended with ${code}`)));
-  });
-  try {
-    return await Promise.race([answered, ended]);
-  } finally {
-    ended.catch(() => {});
-    const gone = new Promise((resolve) => {
-      firefox.once('exit', resolve);
-    });
-    if (firefox.exitCode === null && firefox.kill()) {
-      await gone;
-    }
-    server.closeAllConnections();
-    server.close();
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
-  }
+  const isPage = name === 'index.html';
+  return { type, body: isPage ? String(file).replace('<head>', `<head><script>${WATCH}${DRIVE}</script>`) : file };
 }
 
 it('every scene runs in Firefox, and goes as in Node', { timeout: 240_000 }, async () => {
-  const { errors, hashes, inked } = await runInFirefox();
+  const { errors, hashes, inked } = await askFirefox<Told>(serve);
   expect(errors).toEqual([]);
   expect(Object.keys(hashes)).toEqual(scenes.map(({ id }) => id));
   for (const { id } of scenes) {

@@ -1,7 +1,5 @@
-import { execFile, spawn } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
@@ -9,6 +7,7 @@ import { getQuickJS } from 'quickjs-emscripten';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { launch, open } from '../browser/browser.js';
 import { find } from '../browser/engines.mjs';
+import { askFirefox } from '../browser/firefox.js';
 import { goldenScript } from './golden.mjs';
 
 // The same scenes have the same hashes, every 10 steps for 600, in every JavaScript engine. A change that is meant to change results:
@@ -112,53 +111,11 @@ async function runInShell(program: string, print: string): Promise<Hashes> {
   return JSON.parse(stdout) as Hashes;
 }
 
-/** Firefox has no driver here: it opens a page, which posts what it found. */
+/** In a page that posts what it found. */
 async function runInFirefox(): Promise<Hashes> {
-  let answer: (hashes: Hashes) => void;
-  const answered = new Promise<Hashes>((resolve) => {
-    answer = resolve;
-  });
   const page = `<!doctype html><meta charset="utf-8"><script>${script}
     const body = JSON.stringify(golden.runAll());
     fetch('/', { method: 'POST', body });
   </script>`;
-  const server = createServer((request, response) => {
-    if (request.method !== 'POST') {
-      response.setHeader('Content-Type', 'text/html').end(request.url === '/' ? page : '');
-      return;
-    }
-    let text = '';
-    request.setEncoding('utf8');
-    request.on('data', (part: string) => {
-      text += part;
-    });
-    request.on('end', () => {
-      response.end();
-      answer(JSON.parse(text) as Hashes);
-    });
-  });
-  await new Promise<void>((resolve) => {
-    server.listen(0, '127.0.0.1', resolve);
-  });
-  const { port } = server.address() as AddressInfo;
-  const profile = mkdtempSync(join(folder, 'firefox-'));
-  const options = ['--headless', '--no-remote', '--profile', profile, `http://127.0.0.1:${port}/`];
-  const firefox = spawn(find('firefox'), options, { stdio: 'ignore', env: { ...process.env, HOME: profile } });
-  const ended = new Promise<never>((_, reject) => {
-    firefox.on('error', reject);
-    firefox.on('exit', (code) => reject(new Error(`Firefox ended with ${code}`)));
-  });
-  try {
-    return await Promise.race([answered, ended]);
-  } finally {
-    ended.catch(() => {});
-    const gone = new Promise((resolve) => {
-      firefox.once('exit', resolve);
-    });
-    if (firefox.exitCode === null && firefox.kill()) {
-      await gone;
-    }
-    server.closeAllConnections();
-    server.close();
-  }
+  return askFirefox<Hashes>((url) => (url === '/' ? { type: 'text/html', body: page } : null));
 }
