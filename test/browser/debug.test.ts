@@ -150,14 +150,14 @@ it('WebGL goes on after a lost context', async () => {
 it('the page of the README shows crates that fall', async () => {
   const readme = await open(browser, errors, '/readme.html');
   const lit = (): Promise<number[]> =>
-    readme.evaluate(`new Promise((resolve) => setTimeout(resolve, 300)).then(() => {
+    readme.evaluate(`(() => {
       const { data } = document.querySelector('canvas').getContext('2d').getImageData(0, 0, 900, 600);
       return Array.from({ length: 900 * 600 }, (_, i) => i).filter((i) => data[4 * i + 1] > 150);
-    })`);
-  const [before, after] = [await lit(), await lit()];
-  expect(before.length).toBeGreaterThan(1000);
-  expect(after.length).toBeGreaterThan(1000);
-  expect(after).not.toEqual(before);
+    })()`);
+  await expect.poll(async () => (await lit()).length, { timeout: 20000 }).toBeGreaterThan(1000);
+  const before = await lit();
+  await expect.poll(lit, { timeout: 20000 }).not.toEqual(before);
+  expect((await lit()).length).toBeGreaterThan(1000);
   await readme.close();
 });
 
