@@ -220,7 +220,7 @@ export class Pairs {
         this.free(pair);
       }
     }
-    free.length = 0;
+    if (free.length > 0) free.length = 0;
     this.cutBefore = this.cut;
     this.cut = free;
   }
