@@ -3,14 +3,23 @@ import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 
-/** Angle, cosine, sine: scratch of `advance`. */
+/** Bodies are gone through in pieces of so many, as contacts are. */
+const PIECE = 128;
+
+/** Angle, cosine, sine: scratch of `advancePiece`. */
 const turned = new Float64Array(3);
 
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function integrateVelocities(data: SolverData): void {
-  const { velocity: v, drive: f } = data;
   const { bodyCount } = data;
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let from = 1; from < bodyCount; from += PIECE) {
+    addForces(data, from, Math.min(from + PIECE, bodyCount));
+  }
+}
+
+function addForces(data: SolverData, from: number, to: number): void {
+  const { velocity: v, drive: f } = data;
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     const keep = f[i + d.KEEP_LINEAR]!;
     v[i + d.VX] = (v[i + d.VX]! + f[i + d.GAIN_X]!) * keep;
@@ -21,10 +30,16 @@ export function integrateVelocities(data: SolverData): void {
 
 /** The motion of one sub-step, q = v·h, after rest damping of slow bodies in contact. */
 export function integratePositions(data: SolverData, h: number): void {
-  const { velocity: v, motion: q, drive: f } = data;
   const { bodyCount } = data;
+  for (let from = 1; from < bodyCount; from += PIECE) {
+    moveOn(data, from, Math.min(from + PIECE, bodyCount), h);
+  }
+}
+
+function moveOn(data: SolverData, from: number, to: number, h: number): void {
+  const { velocity: v, motion: q, drive: f } = data;
   const inverseSquare = 1 / (REST_SPEED * REST_SPEED);
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     let vx = v[i + d.VX]!;
     let vy = v[i + d.VY]!;
@@ -50,9 +65,15 @@ export function integratePositions(data: SolverData, h: number): void {
 
 /** Adds the motion of the sub-step, pushes included, to that of the step; contacts want to know how far their bodies have turned in it. */
 export function advance(data: SolverData): void {
-  const { velocity: v, motion: q, drive: f } = data;
   const { bodyCount } = data;
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let from = 1; from < bodyCount; from += PIECE) {
+    advancePiece(data, from, Math.min(from + PIECE, bodyCount));
+  }
+}
+
+function advancePiece(data: SolverData, from: number, to: number): void {
+  const { velocity: v, motion: q, drive: f } = data;
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     q[i + d.DX] = q[i + d.DX]! + q[i + d.QX]!;
     q[i + d.DY] = q[i + d.DY]! + q[i + d.QY]!;
