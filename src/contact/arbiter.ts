@@ -34,7 +34,6 @@ export class Arbiter {
     return 1;
   }
 
-  // In the order of use: what every step looks at in every pair lies together.
   /** The shape with the lower id. */
   shapeA: Shape;
   /** The other one: normals point from A to B. */
