@@ -1,38 +1,19 @@
 import { CROWD_SWEEPS, HARD_SWEEPS } from '../config.js';
-import { type SolverData, WINDOW } from './data.js';
+import type { SolverData } from './data.js';
 import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
+import { inPieces } from './pieces.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
-
-/** Where the piece of a list ends that begins at `from`. */
-function endOf(from: number, count: number): number {
-  return from + WINDOW < count ? from + WINDOW : count;
-}
 
 /** Starts a sub-step of length h. */
 export function warmStartContacts(data: SolverData, h: number, isFirst: boolean): void {
-  const two = data.two.count;
-  const one = data.one.count;
-  for (let from = 0; from < two; from += WINDOW) {
-    warmStartTwo(data, from, endOf(from, two), h, isFirst);
-  }
-  for (let from = 0; from < one; from += WINDOW) {
-    warmStartOne(data, from, endOf(from, one), h, isFirst);
-  }
+  inPieces(data, 0, data.two.count, warmStartTwo, h, isFirst);
+  inPieces(data, 0, data.one.count, warmStartOne, h, isFirst);
 }
 
-/**
- * One sweep over all contacts; over those that are hard to solve some more. They are given to the loops in pieces: a loop that runs so long in its
- * first calls that it is compiled there may be entered in its middle ever after, with numbers boxed until it gets there.
- */
+/** One sweep over all contacts; over those that are hard to solve some more. */
 export function solveVelocityContacts(data: SolverData): void {
-  const two = data.two.count;
-  const one = data.one.count;
-  for (let from = 0; from < two; from += WINDOW) {
-    solveVelocityTwo(data, from, endOf(from, two));
-  }
-  for (let from = 0; from < one; from += WINDOW) {
-    solveVelocityOne(data, from, endOf(from, one));
-  }
+  inPieces(data, 0, data.two.count, solveVelocityTwo);
+  inPieces(data, 0, data.one.count, solveVelocityOne);
   const { hard, hardCount } = data;
   for (let i = 0; i < hardCount; i += 4) {
     for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
@@ -45,16 +26,8 @@ export function solveVelocityContacts(data: SolverData): void {
 /** One position iteration, likewise. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
   data.crowded = false;
-  const two = data.two.count;
-  const one = data.one.count;
-  let pushedTwo = false;
-  let pushedOne = false;
-  for (let from = 0; from < two; from += WINDOW) {
-    pushedTwo = solvePositionTwo(data, from, endOf(from, two)) || pushedTwo;
-  }
-  for (let from = 0; from < one; from += WINDOW) {
-    pushedOne = solvePositionOne(data, from, endOf(from, one)) || pushedOne;
-  }
+  const pushedTwo = inPieces(data, 0, data.two.count, solvePositionTwo);
+  const pushedOne = inPieces(data, 0, data.one.count, solvePositionOne);
   const { hard, hardCount } = data;
   for (let i = 0; i < hardCount && (pushedTwo || pushedOne); i += 4) {
     for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {

@@ -2,19 +2,14 @@ import { REST_DAMPING, REST_SPEED } from '../config.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-
-/** Bodies are gone through in pieces of so many, as contacts are. */
-const PIECE = 128;
+import { inPieces } from './pieces.js';
 
 /** Angle, cosine, sine: scratch of `advancePiece`. */
 const turned = new Float64Array(3);
 
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function integrateVelocities(data: SolverData): void {
-  const { bodyCount } = data;
-  for (let from = 1; from < bodyCount; from += PIECE) {
-    addForces(data, from, Math.min(from + PIECE, bodyCount));
-  }
+  inPieces(data, 1, data.bodyCount, addForces);
 }
 
 function addForces(data: SolverData, from: number, to: number): void {
@@ -30,10 +25,7 @@ function addForces(data: SolverData, from: number, to: number): void {
 
 /** The motion of one sub-step, q = v·h, after rest damping of slow bodies in contact. */
 export function integratePositions(data: SolverData, h: number): void {
-  const { bodyCount } = data;
-  for (let from = 1; from < bodyCount; from += PIECE) {
-    moveOn(data, from, Math.min(from + PIECE, bodyCount), h);
-  }
+  inPieces(data, 1, data.bodyCount, moveOn, h);
 }
 
 function moveOn(data: SolverData, from: number, to: number, h: number): void {
@@ -65,10 +57,7 @@ function moveOn(data: SolverData, from: number, to: number, h: number): void {
 
 /** Adds the motion of the sub-step, pushes included, to that of the step; contacts want to know how far their bodies have turned in it. */
 export function advance(data: SolverData): void {
-  const { bodyCount } = data;
-  for (let from = 1; from < bodyCount; from += PIECE) {
-    advancePiece(data, from, Math.min(from + PIECE, bodyCount));
-  }
+  inPieces(data, 1, data.bodyCount, advancePiece);
 }
 
 function advancePiece(data: SolverData, from: number, to: number): void {

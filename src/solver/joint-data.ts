@@ -49,7 +49,7 @@ export interface Joint {
   readonly twins: readonly (readonly [number, number])[];
 }
 
-/** How many joints a run has at most: loops take contacts in such pieces too, see `solveVelocityContacts`. */
+/** How many joints a run has at most: loops take contacts in such pieces too, see `inPieces`. */
 const LONGEST_RUN = 128;
 
 /** Joints next to each other that one kernel solves: from `start` up to, not including, `end`. */
