@@ -54,11 +54,16 @@ export class PackedTree<T> {
     return leaf;
   }
 
-  /** Gives a leaf another box. */
+  /** Gives a leaf another box. If that meets the old one it stays where it is: exchanges alone keep the tree as good, in less time. */
   move(leaf: number, bounds: ArrayLike<number>, margin: number): void {
-    this.detach(leaf);
-    this.setBox(leaf, bounds, margin);
-    this.attach(leaf);
+    if (this.meets(leaf, bounds)) {
+      this.setBox(leaf, bounds, margin);
+      this.refit(this.parent[leaf]!);
+    } else {
+      this.detach(leaf);
+      this.setBox(leaf, bounds, margin);
+      this.attach(leaf);
+    }
   }
 
   remove(leaf: number): void {
@@ -209,6 +214,17 @@ export class PackedTree<T> {
       boxes[at + 1]! <= bounds[1]! &&
       boxes[at + 2]! >= bounds[2]! &&
       boxes[at + 3]! >= bounds[3]!
+    );
+  }
+
+  private meets(node: number, bounds: ArrayLike<number>): boolean {
+    const { boxes } = this;
+    const at = BOX * node;
+    return (
+      boxes[at]! <= bounds[2]! &&
+      boxes[at + 1]! <= bounds[3]! &&
+      boxes[at + 2]! >= bounds[0]! &&
+      boxes[at + 3]! >= bounds[1]!
     );
   }
 
