@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { MAX_SPEED } from '../config.js';
 import { isCustom } from '../constraint/constraint.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
-import { cos, cosSin, sin } from '../math/trig.js';
+import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -91,11 +91,12 @@ export function advancePoses(data: SolverData): void {
   }
 }
 
-/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
+/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it; of some kinds the angles alone. */
 function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose: to } = data.joints;
   const { motion: q, pose } = data;
   const { layout, first, constraint } = joint;
+  const looksAtPlaces = constraint.type !== 'ANGLE' && constraint.type !== 'MOTOR';
   for (let k = 0; k < layout.members; k += 1) {
     const b = bodies[first + k]!;
     const at = k * POSE;
@@ -105,8 +106,14 @@ function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
     }
     const share = moving ? 1 : 0;
     const turn = share * q[b + d.QW]!;
-    const c = turn === 0 ? 1 : cos(turn);
-    const s = turn === 0 ? 0 : sin(turn);
+    around[0] = turn;
+    around[1] = 1;
+    around[2] = 0;
+    if (turn !== 0 && looksAtPlaces) {
+      cosSin(around);
+    }
+    const c = around[1]!;
+    const s = around[2]!;
     to[at + X] = pose[b + X]! + share * q[b + d.QX]!;
     to[at + Y] = pose[b + Y]! + share * q[b + d.QY]!;
     to[at + COS] = pose[b + COS]! * c - pose[b + SIN]! * s;
