@@ -23,7 +23,7 @@ import type { SolverData } from './data.js';
 import { type Group, type Joint, type JointData, packHead, type Run } from './joint-data.js';
 import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
-import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
+import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
   excusePoint,
@@ -337,7 +337,6 @@ function finishJoints(data: SolverData): void {
     closeOpen(data, groups[k]!);
   }
   if (runs.length > 0) {
-    limitMotion(data);
     advancePoses(data);
   }
 }
