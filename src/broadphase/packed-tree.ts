@@ -54,9 +54,16 @@ export class PackedTree<T> {
     return leaf;
   }
 
-  /** Gives a leaf another box. If that meets the old one it stays where it is: exchanges alone keep the tree as good, in less time. */
+  /** Gives a leaf another box. It stays where it is in the tree if that overlaps the old one: the exchanges on the way up see to the rest. */
   move(leaf: number, bounds: ArrayLike<number>, margin: number): void {
-    if (this.meets(leaf, bounds)) {
+    const { boxes } = this;
+    const at = BOX * leaf;
+    const isNear =
+      boxes[at]! <= bounds[2]! &&
+      boxes[at + 1]! <= bounds[3]! &&
+      boxes[at + 2]! >= bounds[0]! &&
+      boxes[at + 3]! >= bounds[1]!;
+    if (isNear) {
       this.setBox(leaf, bounds, margin);
       this.refit(this.parent[leaf]!);
     } else {
@@ -214,17 +221,6 @@ export class PackedTree<T> {
       boxes[at + 1]! <= bounds[1]! &&
       boxes[at + 2]! >= bounds[2]! &&
       boxes[at + 3]! >= bounds[3]!
-    );
-  }
-
-  private meets(node: number, bounds: ArrayLike<number>): boolean {
-    const { boxes } = this;
-    const at = BOX * node;
-    return (
-      boxes[at]! <= bounds[2]! &&
-      boxes[at + 1]! <= bounds[3]! &&
-      boxes[at + 2]! >= bounds[0]! &&
-      boxes[at + 3]! >= bounds[1]!
     );
   }
 
