@@ -40,22 +40,25 @@ export class PackedTree<T> {
   /** The box that is being inserted. */
   private readonly box = new Float64Array(BOX);
 
+  /** The boxes of leaves are larger than what they are given by a margin, m, on all sides. */
+  constructor(private readonly margin: number) {}
+
   /** Number of levels above the leaves; 0 for one leaf and for none. */
   get height(): number {
     return this.root === NONE ? 0 : this.level[this.root]!;
   }
 
-  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by `margin` on all sides. @returns its number. */
-  insert(item: T, bounds: ArrayLike<number>, margin: number): number {
+  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides. @returns its number. */
+  insert(item: T, bounds: ArrayLike<number>): number {
     const leaf = this.allocate();
     this.items[leaf] = item;
-    this.setBox(leaf, bounds, margin);
+    this.setBox(leaf, bounds);
     this.attach(leaf);
     return leaf;
   }
 
   /** Gives a leaf another box. It stays where it is in the tree if that overlaps the old one: the exchanges on the way up see to the rest. */
-  move(leaf: number, bounds: ArrayLike<number>, margin: number): void {
+  move(leaf: number, bounds: ArrayLike<number>): void {
     const { boxes } = this;
     const at = BOX * leaf;
     const isNear =
@@ -64,11 +67,11 @@ export class PackedTree<T> {
       boxes[at + 2]! >= bounds[0]! &&
       boxes[at + 3]! >= bounds[1]!;
     if (isNear) {
-      this.setBox(leaf, bounds, margin);
+      this.setBox(leaf, bounds);
       this.refit(this.parent[leaf]!);
     } else {
       this.detach(leaf);
-      this.setBox(leaf, bounds, margin);
+      this.setBox(leaf, bounds);
       this.attach(leaf);
     }
   }
@@ -241,7 +244,8 @@ export class PackedTree<T> {
     return this;
   }
 
-  private setBox(leaf: number, bounds: ArrayLike<number>, margin: number): void {
+  private setBox(leaf: number, bounds: ArrayLike<number>): void {
+    const { margin } = this;
     const at = BOX * leaf;
     this.boxes[at] = bounds[0]! - margin;
     this.boxes[at + 1] = bounds[1]! - margin;
