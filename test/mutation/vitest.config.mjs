@@ -44,7 +44,7 @@ export default defineConfig({
   test: {
     include: FOLDERS[process.env.MUTATED].map((name) => `test/${name}{*,/**/*}.test.ts`),
     sequence: { sequencer: LikelyFirst },
-    isolate: false,
+    isolate: true,
     testTimeout: 30_000,
   },
 });
