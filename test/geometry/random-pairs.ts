@@ -4,7 +4,7 @@ import type { Shape } from '../../src/index.js';
 import { Chance, formOf, randomShape } from './forms.js';
 import { exactDistance, type Form, gapAlong, signedDistance } from './reference.js';
 
-// Measures random pairs of outlines and compares with the references, for distance.test.ts.
+// Measures random pairs of outlines and compares with the references, for distance.test.ts and many.test.ts.
 
 let chance = new Chance(1);
 const a = new Outline();

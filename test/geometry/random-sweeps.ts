@@ -5,7 +5,7 @@ import type { Shape } from '../../src/index.js';
 import { Chance, formOf, randomShape } from './forms.js';
 import { type Form, signedDistance } from './reference.js';
 
-// Sweeps random pairs and looks at their distance at many times between, for sweep.test.ts.
+// Sweeps random pairs and looks at their distance at many times between, for sweep.test.ts and many.test.ts.
 
 let chance = new Chance(1);
 const scratch = new Outline();

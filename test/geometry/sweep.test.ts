@@ -2,13 +2,11 @@ import { describe, expect, it } from 'vitest';
 import { Sweep, timeOfImpact } from '../../src/geometry/sweep.js';
 import { phys2D, type Shape } from '../../src/index.js';
 import { near } from '../conformance/setting.js';
-import { measure as measureSweeps } from './random-sweeps.js';
-import { run } from './run.js';
+import { measure } from './random-sweeps.js';
+import { expectInTime } from './right.js';
 
-const SWEEPS = 30_000;
-const FEW = 100;
-
-type Measured = ReturnType<typeof measureSweeps>;
+/** Few, in this process; many.test.ts takes thirty thousand. */
+const SWEEPS = 100;
 
 const polygon = (sides: number): Shape =>
   phys2D.createPolygonShape({ vertices: phys2D.createRegularPolygonVertices(2, 2, sides) });
@@ -25,36 +23,8 @@ function sweepOf(a: Shape, b: Shape, motionA: Motion, motionB: Motion): Sweep {
 }
 
 describe('time of impact', () => {
-  function holds({ worst, counts }: Measured, sweeps: number): void {
-    expect(counts.hits).toBeGreaterThan(sweeps / 4);
-    expect(counts['close misses']).toBeGreaterThan(sweeps / 30);
-    expect(counts.unfinished).toBeLessThan(Math.max(1, sweeps / 1000));
-    expect(worst.iterations!.error).toBeLessThan(10_000);
-    expect(worst['missed, s before the end']!.error).toBe(0);
-    expect(worst['too late, s']!.error).toBe(0);
-    expect(worst['not within the time']!.error).toBe(0);
-    expect(worst['too deep']!.error).toBeLessThan(1e-12);
-    expect(worst['told wrong distance']!.error, 'told wrong distance').toBeLessThan(1e-9);
-    expect(worst['too early']!.error, 'too early').toBeLessThan(1e-12);
-  }
-
-  it(`of ${SWEEPS.toLocaleString('en')} random sweeps against their distances in between`, {
-    timeout: 120_000,
-  }, async () => {
-    const measured = await run<Measured>('random-sweeps.ts', SWEEPS, 1);
-    const { worst, counts } = measured;
-    console.log(`${SWEEPS} sweeps (${JSON.stringify(counts)}), worst errors over the size where not in s:`);
-    for (const [kind, { error, sweep }] of Object.entries(worst)) {
-      console.log(`  ${kind.padEnd(26)} ${kind === 'iterations' ? error : error.toExponential(1)}  (sweep ${sweep})`);
-    }
-    holds(measured, SWEEPS);
-  });
-
-  it('of a few random sweeps, as vitest loads the engine: what coverage and mutations see', () => {
-    const measured = measureSweeps(FEW, 2);
-    holds(measured, FEW);
-    // Steps by a bound of first order would take several times as many.
-    expect(measured.counts.iterations / FEW).toBeLessThan(40);
+  it(`of ${SWEEPS} random sweeps against their distances in between`, () => {
+    expectInTime(measure(SWEEPS, 2), SWEEPS);
   });
 
   it('is exact where it can be told in closed form', () => {
