@@ -12,7 +12,16 @@ const FOLDERS = {
     'conformance/05',
     'conformance/19',
   ],
-  collide: ['geometry', 'collide', 'query', 'conformance/08', 'conformance/10', 'conformance/18', 'conformance/19'],
+  collide: [
+    'state/golden',
+    'geometry',
+    'collide',
+    'query',
+    'conformance/08',
+    'conformance/10',
+    'conformance/18',
+    'conformance/19',
+  ],
   events: [
     'events',
     'constraint/events',
@@ -23,7 +32,23 @@ const FOLDERS = {
     'conformance/13',
     'conformance/16',
   ],
-  solver: ['solver', 'constraint', 'conformance', 'contact', 'world/extremes', 'issues'],
+  solver: [
+    'state/golden',
+    'solver/continuous',
+    'solver/meeting-queue',
+    'solver/rolling',
+    'solver/seams',
+    'solver/ways',
+    'constraint/constraint',
+    'constraint/events',
+    'constraint/ignore',
+    'contact/arbiter',
+    'contact/pair-table',
+    'world/containment',
+    'conformance/0',
+    'conformance/1',
+    'issues',
+  ],
 };
 
 /** What failed last comes first, as the next mutant is a neighbour; then the quickest. */
