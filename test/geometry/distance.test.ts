@@ -3,7 +3,7 @@ import { Distance, measureDistance } from '../../src/geometry/distance.js';
 import { Outline } from '../../src/geometry/outline.js';
 import { phys2D, type Shape, type Vec2 } from '../../src/index.js';
 import { near } from '../conformance/setting.js';
-import { formOf } from './forms.js';
+import { Chance, formOf } from './forms.js';
 import { measure } from './random-pairs.js';
 import { exactDistance, type Form, gapAlong, signedDistance } from './reference.js';
 import { expectRight } from './right.js';
@@ -95,6 +95,47 @@ describe('distance', () => {
     const { out } = measureOne(place(box(4, 1), [0, 0]), place(box(1, 1), [1, 2]));
     expect([out.value, out.axisX, out.axisY]).toEqual([1, 0, 1]);
     expect([out.ax, out.ay, out.bx, out.by]).toEqual([1, 0.5, 1, 1.5]);
+  });
+
+  it('of discs around one point is along the x-axis', () => {
+    const { out } = measureOne(place(disc(1), [2, 3]), place(disc(0.5), [2, 3]));
+    expect([out.value, out.axisX, out.axisY]).toEqual([-1.5, 1, 0]);
+    expect([out.ax, out.ay, out.bx, out.by]).toEqual([3, 3, 1.5, 3]);
+  });
+
+  // Which of the edges is the farthest is then a matter of rounding, and the corner may lie beside that one.
+  it('is right where a corner lies above two edges that bend by next to nothing', () => {
+    const chance = new Chance(1);
+    for (let i = 0; i < 500; i += 1) {
+      const bend = chance.size(1e-9, 1e-6);
+      const blunt = phys2D.createPolygonShape({
+        vertices: [
+          [2, 3],
+          [3, 3 - bend],
+          [4, 3],
+          [3, 4],
+        ],
+      });
+      const beside = (chance.next() < 0.5 ? -1 : 1) * chance.size(1e-9, 1e-5);
+      const [x, y] = [3 + beside, 3 - bend - chance.size(1e-11, 1e-7)];
+      const sharp = phys2D.createPolygonShape({
+        vertices: [
+          [x, y],
+          [x - 0.5, y - 1],
+          [x + 0.5, y - 1],
+        ],
+      });
+      const turn = chance.span(0, 6);
+      const pair = [place(blunt, [0, 0], turn), place(sharp, [0, 0], turn)] as const;
+      for (const [a, b] of [pair, [pair[1], pair[0]] as const]) {
+        const { out, forms } = measureOne(a, b);
+        near(out.value, signedDistance(...forms), 1e-13);
+        near(gapAlong(forms[0].corners, forms[1].corners, out.axisX, out.axisY), out.value, 1e-13);
+        near([out.ax + out.axisX * out.value, out.ay + out.axisY * out.value], [out.bx, out.by], 1e-13);
+        const tip = a === pair[1] ? [out.ax, out.ay] : [out.bx, out.by];
+        near(tip, [...pair[1].form.corners.subarray(0, 2)], 1e-13);
+      }
+    }
   });
 
   it('takes outlines of many corners', () => {

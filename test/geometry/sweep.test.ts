@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Sweep, timeOfImpact } from '../../src/geometry/sweep.js';
+import { Sweep, type Swept, timeOfImpact } from '../../src/geometry/sweep.js';
 import { phys2D, type Shape } from '../../src/index.js';
 import { near } from '../conformance/setting.js';
 import { measure } from './random-sweeps.js';
@@ -46,6 +46,29 @@ describe('time of impact', () => {
     expect(timeOfImpact(sweep, 0, 1e-9, 1.5, 10)).toBe(1.5);
     expect(timeOfImpact(sweep, 0, 1e-9, 0, 0.999)).toBe(-1);
     expect(timeOfImpact(sweep, -0.25, 1e-9, 0, 10)).toBeCloseTo(1.25, 8);
+  });
+
+  it('takes two looks where nothing turns: at the start, and where they meet', () => {
+    for (const speed of [0.01, 1, 400]) {
+      let looks = 0;
+      const counting: Swept = {
+        outline(into) {
+          looks += 1;
+          box(1, 1).outline(into);
+        },
+      };
+      const sweep = sweepOf(box(1, 1), box(1, 1), { y: -7, vx: speed }, { x: 3, y: -7 });
+      sweep.a.shape = counting;
+      near(timeOfImpact(sweep, 0, 1e-9, 0, 1000), 2 / speed, 1e-6);
+      expect(looks).toBe(2);
+    }
+  });
+
+  it('takes the reach of a shape from where its origin is', () => {
+    const { a } = sweepOf(box(6, 8), box(1, 1), { x: 3, y: 7, vx: 2, vy: -1 }, {});
+    a.place(3);
+    a.measureReach();
+    near(a.reach, 5, 1e-12);
   });
 
   it('finds nothing where a spinning polygon never gets to, however often it turns', () => {

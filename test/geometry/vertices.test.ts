@@ -69,7 +69,7 @@ describe('a convex polygon', () => {
     const vertices = { length: 3, 0: [0, 0], 1: new Float32Array([3, 0]), 2: { length: 2, 0: 0, 1: 3 } };
     expect(clean(vertices)).toEqual([0, 0, 3, 0, 0, 3]);
     for (const bad of [null, undefined, 3, 'abc', {}, { length: '3' }]) {
-      expect(() => clean(bad)).toThrow(TypeError);
+      expect(() => clean(bad)).toThrow('f: v must be an array of vertices [x, y]');
     }
   });
 
@@ -105,8 +105,13 @@ describe('a convex polygon', () => {
 
   it('is refused if it has no area', () => {
     expect(() => clean(pairs([0, 0, 1, 1, 3, 3]))).toThrow('bending the other way');
-    // Flatter than the tolerance for bends.
-    expect(() => clean(pairs([0, 0, 1, 0, 0.5, 1e-12]))).toThrow(RangeError);
+    expect(() => clean(pairs([0, 0, 2, 0, 1, 0]))).toThrow('vertex 0 bending the other way');
+    expect(() => clean(pairs([0, 0, 0, 2, 0, 1]))).toThrow('vertex 0 bending the other way');
+    // A lens whose sides bend by less than the tolerance at each vertex: only the two tips are left.
+    const h = 0.9 * COLLINEAR_TOLERANCE;
+    const side = [-1, -0.5, 0, 0.5].map((x): Vec2 => [x, h * (x * x - 1)]);
+    const back = side.map(([x, y]): Vec2 => [-x, -y]);
+    expect(() => clean([...side, ...back])).toThrow('got all vertices on one line');
   });
 
   it('is refused if it goes round more than once, with the vertex that starts the second round', () => {
@@ -131,6 +136,7 @@ describe('a convex polygon', () => {
     expect(repeatedVertex([0, 0, 2, 0, 2, 2, VERTEX_TOLERANCE / 2, VERTEX_TOLERANCE / 2])).toBe(3);
     expect(repeatedVertex([5, 5, 5 + VERTEX_TOLERANCE, 5 + VERTEX_TOLERANCE, 7, 8])).toBe(-1);
     expect(repeatedVertex([5, 5, 5, 5, 7, 8])).toBe(0);
+    expect(() => clean(pairs([5, 5, 5, 5, 7, 8]))).toThrow('got vertex 1 equal to vertex 0: [5, 5]');
     expect(() => clean(pairs(gap(0)))).toThrow(
       'f: v must have distinct vertices, got vertex 2 equal to vertex 1: [2, 0]',
     );
