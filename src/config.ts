@@ -249,7 +249,7 @@ export const DEFAULT_ITERATIONS = 8;
 
 /**
  * How often contacts are swept over for each velocity iteration. With 1 a tower of 25 sways for ever, a pyramid of base 20 settles by 14 mm instead of
- * 9, and what carries 100 times its weight buckles.
+ * 9, and what carries 100 times its weight buckles. If those of one point are left out of the further sweeps a pile of mixed shapes trembles at 0.1 m/s.
  */
 export const CONTACT_SWEEPS = 1.5;
 

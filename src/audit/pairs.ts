@@ -62,30 +62,29 @@ function auditListed(audit: Audit, pair: Arbiter): void {
 }
 
 function auditContacts(audit: Audit, pair: Arbiter): void {
-  const { manifold, shown, sensor } = pair;
-  const { numbers: n } = manifold;
+  const { shown, sensor, count, numbers: n, at: o } = pair;
   audit.demand(shown >= 0 && shown <= 2 && !(sensor && shown > 0), pair, `cannot have ${shown} contacts`);
   if (sensor || !pair.active) {
     return;
   }
-  const length = n[g.NX]! * n[g.NX]! + n[g.NY]! * n[g.NY]!;
-  audit.demand(manifold.count === 0 || Math.abs(length - 1) < 1e-9, pair, 'normal must be a unit vector');
-  for (let i = 0; i < manifold.count; i += 1) {
-    audit.finite(pair, `x of contact ${i}`, n[g.X0 + g.POINT * i]!);
-    audit.finite(pair, `y of contact ${i}`, n[g.Y0 + g.POINT * i]!);
-    audit.finite(pair, `separation of contact ${i}`, n[g.S0 + g.POINT * i]!);
+  const length = n[o + g.NX]! * n[o + g.NX]! + n[o + g.NY]! * n[o + g.NY]!;
+  audit.demand(count === 0 || Math.abs(length - 1) < 1e-9, pair, 'normal must be a unit vector');
+  for (let i = 0; i < count; i += 1) {
+    audit.finite(pair, `x of contact ${i}`, n[o + g.X0 + g.POINT * i]!);
+    audit.finite(pair, `y of contact ${i}`, n[o + g.Y0 + g.POINT * i]!);
+    audit.finite(pair, `separation of contact ${i}`, n[o + g.S0 + g.POINT * i]!);
   }
   for (const at of [0, c.IMPULSES]) {
-    audit.nonNegative(pair, 'normal impulse', n[c.STEP_NORMAL + at]!);
+    audit.nonNegative(pair, 'normal impulse', n[o + c.STEP_NORMAL + at]!);
     for (const of of [c.NORMAL, c.TANGENT, c.STEP_NORMAL, c.STEP_TANGENT]) {
-      audit.finite(pair, 'impulse', n[of + at]!);
+      audit.finite(pair, 'impulse', n[o + of + at]!);
     }
   }
-  audit.finite(pair, 'rolling impulse', n[c.STEP_ROLL]!);
-  audit.demand(!Number.isNaN(n[c.ELASTICITY]), pair, 'elasticity must be a number');
-  audit.nonNegative(pair, 'static friction', n[c.STATIC_FRICTION]!);
-  audit.nonNegative(pair, 'dynamic friction', n[c.DYNAMIC_FRICTION]!);
-  audit.nonNegative(pair, 'rolling friction', n[c.ROLLING_FRICTION]!);
+  audit.finite(pair, 'rolling impulse', n[o + c.STEP_ROLL]!);
+  audit.demand(!Number.isNaN(n[o + c.ELASTICITY]), pair, 'elasticity must be a number');
+  audit.nonNegative(pair, 'static friction', n[o + c.STATIC_FRICTION]!);
+  audit.nonNegative(pair, 'dynamic friction', n[o + c.DYNAMIC_FRICTION]!);
+  audit.nonNegative(pair, 'rolling friction', n[o + c.ROLLING_FRICTION]!);
 }
 
 /** Awake pairs are in order, each once; those that were cut off wait there to be dropped. */

@@ -54,11 +54,23 @@ export class PackedTree<T> {
     return leaf;
   }
 
-  /** Gives a leaf another box. */
+  /** Gives a leaf another box. It stays where it is in the tree if that overlaps the old one: the exchanges on the way up see to the rest. */
   move(leaf: number, bounds: ArrayLike<number>, margin: number): void {
-    this.detach(leaf);
-    this.setBox(leaf, bounds, margin);
-    this.attach(leaf);
+    const { boxes } = this;
+    const at = BOX * leaf;
+    const isNear =
+      boxes[at]! <= bounds[2]! &&
+      boxes[at + 1]! <= bounds[3]! &&
+      boxes[at + 2]! >= bounds[0]! &&
+      boxes[at + 3]! >= bounds[1]!;
+    if (isNear) {
+      this.setBox(leaf, bounds, margin);
+      this.refit(this.parent[leaf]!);
+    } else {
+      this.detach(leaf);
+      this.setBox(leaf, bounds, margin);
+      this.attach(leaf);
+    }
   }
 
   remove(leaf: number): void {

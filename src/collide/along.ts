@@ -3,7 +3,6 @@ import type { Circle } from '../shape/circle.js';
 import type { Shape } from '../shape/shape.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
-import type { Manifold } from './manifold.js';
 import { collidePolygonsAlong } from './polygons.js';
 import { POLYGON } from './table.js';
 
@@ -35,19 +34,19 @@ export function roundness(shape: Shape, separation: number): number {
 }
 
 /** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
-export function collideAlong(a: Shape, b: Shape, m: Manifold, nx: number, ny: number): void {
+export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number, nx: number, ny: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    collidePolygonsAlong(a, b, m, nx, ny);
+    collidePolygonsAlong(a, b, n, o, nx, ny);
     return;
   }
-  const dx = m.numbers[g.DX]!;
-  const dy = m.numbers[g.DY]!;
+  const dx = n[o + g.DX]!;
+  const dy = n[o + g.DY]!;
   const separation = separationAlong(a, b, dx, dy, nx, ny);
   const { centreX, centreY, radius } = (a.kind === POLYGON ? b : a) as Circle;
   if (a.kind === POLYGON) {
     const reach = radius + separation;
-    setPoint(m, nx, ny, centreX + dx - nx * reach, centreY + dy - ny * reach, separation);
+    setPoint(n, o, nx, ny, centreX + dx - nx * reach, centreY + dy - ny * reach, separation);
   } else {
-    setPoint(m, nx, ny, centreX + nx * radius, centreY + ny * radius, separation);
+    setPoint(n, o, nx, ny, centreX + nx * radius, centreY + ny * radius, separation);
   }
 }

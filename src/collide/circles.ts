@@ -3,28 +3,34 @@ import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
-import type { Manifold } from './manifold.js';
 
 /** Stores the single point half-way between two surfaces that face each other: from `(x, y)` by the separation along n. */
-export function setPoint(m: Manifold, nx: number, ny: number, x: number, y: number, separation: number): void {
-  m.count = 1;
-  const n = m.numbers;
-  n[g.NX] = nx;
-  n[g.NY] = ny;
-  n[g.X0] = x + nx * separation * 0.5;
-  n[g.Y0] = y + ny * separation * 0.5;
-  n[g.S0] = separation;
-  m.id0 = 0;
+export function setPoint(
+  n: Float64Array,
+  o: number,
+  nx: number,
+  ny: number,
+  x: number,
+  y: number,
+  separation: number,
+): void {
+  n[o + g.COUNT] = 1;
+  n[o + g.NX] = nx;
+  n[o + g.NY] = ny;
+  n[o + g.X0] = x + nx * separation * 0.5;
+  n[o + g.Y0] = y + ny * separation * 0.5;
+  n[o + g.S0] = separation;
+  n[o + g.ID0] = 0;
 }
 
 /** Two circles. Centres that coincide are pushed apart along x. */
-export function collideCircles(a: Circle, b: Circle, m: Manifold): void {
-  const cx = m.numbers[g.DX]! + b.centreX - a.centreX;
-  const cy = m.numbers[g.DY]! + b.centreY - a.centreY;
+export function collideCircles(a: Circle, b: Circle, n: Float64Array, o: number): void {
+  const cx = n[o + g.DX]! + b.centreX - a.centreX;
+  const cy = n[o + g.DY]! + b.centreY - a.centreY;
   const reach = a.radius + b.radius;
   const limit = reach + SPECULATIVE_MARGIN;
   const squared = cx * cx + cy * cy;
-  m.count = 0;
+  n[o + g.COUNT] = 0;
   if (squared > limit * limit) {
     return;
   }
@@ -32,35 +38,34 @@ export function collideCircles(a: Circle, b: Circle, m: Manifold): void {
   const apart = distance > COINCIDENT;
   const nx = apart ? cx / distance : 1;
   const ny = apart ? cy / distance : 0;
-  setPoint(m, nx, ny, a.centreX + nx * a.radius, a.centreY + ny * a.radius, distance - reach);
+  setPoint(n, o, nx, ny, a.centreX + nx * a.radius, a.centreY + ny * a.radius, distance - reach);
 }
 
 /** A polygon and a circle. */
-export function collidePolygonCircle(a: Polygon, b: Circle, m: Manifold): void {
-  faceCircle(a, b, m, 1);
+export function collidePolygonCircle(a: Polygon, b: Circle, n: Float64Array, o: number): void {
+  faceCircle(a, b, n, o, 1);
 }
 
 /** A circle and a polygon: the polygon's view of it, turned round. */
-export function collideCirclePolygon(a: Circle, b: Polygon, m: Manifold): void {
-  faceCircle(b, a, m, -1);
-  const n = m.numbers;
-  n[g.NX] = -n[g.NX]!;
-  n[g.NY] = -n[g.NY]!;
-  n[g.X0] = n[g.X0]! + n[g.DX]!;
-  n[g.Y0] = n[g.Y0]! + n[g.DY]!;
+export function collideCirclePolygon(a: Circle, b: Polygon, n: Float64Array, o: number): void {
+  faceCircle(b, a, n, o, -1);
+  n[o + g.NX] = -n[o + g.NX]!;
+  n[o + g.NY] = -n[o + g.NY]!;
+  n[o + g.X0] = n[o + g.X0]! + n[o + g.DX]!;
+  n[o + g.Y0] = n[o + g.Y0]! + n[o + g.DY]!;
 }
 
 /**
  * The circle as the polygon sees it; `side` is 1 if the polygon is A, else −1. The edge farthest from the
  * centre decides; beyond its ends the nearer corner does (Ericson, Real-Time Collision Detection, 5.1).
  */
-function faceCircle(a: Polygon, b: Circle, m: Manifold, side: number): void {
-  const cx = side * m.numbers[g.DX]! + b.centreX;
-  const cy = side * m.numbers[g.DY]! + b.centreY;
+function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: number): void {
+  const cx = side * n[o + g.DX]! + b.centreX;
+  const cy = side * n[o + g.DY]! + b.centreY;
   const edges = a.edges;
   const offsets = a.offsets;
   const limit = b.radius + SPECULATIVE_MARGIN;
-  m.count = 0;
+  n[o + g.COUNT] = 0;
   let separation = -Infinity;
   let best = 0;
   for (let i = 0; i < offsets.length; i += 1) {
@@ -96,5 +101,5 @@ function faceCircle(a: Polygon, b: Circle, m: Manifold, side: number): void {
       ny = vy / separation;
     }
   }
-  setPoint(m, nx, ny, cx - nx * separation, cy - ny * separation, separation - b.radius);
+  setPoint(n, o, nx, ny, cx - nx * separation, cy - ny * separation, separation - b.radius);
 }

@@ -1,6 +1,6 @@
 /**
- * Offsets into `Manifold.numbers`. One array a pair holds all its numbers side by side, because collision, packing and storing walk
- * through all pairs in every step and would wait for memory otherwise.
+ * Offsets into the record of a pair: all its numbers side by side in one slab, because collision, packing and storing walk through all pairs
+ * in every step and would wait for memory otherwise. A function that is given a record takes the slab and where the record begins, `n` and `o`.
  */
 
 /** Input of the kernels: from body A's origin to body B's, and both rotations. */
@@ -25,6 +25,19 @@ export const FACE_DX = 12;
 export const FACE_DY = 13;
 export const FACE_ANGLE_A = 14;
 export const FACE_ANGLE_B = 15;
-/** What the contacts keep with a manifold begins here: see `contact/layout.ts`. */
-export const MANIFOLD_NUMBERS = 16;
-export const PAIR_NUMBERS = 33;
+/** Number of points, 0 to 2. With two, the first lies lower along the tangent (−ny, nx). */
+export const COUNT = 16;
+/** The corners that limit the overlap at either end: 2 · index, + 1 for a corner of B. */
+export const ID0 = 17;
+export const ID1 = 18;
+/** The two edges that face each other. */
+export const EDGE_A = 19;
+export const EDGE_B = 20;
+/** Where to look first for a separating axis: 2 · edge, + 1 for an edge of B; −1: nowhere. */
+export const AXIS = 21;
+/** Whose edge the other's was clipped to: 0 A's, 1 B's, −1: there was no such choice; and for which shapes. */
+export const FACE = 22;
+export const FACE_STAMP = 23;
+/** What the contacts keep with that begins here: see `contact/layout.ts`. */
+export const MANIFOLD_NUMBERS = 24;
+export const PAIR_NUMBERS = 41;

@@ -2,15 +2,15 @@ import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
 import { EDGE_STRIDE } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
-import type { Manifold } from './manifold.js';
+import { faceChosen, keepsFace } from './manifold.js';
 
 /** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
 const best = { separation: -Infinity, edge: 0 };
 
 /** Whether Q lies beyond edge `i` of P, and not near it: min over Q's corners q of n · q − offset tells. `side` is 1 if P is A, else −1. */
-function isBeyond(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): boolean {
-  const ox = side * m.numbers[g.DX]!;
-  const oy = side * m.numbers[g.DY]!;
+function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): boolean {
+  const ox = side * n[o + g.DX]!;
+  const oy = side * n[o + g.DY]!;
   const edges = q.edges;
   const nx = p.edges[EDGE_STRIDE * i + 2]!;
   const ny = p.edges[EDGE_STRIDE * i + 3]!;
@@ -26,14 +26,14 @@ function isBeyond(p: Polygon, i: number, q: Polygon, m: Manifold, side: number):
  * Looks for an edge of P that Q lies farther beyond than `best` says, and puts it there; `side` is 1 if P is A, else −1. Starts
  * with a likely edge, gives an edge up at the first corner that makes it no better, and stops at one that separates.
  */
-function deepestEdge(p: Polygon, q: Polygon, m: Manifold, side: number, likely: number): void {
+function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: number, likely: number): void {
   const pe = p.edges;
   const qe = q.edges;
   const offsets = p.offsets;
   const count = offsets.length;
   const end = qe.length;
-  const ox = side * m.numbers[g.DX]!;
-  const oy = side * m.numbers[g.DY]!;
+  const ox = side * n[o + g.DX]!;
+  const oy = side * n[o + g.DY]!;
   let deepest = best.separation;
   let i = likely >= 0 && likely < count ? likely : 0;
   for (let tried = 0; tried < count; tried += 1) {
@@ -78,80 +78,82 @@ function opposedEdge(q: Polygon, nx: number, ny: number): number {
  * becomes the reference edge (ties go to A), and the opposed edge of the other polygon is clipped to its width (Catto,
  * "Contact Manifolds", GDC 2007). The last separating axis is tried first, and the choice of edges is kept while it can hardly change.
  */
-export function collidePolygons(a: Polygon, b: Polygon, m: Manifold): void {
-  m.count = 0;
+export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
+  n[o + g.COUNT] = 0;
   const stamp = a.geometryStamp + b.geometryStamp;
-  if (!m.keepsFace(stamp)) {
-    m.face = -1;
-    if (isStillApart(a, b, m) || !chooseFace(a, b, m)) {
+  if (!keepsFace(n, o, stamp)) {
+    n[o + g.FACE] = -1;
+    if (isStillApart(a, b, n, o) || !chooseFace(a, b, n, o)) {
       return;
     }
-    m.faceChosen(stamp);
+    faceChosen(n, o, stamp);
   }
-  clipToFace(a, b, m);
+  clipToFace(a, b, n, o);
 }
 
-function clipToFace(a: Polygon, b: Polygon, m: Manifold): void {
-  if (m.face === 0) {
-    clip(a, m.edgeA, b, m, 1);
+function clipToFace(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
+  if (n[o + g.FACE] === 0) {
+    clip(a, n[o + g.EDGE_A]! | 0, b, n, o, 1);
   } else {
-    clip(b, m.edgeB, a, m, -1);
-    if (m.count > 0) turnRound(m);
+    clip(b, n[o + g.EDGE_B]! | 0, a, n, o, -1);
+    if (n[o + g.COUNT]! > 0) turnRound(n, o);
   }
 }
 
 /** Finds the edge that the other polygon is clipped to. @returns whether the shapes are near each other. */
-function chooseFace(a: Polygon, b: Polygon, m: Manifold): boolean {
+function chooseFace(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   best.separation = -Infinity;
-  deepestEdge(a, b, m, 1, m.edgeA);
+  deepestEdge(a, b, n, o, 1, n[o + g.EDGE_A]! | 0);
   if (best.separation > SPECULATIVE_MARGIN) {
-    m.axis = 2 * best.edge;
+    n[o + g.AXIS] = 2 * best.edge;
     return false;
   }
   const edgeA = best.edge;
   best.separation += FACE_TIE;
   best.edge = -1;
-  deepestEdge(b, a, m, -1, m.edgeB);
+  deepestEdge(b, a, n, o, -1, n[o + g.EDGE_B]! | 0);
   const edgeB = best.edge;
   if (edgeB < 0) {
-    m.face = 0;
-    m.edgeA = edgeA;
+    n[o + g.FACE] = 0;
+    n[o + g.EDGE_A] = edgeA;
     return true;
   }
   if (best.separation > SPECULATIVE_MARGIN) {
-    m.axis = 2 * edgeB + 1;
+    n[o + g.AXIS] = 2 * edgeB + 1;
     return false;
   }
-  m.face = 1;
-  m.edgeB = edgeB;
+  n[o + g.FACE] = 1;
+  n[o + g.EDGE_B] = edgeB;
   return true;
 }
 
 /**
- * Whether two polygons intersect: no edge of either has the other beyond it; touching counts. Keeps in `m` the edge that separated them, to
+ * Whether two polygons intersect: no edge of either has the other beyond it; touching counts. Keeps in the record the edge that separated them, to
  * look there first.
  */
-export function polygonsIntersect(a: Polygon, b: Polygon, m: Manifold): boolean {
+export function polygonsIntersect(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   best.separation = -Infinity;
-  deepestEdge(a, b, m, 1, m.edgeA);
-  m.edgeA = best.edge;
+  deepestEdge(a, b, n, o, 1, n[o + g.EDGE_A]! | 0);
+  n[o + g.EDGE_A] = best.edge;
   if (best.separation > 0) {
     return false;
   }
   best.separation = -Infinity;
-  deepestEdge(b, a, m, -1, m.edgeB);
-  m.edgeB = best.edge;
+  deepestEdge(b, a, n, o, -1, n[o + g.EDGE_B]! | 0);
+  n[o + g.EDGE_B] = best.edge;
   return best.separation <= 0;
 }
 
 /** As `collidePolygons`, with the edge for reference that lies most squarely along the direction `(nx, ny)` from A to B, or against it. */
-export function collidePolygonsAlong(a: Polygon, b: Polygon, m: Manifold, nx: number, ny: number): void {
-  m.count = 0;
-  m.edgeA = opposedEdge(a, -nx, -ny);
-  m.edgeB = opposedEdge(b, nx, ny);
-  m.face = alignment(a, m.edgeA, nx, ny) >= -alignment(b, m.edgeB, nx, ny) - FACE_TIE ? 0 : 1;
-  m.faceChosen(a.geometryStamp + b.geometryStamp);
-  clipToFace(a, b, m);
+export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o: number, nx: number, ny: number): void {
+  n[o + g.COUNT] = 0;
+  const edgeA = opposedEdge(a, -nx, -ny);
+  const edgeB = opposedEdge(b, nx, ny);
+  n[o + g.EDGE_A] = edgeA;
+  n[o + g.EDGE_B] = edgeB;
+  n[o + g.FACE] = alignment(a, edgeA, nx, ny) >= -alignment(b, edgeB, nx, ny) - FACE_TIE ? 0 : 1;
+  faceChosen(n, o, a.geometryStamp + b.geometryStamp);
+  clipToFace(a, b, n, o);
 }
 
 /** Cosine between the normal of edge `i` and a direction. */
@@ -160,14 +162,15 @@ function alignment(p: Polygon, i: number, nx: number, ny: number): number {
 }
 
 /** The axis that separated the shapes last time does so again. */
-function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
-  const edge = m.axis >> 1;
-  if (m.axis < 0) {
+function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
+  const axis = n[o + g.AXIS]! | 0;
+  const edge = axis >> 1;
+  if (axis < 0) {
     return false;
   }
-  return (m.axis & 1) === 0
-    ? edge < a.offsets.length && isBeyond(a, edge, b, m, 1)
-    : edge < b.offsets.length && isBeyond(b, edge, a, m, -1);
+  return (axis & 1) === 0
+    ? edge < a.offsets.length && isBeyond(a, edge, b, n, o, 1)
+    : edge < b.offsets.length && isBeyond(b, edge, a, n, o, -1);
 }
 
 /**
@@ -178,9 +181,9 @@ function isStillApart(a: Polygon, b: Polygon, m: Manifold): boolean {
  *     Q   w1 <──────────── w2        the ends are sorted by t = (−ny, nx), along which P's edges run
  *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
  */
-function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): void {
-  const ox = side * m.numbers[g.DX]!;
-  const oy = side * m.numbers[g.DY]!;
+function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): void {
+  const ox = side * n[o + g.DX]!;
+  const oy = side * n[o + g.DY]!;
   const pe = p.edges;
   const qe = q.edges;
   const next = i + 1 === p.offsets.length ? 0 : i + 1;
@@ -207,40 +210,38 @@ function clip(p: Polygon, i: number, q: Polygon, m: Manifold, side: number): voi
   const high = v2 < w1 && v2 > w2 ? (v2 - w2) * scale : 1;
   const lowDepth = d2 + (d1 - d2) * low;
   const highDepth = d2 + (d1 - d2) * high;
-  const n = m.numbers;
-  m.count = 2;
-  n[g.NX] = nx;
-  n[g.NY] = ny;
-  n[g.X0] = x2 + (x1 - x2) * low - nx * lowDepth * 0.5;
-  n[g.Y0] = y2 + (y1 - y2) * low - ny * lowDepth * 0.5;
-  n[g.S0] = lowDepth;
-  n[g.X1] = x2 + (x1 - x2) * high - nx * highDepth * 0.5;
-  n[g.Y1] = y2 + (y1 - y2) * high - ny * highDepth * 0.5;
-  n[g.S1] = highDepth;
-  m.id0 = low > 0 ? 2 * i : 2 * after + 1;
-  m.id1 = high < 1 ? 2 * next : 2 * j + 1;
+  n[o + g.COUNT] = 2;
+  n[o + g.NX] = nx;
+  n[o + g.NY] = ny;
+  n[o + g.X0] = x2 + (x1 - x2) * low - nx * lowDepth * 0.5;
+  n[o + g.Y0] = y2 + (y1 - y2) * low - ny * lowDepth * 0.5;
+  n[o + g.S0] = lowDepth;
+  n[o + g.X1] = x2 + (x1 - x2) * high - nx * highDepth * 0.5;
+  n[o + g.Y1] = y2 + (y1 - y2) * high - ny * highDepth * 0.5;
+  n[o + g.S1] = highDepth;
+  n[o + g.ID0] = low > 0 ? 2 * i : 2 * after + 1;
+  n[o + g.ID1] = high < 1 ? 2 * next : 2 * j + 1;
   if (side > 0) {
-    m.edgeB = j;
+    n[o + g.EDGE_B] = j;
   } else {
-    m.edgeA = j;
+    n[o + g.EDGE_A] = j;
   }
 }
 
 /** Makes a manifold clipped to B's edge one of A and B: the normal turns and with it the order of the ends. */
-function turnRound(m: Manifold): void {
-  const n = m.numbers;
-  const x0 = n[g.X0]!;
-  const y0 = n[g.Y0]!;
-  const s0 = n[g.S0]!;
-  const id0 = m.id0;
-  n[g.NX] = -n[g.NX]!;
-  n[g.NY] = -n[g.NY]!;
-  n[g.X0] = n[g.X1]! + n[g.DX]!;
-  n[g.Y0] = n[g.Y1]! + n[g.DY]!;
-  n[g.S0] = n[g.S1]!;
-  n[g.X1] = x0 + n[g.DX]!;
-  n[g.Y1] = y0 + n[g.DY]!;
-  n[g.S1] = s0;
-  m.id0 = m.id1 ^ 1;
-  m.id1 = id0 ^ 1;
+function turnRound(n: Float64Array, o: number): void {
+  const x0 = n[o + g.X0]!;
+  const y0 = n[o + g.Y0]!;
+  const s0 = n[o + g.S0]!;
+  const id0 = n[o + g.ID0]!;
+  n[o + g.NX] = -n[o + g.NX]!;
+  n[o + g.NY] = -n[o + g.NY]!;
+  n[o + g.X0] = n[o + g.X1]! + n[o + g.DX]!;
+  n[o + g.Y0] = n[o + g.Y1]! + n[o + g.DY]!;
+  n[o + g.S0] = n[o + g.S1]!;
+  n[o + g.X1] = x0 + n[o + g.DX]!;
+  n[o + g.Y1] = y0 + n[o + g.DY]!;
+  n[o + g.S1] = s0;
+  n[o + g.ID0] = n[o + g.ID1]! ^ 1;
+  n[o + g.ID1] = id0 ^ 1;
 }

@@ -2,11 +2,11 @@ import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { collideCirclePolygon, collideCircles, collidePolygonCircle } from './circles.js';
-import type { Manifold } from './manifold.js';
+import { empty, overlaps } from './manifold.js';
 import { collidePolygons, polygonsIntersect } from './polygons.js';
 
-/** Reads the placement from the manifold and writes the rest; `count` 0 means that the shapes are apart. */
-type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, m: Manifold) => void;
+/** Reads the placement from the record of a pair and writes the rest; a count of 0 means that the shapes are apart. */
+type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, n: Float64Array, o: number) => void;
 
 const KINDS = 2;
 /** `kind` of polygons. */
@@ -21,17 +21,17 @@ const KERNELS: readonly [
 ] = [collideCircles, collideCirclePolygon, collidePolygonCircle, collidePolygons];
 
 /** Collides two placed shapes; the manifold says how their bodies lie to each other. */
-export function collide(a: Shape, b: Shape, m: Manifold): void {
-  (KERNELS[a.kind * KINDS + b.kind] as Kernel<Shape, Shape>)(a, b, m);
+export function collide(a: Shape, b: Shape, n: Float64Array, o: number): void {
+  (KERNELS[a.kind * KINDS + b.kind] as Kernel<Shape, Shape>)(a, b, n, o);
 }
 
-/** Whether two placed shapes intersect; touching counts. The manifold, which says how their bodies lie, stays empty. */
-export function intersect(a: Shape, b: Shape, m: Manifold): boolean {
+/** Whether two placed shapes intersect; touching counts. The record, which says how their bodies lie, gets no points. */
+export function intersect(a: Shape, b: Shape, n: Float64Array, o: number): boolean {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    return polygonsIntersect(a, b, m);
+    return polygonsIntersect(a, b, n, o);
   }
-  collide(a, b, m);
-  const found = m.overlaps();
-  m.empty();
+  collide(a, b, n, o);
+  const found = overlaps(n, o);
+  empty(n, o);
   return found;
 }

@@ -1,7 +1,8 @@
 import { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
-import { Manifold } from '../collide/manifold.js';
+import { reset } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
+import { Slab } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { boolean, instance, nonNegative, notNaN } from '../validate.js';
@@ -16,6 +17,9 @@ const FIXED_ROLLING = 8;
 
 /** [jx, jy, jw]: scratch. */
 const sum = new Float64Array(3);
+
+/** The records of pairs. */
+const slab = /* @__PURE__ */ new Slab();
 
 /** Long before the first step. */
 const NEVER = -1e6;
@@ -34,71 +38,81 @@ export class Arbiter {
   shapeA: Shape;
   /** The other one: normals point from A to B. */
   shapeB: Shape;
+  /** @internal the slab with the record of the pair: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
+  readonly numbers: Float64Array;
+  /** @internal where in that it begins */
+  readonly at: number;
   /**
    * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
    * has to be skipped.
    */
   active = false;
+  /** @internal */
+  accepted = true;
+  /** @internal the surfaces are apart but near enough to meet within the step; the solver sees them, no one else does */
+  near = false;
+  /** @internal … because of the way they go: their points are those of the time when they will meet */
+  foreseen = false;
   /** In the latest step both bodies were asleep, interacting still; the arbiter is in no list of the world, and its impulses read 0. */
   sleeping = false;
+  /** @internal taken out of everything; dropped from the sorted list when that is next walked */
+  dead = false;
   /** One of the shapes is a sensor: no contacts, no physics. */
   sensor = false;
-  /** @internal */
-  readonly manifold = new Manifold();
+  /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
+  listed = false;
+  /** @internal where it is in the table of pairs */
+  place = -1;
+  /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
+  seen = -1;
+  /** @internal the last step in which the shapes interacted */
+  lastInteraction = -1;
+  /** @internal bit 0 and 1: the velocity solver used the point when it was last there */
+  usedPoints = 0;
+  /** @internal … for the first time in the latest step */
+  freshPoints = 0;
   /** @internal how many points `contacts` lists */
   shown = 0;
-  /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
-  private list: Contact[] | null = null;
-  private points: readonly Contact[] | null = null;
   /** @internal the step in which the present interaction began, or the last one */
   began = -1;
   /** @internal the last step in which it bore far more than the bodies weigh */
   strained = NEVER;
   /** @internal for so many steps on end it did */
   strain = 0;
-  /** @internal the last step in which the shapes interacted */
-  lastInteraction = -1;
-  /** @internal where it is in the table of pairs */
-  place = -1;
-  /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
-  seen = -1;
-  /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
-  listed = false;
-  /** @internal taken out of everything; dropped from the sorted list when that is next walked */
-  dead = false;
-  /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
-  awake = false;
   /** @internal index in the world's list it is in */
   listIndex = -1;
+  /** @internal what else its dynamic shape lies on or near */
+  nextGround: Arbiter | null = null;
+  /** @internal */
+  persistent = false;
+  /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
+  awake = false;
   /** @internal index in shapeA.arbiters */
   indexA = -1;
   /** @internal index in shapeB.arbiters */
   indexB = -1;
-  /** @internal the surfaces are apart but near enough to meet within the step; the solver sees them, no one else does */
-  near = false;
-  /** @internal … because of the way they go: their points are those of the time when they will meet */
-  foreseen = false;
-  /** @internal what else its dynamic shape lies on or near */
-  nextGround: Arbiter | null = null;
-  /** @internal */
-  accepted = true;
-  /** @internal */
-  persistent = false;
-  /** @internal bit 0 and 1: the velocity solver used the point when it was last there */
-  usedPoints = 0;
-  /** @internal … for the first time in the latest step */
-  freshPoints = 0;
   /** @internal */
   fixed = 0;
   /** @internal what was given in a step before the points became others within it */
   before: { step: number; x: number; y: number; wA: number; wB: number } | null = null;
+  /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
+  private list: Contact[] | null = null;
+  private points: readonly Contact[] | null = null;
 
   /** @internal */
   constructor(shapeA: Shape, shapeB: Shape) {
     this.shapeA = shapeA;
     this.shapeB = shapeB;
+    this.at = slab.take(g.PAIR_NUMBERS);
+    this.numbers = slab.numbers;
     this.sensor = shapeA.sensor || shapeB.sensor;
     this.accepted = !this.sensor;
+    reset(this.numbers, this.at);
+  }
+
+  /** @internal how many points were found, 0 to 2 */
+  get count(): number {
+    return this.numbers[this.at + g.COUNT]! | 0;
   }
 
   /** Of `shapeA`; `null` in an `end` handler if that has been removed from its body. */
@@ -129,13 +143,13 @@ export class Arbiter {
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
-    const n = this.manifold.numbers;
-    return vec2(n[g.NX]!, n[g.NY]!, dst);
+    const { numbers: n, at: o } = this;
+    return vec2(n[o + g.NX]!, n[o + g.NY]!, dst);
   }
 
   /** N·m·s of the latest step; 0 unless a circle is involved. */
   getRollingImpulse(): number {
-    return this.manifold.numbers[c.STEP_ROLL]!;
+    return this.numbers[this.at + c.STEP_ROLL]!;
   }
 
   /** `[jx, jy, jw]` given to a body in the latest step, jw about its origin; zeros for a stranger. */
@@ -153,12 +167,12 @@ export class Arbiter {
 
   /** Of this step, to `sum`: what body B (`sign` 1) or A (−1) got. */
   private sumImpulses(sign: number): void {
-    const n = this.manifold.numbers;
+    const { numbers: n, at: o } = this;
     const ofB = sign > 0 ? 1 : 0;
     let x = 0;
     let y = 0;
     let w = 0;
-    w += sign * n[c.STEP_ROLL]!;
+    w += sign * n[o + c.STEP_ROLL]!;
     const { before } = this;
     if (before !== null && this.metAgain()) {
       x += sign * before.x;
@@ -166,12 +180,13 @@ export class Arbiter {
       w += ofB === 1 ? before.wB : before.wA;
     }
     for (let i = 0; i < this.shown; i += 1) {
-      const normal = sign * n[c.STEP_NORMAL + c.IMPULSES * i]!;
-      const tangent = sign * n[c.STEP_TANGENT + c.IMPULSES * i]!;
-      const jx = n[g.NX]! * normal - n[g.NY]! * tangent;
-      const jy = n[g.NY]! * normal + n[g.NX]! * tangent;
+      const normal = sign * n[o + c.STEP_NORMAL + c.IMPULSES * i]!;
+      const tangent = sign * n[o + c.STEP_TANGENT + c.IMPULSES * i]!;
+      const jx = n[o + g.NX]! * normal - n[o + g.NY]! * tangent;
+      const jy = n[o + g.NY]! * normal + n[o + g.NX]! * tangent;
       // The arms are those that the solver had, not those of the end of the step.
-      w += (n[g.X0 + g.POINT * i]! - ofB * n[g.DX]!) * jy - (n[g.Y0 + g.POINT * i]! - ofB * n[g.DY]!) * jx;
+      w +=
+        (n[o + g.X0 + g.POINT * i]! - ofB * n[o + g.DX]!) * jy - (n[o + g.Y0 + g.POINT * i]! - ofB * n[o + g.DY]!) * jx;
       x += jx;
       y += jy;
     }
@@ -276,12 +291,12 @@ export class Arbiter {
   mixMaterials(): void {
     const a = this.shapeA.material;
     const b = this.shapeB.material;
-    const n = this.manifold.numbers;
+    const { numbers: n, at: o } = this;
     const fixed = this.fixed;
-    if ((fixed & FIXED_ELASTICITY) === 0) n[c.ELASTICITY] = mixElasticity(a.elasticity, b.elasticity);
-    if ((fixed & FIXED_STATIC) === 0) n[c.STATIC_FRICTION] = mixFriction(a.staticFriction, b.staticFriction);
-    if ((fixed & FIXED_DYNAMIC) === 0) n[c.DYNAMIC_FRICTION] = mixFriction(a.dynamicFriction, b.dynamicFriction);
-    if ((fixed & FIXED_ROLLING) === 0) n[c.ROLLING_FRICTION] = mixFriction(a.rollingFriction, b.rollingFriction);
+    if ((fixed & FIXED_ELASTICITY) === 0) n[o + c.ELASTICITY] = mixElasticity(a.elasticity, b.elasticity);
+    if ((fixed & FIXED_STATIC) === 0) n[o + c.STATIC_FRICTION] = mixFriction(a.staticFriction, b.staticFriction);
+    if ((fixed & FIXED_DYNAMIC) === 0) n[o + c.DYNAMIC_FRICTION] = mixFriction(a.dynamicFriction, b.dynamicFriction);
+    if ((fixed & FIXED_ROLLING) === 0) n[o + c.ROLLING_FRICTION] = mixFriction(a.rollingFriction, b.rollingFriction);
   }
 
   /** @internal joins islands */
@@ -301,7 +316,7 @@ export class Arbiter {
     this.sensor = shapeA.sensor || shapeB.sensor;
     this.active = false;
     this.sleeping = false;
-    this.manifold.reset();
+    reset(this.numbers, this.at);
     this.began = -1;
     this.strained = NEVER;
     this.strain = 0;
@@ -351,50 +366,50 @@ export class Arbiter {
   /** @internal lists the points that the manifold has, as new ones */
   showPoints(): void {
     this.dropPoints();
-    this.shown = this.manifold.count;
+    this.shown = this.count;
   }
 
   /** @internal new points: nothing is kept of the impulses of old ones */
   dropPoints(): void {
-    this.manifold.numbers.fill(0, c.NORMAL, c.ELASTICITY);
+    this.numbers.fill(0, this.at + c.NORMAL, this.at + c.ELASTICITY);
     this.usedPoints = 0;
     this.freshPoints = 0;
   }
 
   /** @internal the point `which` is a new one */
   dropPoint(which: 0 | 1): void {
-    const from = c.NORMAL + c.IMPULSES * which;
-    this.manifold.numbers.fill(0, from, from + c.IMPULSES);
+    const from = this.at + c.NORMAL + c.IMPULSES * which;
+    this.numbers.fill(0, from, from + c.IMPULSES);
     this.usedPoints &= ~(1 << which);
   }
 
   /** @internal the point `which` is the one that was the other */
   takePoint(which: 0 | 1): void {
-    const to = c.NORMAL + c.IMPULSES * which;
-    const from = c.NORMAL + c.IMPULSES * (1 - which);
-    this.manifold.numbers.copyWithin(to, from, from + c.IMPULSES);
+    const to = this.at + c.NORMAL + c.IMPULSES * which;
+    const from = this.at + c.NORMAL + c.IMPULSES * (1 - which);
+    this.numbers.copyWithin(to, from, from + c.IMPULSES);
     this.usedPoints = which === 0 ? this.usedPoints >> 1 : (this.usedPoints << 1) & 2;
     this.dropPoint(which === 0 ? 1 : 0);
   }
 
   /** @internal the points gave no impulse in this step; what is kept for the next one stays */
   idle(): void {
-    const n = this.manifold.numbers;
-    n[c.STEP_NORMAL] = 0;
-    n[c.STEP_TANGENT] = 0;
-    n[c.STEP_NORMAL + c.IMPULSES] = 0;
-    n[c.STEP_TANGENT + c.IMPULSES] = 0;
-    n[c.STEP_ROLL] = 0;
+    const { numbers: n, at: o } = this;
+    n[o + c.STEP_NORMAL] = 0;
+    n[o + c.STEP_TANGENT] = 0;
+    n[o + c.STEP_NORMAL + c.IMPULSES] = 0;
+    n[o + c.STEP_TANGENT + c.IMPULSES] = 0;
+    n[o + c.STEP_ROLL] = 0;
     this.freshPoints = 0;
   }
 
   private material(at: number): number | undefined {
-    return this.sensor ? undefined : this.manifold.numbers[at];
+    return this.sensor ? undefined : this.numbers[this.at + at];
   }
 
   private fix(which: number, at: number, value: number): void {
     if (!this.sensor) {
-      this.manifold.numbers[at] = value;
+      this.numbers[this.at + at] = value;
       this.fixed |= which;
       this.rouse();
     }

@@ -20,7 +20,7 @@ export class Contact {
 
   /** Belongs to the latest step; an inactive contact is a cache and has to be skipped. */
   get active(): boolean {
-    return this.arbiter.active && this.which < this.arbiter.manifold.count;
+    return this.arbiter.active && this.which < this.arbiter.count;
   }
 
   /** Found but not used by the velocity solver, because the surfaces are apart here. */
@@ -49,12 +49,14 @@ export class Contact {
 
   /** N·s along the arbiter's normal that body B got in the latest step, >= 0; body A got the opposite. */
   getNormalImpulse(): number {
-    return this.arbiter.manifold.numbers[c.STEP_NORMAL + c.IMPULSES * this.which]!;
+    const { numbers, at } = this.arbiter;
+    return numbers[at + c.STEP_NORMAL + c.IMPULSES * this.which]!;
   }
 
   /** N·s along the tangent (−n.y, n.x) that body B got in the latest step. */
   getTangentImpulse(): number {
-    return this.arbiter.manifold.numbers[c.STEP_TANGENT + c.IMPULSES * this.which]!;
+    const { numbers, at } = this.arbiter;
+    return numbers[at + c.STEP_TANGENT + c.IMPULSES * this.which]!;
   }
 }
 
@@ -66,24 +68,24 @@ const end = { x: 0.5, y: 0.5, penetration: 0.5 };
  * contacts are never asked.
  */
 function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
-  const n = arbiter.manifold.numbers;
+  const { numbers: n, at: o } = arbiter;
   const a = arbiter.bodyA;
   const b = arbiter.bodyB;
-  const x = n[g.X0 + g.POINT * which]!;
-  const y = n[g.Y0 + g.POINT * which]!;
-  const separation = n[g.S0 + g.POINT * which]!;
-  const cA = cos(a.angle - n[g.ANGLE_A]!);
-  const sA = sin(a.angle - n[g.ANGLE_A]!);
-  const cB = cos(b.angle - n[g.ANGLE_B]!);
-  const sB = sin(b.angle - n[g.ANGLE_B]!);
-  const nx = n[g.NX]!;
-  const ny = n[g.NY]!;
+  const x = n[o + g.X0 + g.POINT * which]!;
+  const y = n[o + g.Y0 + g.POINT * which]!;
+  const separation = n[o + g.S0 + g.POINT * which]!;
+  const cA = cos(a.angle - n[o + g.ANGLE_A]!);
+  const sA = sin(a.angle - n[o + g.ANGLE_A]!);
+  const cB = cos(b.angle - n[o + g.ANGLE_B]!);
+  const sB = sin(b.angle - n[o + g.ANGLE_B]!);
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
   const roundA = roundness(arbiter.shapeA, separation);
   const roundB = roundness(arbiter.shapeB, separation);
   const ax = x - nx * roundA;
   const ay = y - ny * roundA;
-  const bx = x - n[g.DX]! + nx * roundB;
-  const by = y - n[g.DY]! + ny * roundB;
+  const bx = x - n[o + g.DX]! + nx * roundB;
+  const by = y - n[o + g.DY]! + ny * roundB;
   const endX = a.x + cA * ax - sA * ay + nx * roundA;
   const endY = a.y + sA * ax + cA * ay + ny * roundA;
   const gapX = b.x + cB * bx - sB * by - nx * roundB - endX;

@@ -37,7 +37,7 @@ export class Hit {
 
   /** @internal copies what the step made of the collision, which handlers may change */
   read(arbiter: Arbiter): void {
-    this.speed = arbiter.manifold.numbers[c.APPROACH]!;
+    this.speed = arbiter.numbers[arbiter.at + c.APPROACH]!;
     const { contacts } = arbiter;
     this.given = contacts.reduce((sum, contact) => sum + contact.getNormalImpulse(), 0);
     let x = 0;
@@ -54,20 +54,19 @@ export class Hit {
 }
 
 /** @internal notes how fast the surfaces of a pair come together at the contact where they do so fastest; 0 if they part. To be called before it is solved. */
-export function noteApproach({ bodyA: a, bodyB: b, manifold }: Arbiter): void {
-  const n = manifold.numbers;
+export function noteApproach({ bodyA: a, bodyB: b, count, numbers: n, at: o }: Arbiter): void {
   let fastest = 0;
-  for (let i = 0; i < manifold.count; i += 1) {
-    const ax = n[g.X0 + g.POINT * i]!;
-    const ay = n[g.Y0 + g.POINT * i]!;
-    const bx = ax - n[g.DX]!;
-    const by = ay - n[g.DY]!;
+  for (let i = 0; i < count; i += 1) {
+    const ax = n[o + g.X0 + g.POINT * i]!;
+    const ay = n[o + g.Y0 + g.POINT * i]!;
+    const bx = ax - n[o + g.DX]!;
+    const by = ay - n[o + g.DY]!;
     const vx = b.vx - b.w * by - (a.vx - a.w * ay);
     const vy = b.vy + b.w * bx - (a.vy + a.w * ax);
-    const speed = -(n[g.NX]! * vx + n[g.NY]! * vy);
-    if (n[g.S0 + g.POINT * i]! <= SPECULATIVE_MARGIN && speed > fastest) {
+    const speed = -(n[o + g.NX]! * vx + n[o + g.NY]! * vy);
+    if (n[o + g.S0 + g.POINT * i]! <= SPECULATIVE_MARGIN && speed > fastest) {
       fastest = speed;
     }
   }
-  n[c.APPROACH] = fastest;
+  n[o + c.APPROACH] = fastest;
 }

@@ -1,67 +1,79 @@
 import { collideAlong } from '../collide/along.js';
 import { gapBetween } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
+import { overlaps } from '../collide/manifold.js';
 import { collide, intersect } from '../collide/table.js';
 import type { Arbiter } from './arbiter.js';
 
 /** Tells the kernels how the bodies of a pair lie to each other. */
-function placePair({ manifold: { numbers }, bodyA, bodyB }: Arbiter): void {
-  numbers[g.DX] = bodyB.x - bodyA.x;
-  numbers[g.DY] = bodyB.y - bodyA.y;
-  numbers[g.ANGLE_A] = bodyA.angle;
-  numbers[g.ANGLE_B] = bodyB.angle;
+function placePair({ numbers: n, at: o, bodyA, bodyB }: Arbiter): void {
+  n[o + g.DX] = bodyB.x - bodyA.x;
+  n[o + g.DY] = bodyB.y - bodyA.y;
+  n[o + g.ANGLE_A] = bodyA.angle;
+  n[o + g.ANGLE_B] = bodyB.angle;
 }
 
 /** A sensor meets something: no more than whether the shapes intersect. */
 export function overlap(pair: Arbiter): boolean {
   placePair(pair);
-  return intersect(pair.shapeA, pair.shapeB, pair.manifold);
+  return intersect(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
 }
 
-/** Renews the manifold and carries the impulses of its points over. @returns whether the shapes collide. */
+/** Which corners and edges were found the last time: scratch. */
+const found = { id0: 0, id1: 0, edgeA: 0, edgeB: 0 };
+
+function noteFeatures({ numbers: n, at: o }: Arbiter): void {
+  found.id0 = n[o + g.ID0]! | 0;
+  found.id1 = n[o + g.ID1]! | 0;
+  found.edgeA = n[o + g.EDGE_A]! | 0;
+  found.edgeB = n[o + g.EDGE_B]! | 0;
+}
+
+/** Renews what is known of the collision and carries the impulses of its points over. @returns whether the shapes collide. */
 export function touch(pair: Arbiter): boolean {
-  const { shapeA, shapeB, manifold: m } = pair;
-  const { id0, id1, edgeA, edgeB } = m;
+  const { shapeA, shapeB, numbers: n, at: o } = pair;
   placePair(pair);
-  collide(shapeA, shapeB, m);
-  keepPoints(pair, id0, id1, edgeA, edgeB);
-  return m.overlaps();
+  noteFeatures(pair);
+  collide(shapeA, shapeB, n, o);
+  keepPoints(pair);
+  return overlaps(n, o);
 }
 
 /** As `touch`, along a direction that is known: the unit vector `(nx, ny)` from A to B. */
 export function touchAlong(pair: Arbiter, nx: number, ny: number): void {
-  const { shapeA, shapeB, manifold: m } = pair;
-  const { id0, id1, edgeA, edgeB } = m;
-  collideAlong(shapeA, shapeB, m, nx, ny);
-  keepPoints(pair, id0, id1, edgeA, edgeB);
+  noteFeatures(pair);
+  collideAlong(pair.shapeA, pair.shapeB, pair.numbers, pair.at, nx, ny);
+  keepPoints(pair);
 }
 
 /** Lists the points that were found. Those that were there before keep their impulses. */
-function keepPoints(pair: Arbiter, id0: number, id1: number, edgeA: number, edgeB: number): void {
-  const { shown, manifold: m } = pair;
-  if (m.count === 0) {
+function keepPoints(pair: Arbiter): void {
+  const { shown, count, numbers: n, at: o } = pair;
+  if (count === 0) {
     if (!pair.listed && shown > 0) {
       pair.forget();
     }
-  } else if (shown !== m.count) {
+  } else if (shown !== count) {
     pair.showPoints();
-  } else if (m.count === 2 && (m.edgeA !== edgeA || m.edgeB !== edgeB)) {
-    matchPoints(pair, id0, id1);
+  } else if (count === 2 && (n[o + g.EDGE_A] !== found.edgeA || n[o + g.EDGE_B] !== found.edgeB)) {
+    matchPoints(pair);
   }
 }
 
 /** Other edges than in the last step: points are recognised by the corner that limits them. */
-function matchPoints(pair: Arbiter, oldId0: number, oldId1: number): void {
-  const { id0, id1 } = pair.manifold;
-  if (id0 === oldId1) {
+function matchPoints(pair: Arbiter): void {
+  const { numbers: n, at: o } = pair;
+  const id0 = n[o + g.ID0];
+  const id1 = n[o + g.ID1];
+  if (id0 === found.id1) {
     pair.takePoint(0);
-  } else if (id1 === oldId0) {
+  } else if (id1 === found.id0) {
     pair.takePoint(1);
   } else {
-    if (id0 !== oldId0) {
+    if (id0 !== found.id0) {
       pair.dropPoint(0);
     }
-    if (id1 !== oldId1) {
+    if (id1 !== found.id1) {
       pair.dropPoint(1);
     }
   }
@@ -69,15 +81,14 @@ function matchPoints(pair: Arbiter, oldId0: number, oldId1: number): void {
 
 /** For corners that meet corners, where no edges face each other: the one point where they do. */
 export function touchAtPoint(pair: Arbiter): void {
-  const { manifold: m } = pair;
-  const n = m.numbers;
+  const { numbers: n, at: o } = pair;
   const distance = gapBetween(pair.shapeA, pair.shapeB);
-  m.count = 1;
-  m.face = -1;
-  n[g.NX] = distance.axisX;
-  n[g.NY] = distance.axisY;
-  n[g.X0] = 0.5 * (distance.ax + distance.bx);
-  n[g.Y0] = 0.5 * (distance.ay + distance.by);
-  n[g.S0] = distance.value;
+  n[o + g.COUNT] = 1;
+  n[o + g.FACE] = -1;
+  n[o + g.NX] = distance.axisX;
+  n[o + g.NY] = distance.axisY;
+  n[o + g.X0] = 0.5 * (distance.ax + distance.bx);
+  n[o + g.Y0] = 0.5 * (distance.ay + distance.by);
+  n[o + g.S0] = distance.value;
   pair.showPoints();
 }

@@ -1,21 +1,34 @@
 /** Numbers in one slab. */
 const SLAB = 8192;
 
-let slab = new Float64Array(0);
-let left = 0;
-
 /**
- * Room for some numbers, zero. What the engine has thousands of lies side by side in slabs, as it is walked through: each in a buffer of its own would
- * take three times as much memory, and wait for it. A slab is freed when nothing in it is used any more.
+ * Room for numbers that lie side by side, as they are walked through: what the engine has thousands of would take three times as much memory, and wait for
+ * it, with a buffer each. A slab is freed when nothing in it is used any more.
  */
+export class Slab {
+  /** The one that was taken of last. */
+  numbers = new Float64Array(0);
+  private end = 0;
+
+  /** Takes room for so many numbers, zero. @returns where it begins in `numbers`. */
+  take(count: number): number {
+    if (this.end + count > this.numbers.length) {
+      this.numbers = new Float64Array(SLAB);
+      this.end = 0;
+    }
+    const start = this.end;
+    this.end += count;
+    return start;
+  }
+}
+
+const slab = /* @__PURE__ */ new Slab();
+
+/** Some numbers, zero: a part of a slab, unless they are many. */
 export function doubles(count: number): Float64Array {
   if (count > SLAB / 64) {
     return new Float64Array(count);
   }
-  if (count > left) {
-    slab = new Float64Array(SLAB);
-    left = SLAB;
-  }
-  left -= count;
-  return slab.subarray(SLAB - left - count, SLAB - left);
+  const start = slab.take(count);
+  return slab.numbers.subarray(start, start + count);
 }

@@ -93,18 +93,17 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: num
  * What touched before, and only got too deep as it turned, goes on along the surface and out of it, without turning: else it would never get away.
  * The surface itself may turn until the end of the step.
  */
-function slide(mover: Mover, under: Mover, { manifold: m, bodyA }: Arbiter, dt: number): void {
+function slide(mover: Mover, under: Mover, { count, numbers: n, at: o, bodyA }: Arbiter, dt: number): void {
   const { body } = mover;
   const { body: base } = under;
-  const n = m.numbers;
   const rest = 1 - mover.from;
   const sign = body === bodyA ? -1 : 1;
-  const nx = sign * n[g.NX]!;
-  const ny = sign * n[g.NY]!;
+  const nx = sign * n[o + g.NX]!;
+  const ny = sign * n[o + g.NY]!;
   const vx = body.vx - (base.vx - base.w * (body.y - base.y));
   const vy = body.vy - (base.vy + base.w * (body.x - base.x));
   const way = (nx * vy - ny * vx) * rest * dt;
-  const depth = -(m.count === 2 ? Math.min(n[g.S0]!, n[g.S1]!) : n[g.S0]!);
+  const depth = -(count === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!);
   const out = PUSH_SHARE_STATIC * Math.max(depth - CONTACT_SLOP, 0);
   const x = out * nx - way * ny;
   const y = out * ny + way * nx;

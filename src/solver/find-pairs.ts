@@ -94,7 +94,7 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     return true;
   }
   part(world, pair);
-  if (isReported && pair.manifold.count > 0) {
+  if (isReported && pair.count > 0) {
     approach(world, pair, dt);
   }
   if (!isReported && !pair.listed) {
@@ -172,12 +172,12 @@ function approach(world: World, pair: Arbiter, dt: number): void {
 }
 
 /** Whether `foresee` looks where the bodies of a pair are going: it does for one dynamic body that goes far, but does not turn or bounce. */
-function isForeseen({ shapeA, shapeB, manifold }: Arbiter, dt: number): boolean {
+function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boolean {
   const a = shapeA.owner!;
   const b = shapeB.owner!;
   return (
     (a.kind !== DYNAMIC || b.kind !== DYNAMIC) &&
-    manifold.numbers[c.ELASTICITY]! <= 0 &&
+    numbers[at + c.ELASTICITY]! <= 0 &&
     ((shapeA.isRound() ? 0 : Math.abs(a.w)) + (shapeB.isRound() ? 0 : Math.abs(b.w))) * dt <= SOLVED_TURN &&
     (goesFar(a, a.vx * dt, a.vy * dt, a.w * dt) || goesFar(b, b.vx * dt, b.vy * dt, b.w * dt))
   );

@@ -99,12 +99,12 @@ function goAlongContacts(mover: Mover, { shapes }: RigidBody): void {
       const pair = shape.arbiters[k]!;
       const isFirst = pair.shapeA === shape;
       if (pair.isSolid() && (isFirst ? pair.bodyB : pair.bodyA).kind === STATIC) {
-        const { numbers: n } = pair.manifold;
+        const { numbers: n, at: o } = pair;
         const sign = isFirst ? 1 : -1;
-        const into = sign * (mover.dx * n[g.NX]! + mover.dy * n[g.NY]!);
+        const into = sign * (mover.dx * n[o + g.NX]! + mover.dy * n[o + g.NY]!);
         if (into > 0) {
-          mover.dx -= sign * into * n[g.NX]!;
-          mover.dy -= sign * into * n[g.NY]!;
+          mover.dx -= sign * into * n[o + g.NX]!;
+          mover.dy -= sign * into * n[o + g.NY]!;
         }
       }
     }
@@ -125,14 +125,14 @@ function isFirst(world: World, { a, b, time }: Meeting): boolean {
 /** Found within the margin in this step. */
 function isClose(world: World, a: Shape, b: Shape): boolean {
   const pair = world.pairs.find(a, b);
-  return pair !== null && pair.seen === world.timeStamp && pair.manifold.count > 0;
+  return pair !== null && pair.seen === world.timeStamp && pair.count > 0;
 }
 
 /** Opens a contact as it will be when the shapes meet, with the separation that they have before. */
 function open(world: World, { a, b, time }: Meeting): void {
   const pair = world.pairs.obtain(a, b);
   pair.mixMaterials();
-  if (asksFirst(pair) || pair.manifold.numbers[c.ELASTICITY]! > 0) {
+  if (asksFirst(pair) || pair.numbers[pair.at + c.ELASTICITY]! > 0) {
     return;
   }
   if (isClose(world, a, b)) {
@@ -170,7 +170,7 @@ function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: numbe
   putAt(two, 0);
   a.place(one.body);
   b.place(two.body);
-  pair.near = pair.manifold.count > 0;
+  pair.near = pair.count > 0;
   pair.foreseen = pair.near;
   one.body.turnAhead = one.turn;
   two.body.turnAhead = two.turn;
@@ -183,24 +183,23 @@ function putAt(mover: Mover, time: number): void {
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
-function moveBack({ shapeA, shapeB, manifold: m }: Arbiter, a: Mover, b: Mover, time: number): void {
-  const n = m.numbers;
-  const nx = n[g.NX]!;
-  const ny = n[g.NY]!;
+function moveBack({ shapeA, shapeB, count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover, time: number): void {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
   const way = time * (nx * (b.dx - a.dx) + ny * (b.dy - a.dy));
   const turnA = time * a.turn;
   const turnB = time * b.turn;
-  for (let i = 0; i < m.count; i += 1) {
-    const ax = n[g.X0 + g.POINT * i]!;
-    const ay = n[g.Y0 + g.POINT * i]!;
-    const separation = n[g.S0 + g.POINT * i]!;
-    const bx = ax - n[g.DX]!;
-    const by = ay - n[g.DY]!;
+  for (let i = 0; i < count; i += 1) {
+    const ax = n[o + g.X0 + g.POINT * i]!;
+    const ay = n[o + g.Y0 + g.POINT * i]!;
+    const separation = n[o + g.S0 + g.POINT * i]!;
+    const bx = ax - n[o + g.DX]!;
+    const by = ay - n[o + g.DY]!;
     const swingA = along(turnA, ax * nx + ay * ny - roundness(shapeA, separation), ax * ny - ay * nx);
     const swingB = along(turnB, bx * nx + by * ny + roundness(shapeB, separation), bx * ny - by * nx);
     const swing = swingB - swingA;
-    n[c.FORESIGHT + i] = way + swing;
-    n[g.S0 + g.POINT * i] = separation - way - swing;
+    n[o + c.FORESIGHT + i] = way + swing;
+    n[o + g.S0 + g.POINT * i] = separation - way - swing;
   }
 }
 
@@ -210,9 +209,8 @@ function along(turn: number, length: number, across: number): number {
 }
 
 /** The shapes have met: the separation is again that of the placement that the points were found for. */
-export function endForesight({ manifold: m }: Arbiter): void {
-  const n = m.numbers;
-  for (let i = 0; i < m.count; i += 1) {
-    n[g.S0 + g.POINT * i] = n[g.S0 + g.POINT * i]! + n[c.FORESIGHT + i]!;
+export function endForesight({ count, numbers: n, at: o }: Arbiter): void {
+  for (let i = 0; i < count; i += 1) {
+    n[o + g.S0 + g.POINT * i] = n[o + g.S0 + g.POINT * i]! + n[o + c.FORESIGHT + i]!;
   }
 }

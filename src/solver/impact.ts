@@ -114,7 +114,7 @@ const inverse = { massA: 0.5, massB: 0.5, inertiaA: 0.5, inertiaB: 0.5 };
  * are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
  */
 export function solveImpact(world: World, pair: Arbiter): void {
-  const { numbers: n, count } = pair.manifold;
+  const { count, numbers: n, at: o } = pair;
   const { bodyA: a, bodyB: b } = pair;
   a.refreshMass();
   b.refreshMass();
@@ -125,7 +125,7 @@ export function solveImpact(world: World, pair: Arbiter): void {
   inverse.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
   for (let which = 0; which < 2; which += 1) {
     const point = points[which]!;
-    point.isUsed = which < count && n[g.S0 + g.POINT * which]! <= CONTACT_SLOP;
+    point.isUsed = which < count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP;
     if (point.isUsed) {
       setPoint(world.solver, pair, which);
     }
@@ -143,8 +143,8 @@ export function solveImpact(world: World, pair: Arbiter): void {
     const { isUsed, normal, tangent } = points[which]!;
     if (isUsed) {
       const at = c.IMPULSES * which;
-      n[c.STEP_NORMAL + at] = n[c.STEP_NORMAL + at]! + normal;
-      n[c.STEP_TANGENT + at] = n[c.STEP_TANGENT + at]! + tangent;
+      n[o + c.STEP_NORMAL + at] = n[o + c.STEP_NORMAL + at]! + normal;
+      n[o + c.STEP_TANGENT + at] = n[o + c.STEP_TANGENT + at]! + tangent;
       pair.usedPoints |= 1 << which;
     }
   }
@@ -155,23 +155,23 @@ export function solveImpact(world: World, pair: Arbiter): void {
  * step would stop that; here the velocity of its origin into the surface is taken from it.
  */
 function stopComing(pair: Arbiter): void {
-  const n = pair.manifold.numbers;
+  const { numbers: n, at: o } = pair;
   const { bodyA: a, bodyB: b, before } = pair;
-  if (n[c.STEP_NORMAL]! + n[c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
+  if (n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
     return;
   }
   const point = points[0];
   const ofA = a.kind === DYNAMIC ? 0 : 1;
-  point.ax = ofA * n[g.DX]!;
-  point.ay = ofA * n[g.DY]!;
-  point.bx = (ofA - 1) * n[g.DX]!;
-  point.by = (ofA - 1) * n[g.DY]!;
+  point.ax = ofA * n[o + g.DX]!;
+  point.ay = ofA * n[o + g.DY]!;
+  point.bx = (ofA - 1) * n[o + g.DX]!;
+  point.by = (ofA - 1) * n[o + g.DY]!;
   measureRelative(pair, point);
   const mass = inverse.massA + inverse.massB;
-  const coming = -(n[g.NX]! * relative.x + n[g.NY]! * relative.y);
+  const coming = -(n[o + g.NX]! * relative.x + n[o + g.NY]! * relative.y);
   if (coming > 0 && mass > 0) {
-    const x = (n[g.NX]! * coming) / mass;
-    const y = (n[g.NY]! * coming) / mass;
+    const x = (n[o + g.NX]! * coming) / mass;
+    const y = (n[o + g.NY]! * coming) / mass;
     a.vx -= x * inverse.massA;
     a.vy -= y * inverse.massA;
     b.vx += x * inverse.massB;
@@ -193,15 +193,15 @@ function measureRelative({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Po
 
 function setPoint(data: SolverData, pair: Arbiter, which: number): void {
   const point = points[which]!;
-  const n = pair.manifold.numbers;
+  const { numbers: n, at: o } = pair;
   const { bodyA: a, bodyB: b } = pair;
   const { massA, massB, inertiaA, inertiaB } = inverse;
-  const nx = n[g.NX]!;
-  const ny = n[g.NY]!;
-  const ax = n[g.X0 + g.POINT * which]!;
-  const ay = n[g.Y0 + g.POINT * which]!;
-  const bx = ax - n[g.DX]!;
-  const by = ay - n[g.DY]!;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const ax = n[o + g.X0 + g.POINT * which]!;
+  const ay = n[o + g.Y0 + g.POINT * which]!;
+  const bx = ax - n[o + g.DX]!;
+  const by = ay - n[o + g.DY]!;
   const mass = massA + massB;
   const rnA = ax * ny - ay * nx;
   const rnB = bx * ny - by * nx;
@@ -219,8 +219,9 @@ function setPoint(data: SolverData, pair: Arbiter, which: number): void {
   const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
   point.normalMass = kn > 0 ? 1 / kn : 0;
   point.tangentMass = kt > 0 ? 1 / kt : 0;
-  point.leave = bounceSpeed(n[c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY);
-  point.friction = slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!;
+  point.leave = bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY);
+  point.friction =
+    slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
   point.normal = 0;
   point.tangent = 0;
 }
@@ -239,8 +240,9 @@ function bounceSpeed(elasticity: number, comes: number, gain: number): number {
 /** @returns whether that changed an impulse. */
 function solvePoint(pair: Arbiter, point: Point): boolean {
   const { bodyA: a, bodyB: b } = pair;
-  const nx = pair.manifold.numbers[g.NX]!;
-  const ny = pair.manifold.numbers[g.NY]!;
+  const { numbers: n, at: o } = pair;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
   measureRelative(pair, point);
   const { tangent: before } = point;
   const limit = point.friction * point.normal;

@@ -200,7 +200,7 @@ function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
     return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
   }
   pair.mixMaterials();
-  return pair.manifold.numbers[c.ELASTICITY]! > 0;
+  return pair.numbers[pair.at + c.ELASTICITY]! > 0;
 }
 
 /** What will bounce is not foreseen. It only matters if it comes before something else that the same body meets. */

@@ -100,9 +100,9 @@ function packContact(data: SolverData, pair: Arbiter): void {
 
 /** Both points are near enough to matter. */
 function hasTwoPoints(pair: Arbiter): boolean {
-  const { count, numbers: n } = pair.manifold;
-  const limit = SPECULATIVE_MARGIN + (pair.foreseen ? Math.min(n[g.S0]!, n[g.S1]!) : 0);
-  return count === 2 && n[g.S0]! <= limit && n[g.S1]! <= limit;
+  const { count, numbers: n, at: o } = pair;
+  const limit = SPECULATIVE_MARGIN + (pair.foreseen ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : 0);
+  return count === 2 && n[o + g.S0]! <= limit && n[o + g.S1]! <= limit;
 }
 
 /** Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. */
@@ -110,20 +110,21 @@ function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
   const at = (index * d.TWO_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;
-  const n = pair.manifold.numbers;
+  const { numbers: n } = pair;
+  const o = pair.at & d.OFFSET;
   const r = batch.records;
   const v = data.velocity;
   packPair(data, batch, index, pair);
   const a = batch.bodies[2 * index]! & d.OFFSET;
   const b = batch.bodies[2 * index + 1]! & d.OFFSET;
-  const nx = n[g.NX]!;
-  const ny = n[g.NY]!;
-  const x1 = n[g.X0]!;
-  const y1 = n[g.Y0]!;
-  const x2 = n[g.X1]!;
-  const y2 = n[g.Y1]!;
-  const dn = n[g.DX]! * nx + n[g.DY]! * ny;
-  const dc = n[g.DX]! * ny - n[g.DY]! * nx;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const x1 = n[o + g.X0]!;
+  const y1 = n[o + g.Y0]!;
+  const x2 = n[o + g.X1]!;
+  const y2 = n[o + g.Y1]!;
+  const dn = n[o + g.DX]! * nx + n[o + g.DY]! * ny;
+  const dc = n[o + g.DX]! * ny - n[o + g.DY]! * nx;
   const rnA1 = x1 * ny - y1 * nx;
   const rtA1 = x1 * nx + y1 * ny;
   const rnA2 = x2 * ny - y2 * nx;
@@ -163,8 +164,8 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.I12] = together ? -k12 * inverse : 0;
   r[at + d.I22] = k11 * inverse;
 
-  const s1 = n[g.S0]!;
-  const s2 = n[g.S1]!;
+  const s1 = n[o + g.S0]!;
+  const s2 = n[o + g.S1]!;
   r[at + d.START1] = together || s1 <= s2 ? s1 : d.NEVER;
   r[at + d.START2] = together || s2 < s1 ? s2 : d.NEVER;
 
@@ -173,21 +174,21 @@ function packTwo(data: SolverData, index: number): void {
   const slide = nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!);
   const slide1 = slide + rtB1 * wB - rtA1 * wA;
   const slide2 = slide + rtB2 * wB - rtA2 * wA;
-  const hold = n[c.STATIC_FRICTION]!;
-  const rub = n[c.DYNAMIC_FRICTION]!;
+  const hold = n[o + c.STATIC_FRICTION]!;
+  const rub = n[o + c.DYNAMIC_FRICTION]!;
   r[at + d.FRICTION1] = slide1 * slide1 > STATIC_FRICTION_SPEED_SQUARED ? rub : hold;
   r[at + d.FRICTION2] = slide2 * slide2 > STATIC_FRICTION_SPEED_SQUARED ? rub : hold;
 
   const scale = data.impulseScale;
-  r[at + d.NORMAL1] = n[c.NORMAL]! * scale;
-  r[at + d.TANGENT1] = n[c.TANGENT]! * scale;
-  r[at + d.NORMAL2] = n[c.NORMAL + c.IMPULSES]! * scale;
-  r[at + d.TANGENT2] = n[c.TANGENT + c.IMPULSES]! * scale;
+  r[at + d.NORMAL1] = n[o + c.NORMAL]! * scale;
+  r[at + d.TANGENT1] = n[o + c.TANGENT]! * scale;
+  r[at + d.NORMAL2] = n[o + c.NORMAL + c.IMPULSES]! * scale;
+  r[at + d.TANGENT2] = n[o + c.TANGENT + c.IMPULSES]! * scale;
   r[at + d.NORMAL_SUM1] = 0;
   r[at + d.TANGENT_SUM1] = 0;
   r[at + d.NORMAL_SUM2] = 0;
   r[at + d.TANGENT_SUM2] = 0;
-  const elasticity = n[c.ELASTICITY]!;
+  const elasticity = n[o + c.ELASTICITY]!;
   if (elasticity > 0) {
     const first = data.bounces.add(true, at, 0);
     const second = data.bounces.add(true, at, d.SECOND);
@@ -201,20 +202,20 @@ function packOne(data: SolverData, index: number): void {
   const batch = data.one;
   const at = (index * d.ONE_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;
-  const { count, numbers: n } = pair.manifold;
+  const { count, numbers: n, at: o } = pair;
   const r = batch.records;
   const v = data.velocity;
-  const which = count === 2 && n[g.S1]! < n[g.S0]! ? 1 : 0;
+  const which = count === 2 && n[o + g.S1]! < n[o + g.S0]! ? 1 : 0;
   batch.point[index] = which;
   packPair(data, batch, index, pair);
   const a = batch.bodies[2 * index]! & d.OFFSET;
   const b = batch.bodies[2 * index + 1]! & d.OFFSET;
-  const nx = n[g.NX]!;
-  const ny = n[g.NY]!;
-  const ax = n[g.X0 + g.POINT * which]!;
-  const ay = n[g.Y0 + g.POINT * which]!;
-  const bx = ax - n[g.DX]!;
-  const by = ay - n[g.DY]!;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const ax = n[o + g.X0 + g.POINT * which]!;
+  const ay = n[o + g.Y0 + g.POINT * which]!;
+  const bx = ax - n[o + g.DX]!;
+  const by = ay - n[o + g.DY]!;
   const rnA = ax * ny - ay * nx;
   const rtA = ax * nx + ay * ny;
   const rnB = bx * ny - by * nx;
@@ -223,7 +224,7 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.RN_B1] = rnB;
   r[at + d.RT_A1] = rtA;
   r[at + d.RT_B1] = rtB;
-  const separation = n[g.S0 + g.POINT * which]!;
+  const separation = n[o + g.S0 + g.POINT * which]!;
   // As `roundness`, which called from here would have to box its numbers.
   const { shapeA, shapeB } = pair;
   r[at + d.PIVOT_A] = rtA;
@@ -244,22 +245,22 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.K11] = kn > MIN_INVERSE_MASS ? kn : d.IMMOVABLE;
   r[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
-  r[at + d.ROLL_FRICTION] = rolls ? n[c.ROLLING_FRICTION]! : 0;
+  r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
   r[at + d.START1] = separation;
 
   const slide =
     nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
   const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
-  r[at + d.FRICTION1] = slides ? n[c.DYNAMIC_FRICTION]! : n[c.STATIC_FRICTION]!;
+  r[at + d.FRICTION1] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
 
   const scale = data.impulseScale;
-  r[at + d.NORMAL1] = n[c.NORMAL + c.IMPULSES * which]! * scale;
-  r[at + d.TANGENT1] = n[c.TANGENT + c.IMPULSES * which]! * scale;
-  r[at + d.ROLL] = n[c.ROLL]! * scale;
+  r[at + d.NORMAL1] = n[o + c.NORMAL + c.IMPULSES * which]! * scale;
+  r[at + d.TANGENT1] = n[o + c.TANGENT + c.IMPULSES * which]! * scale;
+  r[at + d.ROLL] = n[o + c.ROLL]! * scale;
   r[at + d.NORMAL_SUM1] = 0;
   r[at + d.TANGENT_SUM1] = 0;
   r[at + d.ROLL_SUM] = 0;
-  const elasticity = n[c.ELASTICITY]!;
+  const elasticity = n[o + c.ELASTICITY]!;
   if (elasticity > 0) {
     const bounce = data.bounces.add(false, at, 0);
     data.bounces.elasticity[bounce] = elasticity;
@@ -276,9 +277,10 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   const b = bodyB.slot * d.BODY_STRIDE;
   batch.bodies[2 * index] = a;
   batch.bodies[2 * index + 1] = b;
-  const n = pair.manifold.numbers;
-  records[at + d.NX] = n[g.NX]!;
-  records[at + d.NY] = n[g.NY]!;
+  const { numbers: n } = pair;
+  const o = pair.at & d.OFFSET;
+  records[at + d.NX] = n[o + g.NX]!;
+  records[at + d.NY] = n[o + g.NY]!;
   const bothMove = data.velocity[a + d.INV_MASS]! > 0 && data.velocity[b + d.INV_MASS]! > 0;
   const areRound = pair.shapeA.kind !== POLYGON && pair.shapeB.kind !== POLYGON;
   records[at + d.SHARE] = !bothMove ? PUSH_SHARE_STATIC : areRound ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;

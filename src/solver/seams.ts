@@ -56,7 +56,7 @@ export function smoothSeams(world: World): void {
   for (let i = 0; i < straddling.length; i += 1) {
     for (let pair = straddling[i]!.grounds; pair !== null; pair = pair.nextGround) {
       if (smooth(pair)) {
-        pair.near &&= pair.manifold.count > 0;
+        pair.near &&= pair.count > 0;
       }
     }
   }
@@ -67,8 +67,8 @@ export function smoothSeams(world: World): void {
 function smooth(pair: Arbiter): boolean {
   const shape = dynamicOf(pair);
   const ground = groundOf(pair);
-  for (let other = shape.grounds; other !== null && pair.manifold.count > 0; other = other.nextGround) {
-    if (other === pair || other.manifold.count === 0) {
+  for (let other = shape.grounds; other !== null && pair.count > 0; other = other.nextGround) {
+    if (other === pair || other.count === 0) {
       continue;
     }
     if (isBelow(pair, other) || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
@@ -85,9 +85,9 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   if (ground.kind !== POLYGON || pair.bodyA.kind === pair.bodyB.kind || ground.owner!.kind !== STATIC) {
     return;
   }
-  const { numbers: n } = pair.manifold;
-  const x = n[g.X0]! + pair.bodyA.x;
-  const y = n[g.Y0]! + pair.bodyA.y;
+  const { numbers: n, at: o } = pair;
+  const x = n[o + g.X0]! + pair.bodyA.x;
+  const y = n[o + g.Y0]! + pair.bodyA.y;
   bounds[0] = x;
   bounds[1] = y;
   bounds[2] = x;
@@ -97,7 +97,7 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
     const other = nearby[i]!;
     if (other !== ground && other.owner!.kind === STATIC && isHidden(pair, ground as Polygon, other as Polygon)) {
       turn(pair);
-      if (pair.manifold.count === 0) {
+      if (pair.count === 0) {
         touch(pair);
       }
       return;
@@ -134,17 +134,17 @@ function isBelow(pair: Arbiter, other: Arbiter): boolean {
 
 /** Whether a contact has the direction that was found. */
 function carriesUp(pair: Arbiter): boolean {
-  const { numbers: n } = pair.manifold;
-  return signOf(pair) * (up.x * n[g.NX]! + up.y * n[g.NY]!) >= SAME_DIRECTION;
+  const { numbers: n, at: o } = pair;
+  return signOf(pair) * (up.x * n[o + g.NX]! + up.y * n[o + g.NY]!) >= SAME_DIRECTION;
 }
 
 /** The direction in which a ground carries a shape: that of the face that it lies on, even if not perfectly flat. */
 function findFace(pair: Arbiter): void {
-  const { numbers: n } = pair.manifold;
+  const { numbers: n, at: o } = pair;
   const sign = signOf(pair);
   const ground = groundOf(pair);
-  up.x = sign * n[g.NX]!;
-  up.y = sign * n[g.NY]!;
+  up.x = sign * n[o + g.NX]!;
+  up.y = sign * n[o + g.NY]!;
   if (ground.kind === POLYGON && dynamicOf(pair).kind === POLYGON) {
     const { edges } = ground as Polygon;
     for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
@@ -175,9 +175,9 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
   const shape = dynamicOf(pair);
   const depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
   const { x, y } = point;
-  const { numbers: n } = pair.manifold;
-  const nx = signOf(pair) * n[g.NX]!;
-  const ny = signOf(pair) * n[g.NY]!;
+  const { numbers: n, at: o } = pair;
+  const nx = signOf(pair) * n[o + g.NX]!;
+  const ny = signOf(pair) * n[o + g.NY]!;
   let side = 0;
   point.x += ground.owner!.x - other.owner!.x;
   point.y += ground.owner!.y - other.owner!.y;
@@ -206,16 +206,15 @@ function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polyg
 }
 
 /** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */
-function liesWithin({ manifold: m, bodyA }: Arbiter, ground: Polygon, other: Polygon): boolean {
-  const { numbers: n } = m;
+function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygon, other: Polygon): boolean {
   const isSecond = bodyA.kind === DYNAMIC;
-  const least = m.count === 2 ? Math.min(n[g.S0]!, n[g.S1]!) : n[g.S0]!;
-  for (let at = 0; at < m.count * g.POINT; at += g.POINT) {
+  const least = count === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!;
+  for (let at = o; at < o + count * g.POINT; at += g.POINT) {
     const separation = n[g.S0 + at]!;
     if (separation < 0 || separation === least) {
       const half = (isSecond ? 0.5 : -0.5) * separation;
-      point.x = n[g.X0 + at]! + half * n[g.NX]! - (isSecond ? n[g.DX]! : 0);
-      point.y = n[g.Y0 + at]! + half * n[g.NY]! - (isSecond ? n[g.DY]! : 0);
+      point.x = n[g.X0 + at]! + half * n[o + g.NX]! - (isSecond ? n[o + g.DX]! : 0);
+      point.y = n[g.Y0 + at]! + half * n[o + g.NY]! - (isSecond ? n[o + g.DY]! : 0);
       asked[0] = point.x;
       asked[1] = point.y;
       if (!isWithin(other, ground)) {

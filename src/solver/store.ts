@@ -103,16 +103,16 @@ function isStrained(r: Float64Array, i: number): boolean {
 /** A contact of one point; a second point that the solver did not see has no impulse. */
 function storeOne(batch: ContactBatch, index: number): void {
   const pair = batch.arbiters[index]!;
-  const n = pair.manifold.numbers;
+  const { numbers: n, at: o } = pair;
   const at = index * batch.stride;
   const which = batch.point[index]!;
-  if (pair.manifold.count === 2) {
+  if (pair.count === 2) {
     pair.dropPoint(which === 0 ? 1 : 0);
   }
   storePoint(batch, index, 0, which);
   const roll = batch.records[at + d.ROLL]!;
-  n[c.ROLL] = roll;
-  n[c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
+  n[o + c.ROLL] = roll;
+  n[o + c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
 }
 
 /** The impulses of point 0 or 1. A point that was apart from the start and met nothing was not used. */
@@ -120,18 +120,18 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
   const r = batch.records;
   const i = index * batch.stride + shift;
   const pair = batch.arbiters[index]!;
-  const n = pair.manifold.numbers;
+  const { numbers: n, at: o } = pair;
   const to = c.IMPULSES * which;
   const normal = r[i + d.NORMAL1]!;
   const tangent = r[i + d.TANGENT1]!;
   const total = r[i + d.NORMAL_SUM1]! + normal;
-  n[c.NORMAL + to] = normal;
-  n[c.TANGENT + to] = tangent;
-  n[c.STEP_NORMAL + to] = total;
+  n[o + c.NORMAL + to] = normal;
+  n[o + c.TANGENT + to] = tangent;
+  n[o + c.STEP_NORMAL + to] = total;
   const slid = r[i + d.TANGENT_SUM1]! + tangent;
-  n[c.STEP_TANGENT + to] = slid;
+  n[o + c.STEP_TANGENT + to] = slid;
   const bit = 1 << which;
-  const unused = n[g.S0 + g.POINT * which]! > 0 && total === 0 && slid === 0;
+  const unused = n[o + g.S0 + g.POINT * which]! > 0 && total === 0 && slid === 0;
   pair.usedPoints = unused ? pair.usedPoints & ~bit : pair.usedPoints | bit;
 }
 
@@ -140,8 +140,8 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
  * they still have the speed that brought them together by the end of it.
  */
 function meet(world: World, pair: Arbiter): void {
-  const n = pair.manifold.numbers;
-  if (n[c.STEP_NORMAL] === 0 && (pair.manifold.count === 1 || n[c.STEP_NORMAL + c.IMPULSES] === 0)) {
+  const { numbers: n, at: o } = pair;
+  if (n[o + c.STEP_NORMAL] === 0 && (pair.count === 1 || n[o + c.STEP_NORMAL + c.IMPULSES] === 0)) {
     return;
   }
   pair.near = false;

@@ -183,8 +183,7 @@ const FLAGS_END = 20;
 
 /** What the solver and whoever asks know of two shapes. The numbers of points that are not there mean nothing. */
 export function keepPair(tape: Tape, pair: Arbiter): void {
-  const { manifold: m } = pair;
-  const { numbers: n } = m;
+  const { numbers: n, at: o } = pair;
   const isKnown = pair.listed || pair.dead;
   const row = isKnown ? pairRow : nearRow;
   const { numbers, integers } = row;
@@ -195,26 +194,26 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
       (pair.accepted ? ACCEPTED : 0) |
       (pair.persistent ? PERSISTENT : 0) |
       (pair.metAgain() ? AGAIN : 0) |
-      (isKnown || hasImpulse(n) ? SOLVED : 0) |
-      (m.count << COUNT) |
-      ((m.face + 1) << FACE) |
+      (isKnown || hasImpulse(n, o) ? SOLVED : 0) |
+      (pair.count << COUNT) |
+      ((n[o + g.FACE]! + 1) << FACE) |
       (pair.fixed << FIXED) |
       (pair.usedPoints << USED) |
       (pair.freshPoints << FRESH) |
       (pair.shown << SHOWN);
-    integers[1] = m.id0;
-    integers[2] = m.id1;
-    integers[3] = m.edgeA;
-    integers[4] = m.edgeB;
-    integers[5] = m.axis;
-    integers[6] = m.faceStamp;
+    integers[1] = n[o + g.ID0]!;
+    integers[2] = n[o + g.ID1]!;
+    integers[3] = n[o + g.EDGE_A]!;
+    integers[4] = n[o + g.EDGE_B]!;
+    integers[5] = n[o + g.AXIS]!;
+    integers[6] = n[o + g.FACE_STAMP]!;
     integers[7] = pair.strain;
     numbers[0] = pair.seen;
     numbers[1] = pair.began;
     numbers[2] = pair.strained;
     numbers[3] = pair.lastInteraction;
-    for (let i = 0; i < 4 && m.face >= 0; i += 1) {
-      numbers[4 + i] = n[g.FACE_DX + i]!;
+    for (let i = 0; i < 4 && n[o + g.FACE]! >= 0; i += 1) {
+      numbers[4 + i] = n[o + g.FACE_DX + i]!;
     }
   }
   tape.pass(row);
@@ -227,33 +226,33 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
     pair.sleeping = (flags & SLEEPING) !== 0;
     pair.accepted = (flags & ACCEPTED) !== 0;
     pair.persistent = (flags & PERSISTENT) !== 0;
-    m.count = (flags >> COUNT) & 3;
-    m.face = ((flags >> FACE) & 3) - 1;
+    n[o + g.COUNT] = (flags >> COUNT) & 3;
+    n[o + g.FACE] = ((flags >> FACE) & 3) - 1;
     pair.fixed = (flags >> FIXED) & 15;
     pair.usedPoints = (flags >> USED) & 3;
     pair.freshPoints = (flags >> FRESH) & 3;
     pair.shown = (flags >> SHOWN) & 3;
-    m.id0 = integers[1]!;
-    m.id1 = integers[2]!;
-    m.edgeA = integers[3]!;
-    m.edgeB = integers[4]!;
-    m.axis = integers[5]!;
-    m.faceStamp = integers[6]!;
+    n[o + g.ID0] = integers[1]!;
+    n[o + g.ID1] = integers[2]!;
+    n[o + g.EDGE_A] = integers[3]!;
+    n[o + g.EDGE_B] = integers[4]!;
+    n[o + g.AXIS] = integers[5]!;
+    n[o + g.FACE_STAMP] = integers[6]!;
     pair.strain = integers[7]!;
     pair.seen = numbers[0]!;
     pair.began = numbers[1]!;
     pair.strained = numbers[2]!;
     pair.lastInteraction = numbers[3]!;
     for (let i = 0; i < 4; i += 1) {
-      n[g.FACE_DX + i] = numbers[4 + i]!;
+      n[o + g.FACE_DX + i] = numbers[4 + i]!;
     }
   }
   if ((flags & AGAIN) !== 0) {
     keepMetAgain(tape, pair);
   }
   if ((flags & SOLVED) !== 0) {
-    keepContacts(tape, n, isKnown, m.count);
-  } else if (tape.takes && hasImpulse(n)) {
+    keepContacts(tape, pair, isKnown);
+  } else if (tape.takes && hasImpulse(n, o)) {
     pair.dropPoints();
   }
 }
@@ -267,34 +266,34 @@ function checkPair(tape: Tape, flags: number, integers: Int32Array): void {
   }
 }
 
-function hasImpulse(n: Float64Array): boolean {
+function hasImpulse(n: Float64Array, o: number): boolean {
   let isSolved = false;
-  for (let i = c.NORMAL; i < c.ELASTICITY && !isSolved; i += 1) {
+  for (let i = o + c.NORMAL; i < o + c.ELASTICITY && !isSolved; i += 1) {
     isSolved = n[i] !== 0;
   }
   return isSolved;
 }
 
 /** Where the points are, if it is known, impulses, and the combined material. */
-function keepContacts(tape: Tape, n: Float64Array, isKnown: boolean, count: number): void {
+function keepContacts(tape: Tape, { count, numbers: n, at: o }: Arbiter, isKnown: boolean): void {
   const { numbers } = contactRow;
   const from = count > 0 ? g.DX : g.NX;
   const to = isKnown ? g.X0 + g.POINT * count : from;
   if (tape.writes) {
     for (let i = 0; i < g.FACE_DX; i += 1) {
-      numbers[i] = i >= from && i < to ? n[i]! : 0;
+      numbers[i] = i >= from && i < to ? n[o + i]! : 0;
     }
     for (let i = BEFORE; i < BEFORE + IMPULSES + MATERIAL; i += 1) {
-      numbers[i - BEFORE + g.FACE_DX] = isKnown || i < c.ELASTICITY ? n[i]! : 0;
+      numbers[i - BEFORE + g.FACE_DX] = isKnown || i < c.ELASTICITY ? n[o + i]! : 0;
     }
   }
   tape.pass(contactRow);
   if (tape.takes) {
     for (let i = from; i < to; i += 1) {
-      n[i] = numbers[i]!;
+      n[o + i] = numbers[i]!;
     }
     for (let i = BEFORE; i < BEFORE + IMPULSES + (isKnown ? MATERIAL : 0); i += 1) {
-      n[i] = numbers[i - BEFORE + g.FACE_DX]!;
+      n[o + i] = numbers[i - BEFORE + g.FACE_DX]!;
     }
   }
 }

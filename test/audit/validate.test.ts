@@ -17,6 +17,10 @@ interface Scene {
   readonly sleeper: Polygon;
 }
 
+function spoil({ numbers, at }: Arbiter, value: number, field: number): void {
+  numbers[at + field] = value;
+}
+
 /** Something rolls, something hangs, two boxes sleep on each other. */
 function makeScene(): Scene {
   const world = phys2D.createWorld();
@@ -97,19 +101,10 @@ const DAMAGES: readonly [damage: (scene: Scene) => unknown, message: RegExp][] =
   [({ arbiter }) => Object.assign(arbiter, { sleeping: true, active: false }), /is asleep, but a body of it is not/],
   [({ arbiter }) => Object.assign(arbiter, { sensor: true }), /must know whether one is a sensor/],
   [({ arbiter }) => Object.assign(arbiter, { awake: false }), /is in the list of awake pairs, and must know it/],
-  [({ arbiter }) => arbiter.manifold.numbers.fill(0.5, g.NX, g.NY), /normal must be a unit vector/],
-  [
-    ({ arbiter }) => arbiter.manifold.numbers.fill(NaN, g.S0, g.S0 + 1),
-    /separation of contact 0 must be a finite number/,
-  ],
-  [
-    ({ arbiter }) => arbiter.manifold.numbers.fill(-1, c.STEP_NORMAL, c.STEP_NORMAL + 1),
-    /normal impulse must be a number >= 0/,
-  ],
-  [
-    ({ arbiter }) => arbiter.manifold.numbers.fill(Infinity, c.TANGENT, c.TANGENT + 1),
-    /impulse must be a finite number/,
-  ],
+  [({ arbiter }) => spoil(arbiter, 0.5, g.NX), /normal must be a unit vector/],
+  [({ arbiter }) => spoil(arbiter, NaN, g.S0), /separation of contact 0 must be a finite number/],
+  [({ arbiter }) => spoil(arbiter, -1, c.STEP_NORMAL), /normal impulse must be a number >= 0/],
+  [({ arbiter }) => spoil(arbiter, Infinity, c.TANGENT), /impulse must be a finite number/],
   [
     ({ world }) => world.dynamicArbiters.push(world.staticArbiters[0]!),
     /is in a list of the world that it does not belong to/,

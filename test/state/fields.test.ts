@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type World } from '../../src/index.js';
+import { PAIR_NUMBERS } from '../../src/collide/layout.js';
+import { APPROACH, FORESIGHT } from '../../src/contact/layout.js';
+import { type Arbiter, phys2D, type World } from '../../src/index.js';
 import { GAMES } from '../scenes/states.js';
 
 // No field may be forgotten: each number and flag of the objects of a world that is spoilt has to be as before after a restore, and to change the
@@ -17,7 +19,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
   group: ['start', 'end', 'tolerance', 'error', 'pushed'],
-  manifold: [],
+  record: [APPROACH, FORESIGHT, FORESIGHT + 1].map(String),
 };
 
 /** Fixed when an object is made. */
@@ -26,7 +28,7 @@ const FIXED: Readonly<Record<string, readonly string[]>> = {
   shape: ['id', 'sensor', 'kind'],
   polygon: ['radius'],
   constraint: ['dimension', 'positional', 'bounded'],
-  arbiter: ['sensor'],
+  arbiter: ['sensor', 'at'],
 };
 
 /** Kept, but of no influence: lists without order, and by what objects are found. */
@@ -52,6 +54,11 @@ function busy(name: string, steps: number): World {
   return game.world;
 }
 
+/** The numbers of a pair of two points: of fewer, those that are missing mean nothing. */
+function recordOf({ numbers, at }: Arbiter): Float64Array {
+  return numbers.subarray(at, at + PAIR_NUMBERS);
+}
+
 /** One object of each kind, as they are after a restore: arbiters are found anew. */
 function objects(world: World): [string, () => object][] {
   const circle = world.rigidBodies.findIndex(({ shapes }) => shapes[0]!.type === 'CIRCLE');
@@ -70,10 +77,13 @@ function objects(world: World): [string, () => object][] {
       return ['constraint', () => constraint];
     }),
     ...(world.dynamicArbiters.some(({ active }) => active)
-      ? ([
-          ['arbiter', () => world.dynamicArbiters.find(({ active }) => active)!],
-          ['manifold', () => world.dynamicArbiters.find(({ active }) => active)!.manifold],
-        ] as [string, () => object][])
+      ? ([['arbiter', () => world.dynamicArbiters.find(({ active }) => active)!]] as [string, () => object][])
+      : []),
+    ...(world.dynamicArbiters.some(({ active, count }) => active && count === 2)
+      ? ([['record', () => recordOf(world.dynamicArbiters.find(({ active, shown }) => active && shown === 2)!)]] as [
+          string,
+          () => object,
+        ][])
       : []),
     ...(world.solver.joints.groups.length > 0
       ? ([['group', () => world.solver.joints.groups[0]!]] as [string, () => object][])
