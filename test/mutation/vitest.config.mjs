@@ -24,6 +24,7 @@ const FOLDERS = {
     'constraint/events',
     'constraint/ignore',
     'contact/arbiter',
+    'events/asleep',
     'conformance/07',
     'conformance/08',
     'conformance/12',
