@@ -4,7 +4,17 @@ import { BaseSequencer } from 'vitest/node';
 // Tests of the folder that is mutated: quick ones, as each mutant is tried.
 const FOLDERS = {
   geometry: ['geometry', 'shape', 'bad-input/bad-input', 'conformance/04', 'conformance/05', 'conformance/18'],
-  collide: ['collide', 'state/golden', 'conformance/08', 'conformance/10', 'conformance/18', 'conformance/19'],
+  collide: [
+    'collide',
+    'state/golden',
+    'solver/continuous',
+    'solver/seams',
+    'conformance/08',
+    'conformance/10',
+    'conformance/11',
+    'conformance/18',
+    'conformance/19',
+  ],
   events: [
     'events',
     'constraint/events',
