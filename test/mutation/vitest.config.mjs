@@ -33,6 +33,7 @@ const FOLDERS = {
     'constraint/constraint',
     'constraint/events',
     'constraint/ignore',
+    'constraint/limits',
     'contact/arbiter',
     'events/asleep',
     'conformance/07',
