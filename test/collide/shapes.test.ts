@@ -15,6 +15,7 @@ const utils = phys2D.createCollisionUtils();
 /** m. The shapes are about a metre large. */
 const CLOSE = 1e-9;
 
+/** A shape of a body at a place, and its form in the world. */
 interface Placed {
   shape: Shape;
   x: number;
@@ -22,16 +23,19 @@ interface Placed {
   form: Form;
 }
 
-/** A random shape of a body somewhere, and its form in the world. */
-function put(chance: Chance): Placed {
-  const shape = randomShape(chance, 1);
-  const [x, y, rotation] = [chance.span(-1, 1), chance.span(-1, 1), chance.span(-4, 4)];
+function place(shape: Shape, x: number, y: number, rotation: number): Placed {
   const body = phys2D.createRigidBody({ position: [x, y], rotation, shapes: [shape] });
   body.place();
   const outline = new Outline().put(x, y, Math.cos(rotation), Math.sin(rotation));
   shape.outline(outline);
   return { shape, x, y, form: formOf(outline) };
 }
+
+/** A random shape of a body somewhere. */
+const put = (chance: Chance): Placed =>
+  place(randomShape(chance, 1), chance.span(-1, 1), chance.span(-1, 1), chance.span(-4, 4));
+
+const box = (): Shape => phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) });
 
 const pointAt = (x: number, y: number): Form => ({ corners: Float64Array.of(x, y), radius: 0 });
 
@@ -67,6 +71,39 @@ describe('two shapes', () => {
       found[truth < 0 ? 'together' : 'apart'] += 1;
     }
     expect(Math.min(found.together, found.apart)).toBeGreaterThan(100);
+  });
+
+  it('that touch intersect', () => {
+    const pairs = [
+      [box(), [1, 0]],
+      [box(), [1, 1]],
+      [box(), [0, -1]],
+      [phys2D.createCircleShape({ radius: 0.5 }), [-1, 0]],
+    ] as const;
+    for (const [shape, at] of pairs) {
+      const [a, b] = [place(box(), 0, 0, 0), place(shape, at[0], at[1], 0)];
+      expect(intersect(a.shape, b.shape, recordOf(a, b), 0)).toBe(true);
+      expect(intersect(b.shape, a.shape, recordOf(b, a), 0)).toBe(true);
+    }
+  });
+
+  it('that are apart along a direction and lie beside each other have no points there', () => {
+    const [a, b] = [place(box(), 0, 0, 0), place(box(), 0.9, 0.5, 0)];
+    const numbers = recordOf(a, b);
+    collideAlong(a.shape, b.shape, numbers, 0, 1, 0);
+    expect(numbers[g.COUNT]).toBe(2);
+    numbers.set([1.001, 5]);
+    collideAlong(a.shape, b.shape, numbers, 0, 1, 0);
+    expect(numbers[g.COUNT]).toBe(0);
+  });
+
+  it('have an axis without negative zeros', () => {
+    const [a, b] = [place(box(), 0, 0, 0), place(box(), -3, 0, 0)];
+    const axis = [7, 8];
+    expect(utils.signedDistance(a.shape, b.shape, [], [], axis)).toBe(2);
+    expect(axis).toEqual([-1, 0]);
+    utils.signedDistance(b.shape, a.shape, [], [], axis);
+    expect(axis).toEqual([1, 0]);
   });
 
   it('are as far apart along a direction as their corners are', () => {
@@ -110,8 +147,7 @@ describe('two shapes', () => {
 
   it('have arms that do not turn with them as far as they are round', () => {
     const disc = phys2D.createCircleShape({ radius: 2 });
-    const box = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) });
-    expect([roundness(disc, -0.5), roundness(box, -0.5)]).toEqual([1.75, 0]);
+    expect([roundness(disc, -0.5), roundness(box(), -0.5)]).toEqual([1.75, 0]);
   });
 });
 
