@@ -2,13 +2,11 @@
 // line of JSON at the end.
 import { writeSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
+import { getHeapStatistics } from 'node:v8';
 import { buildPyramid, scenes as built, DT, pyramidsOf, stateHash } from '../dist/bench/scenes.js';
 import { phys2D } from '../dist/phys2d.js';
 import { casts, rays } from './casts-scene.mjs';
 import { engines } from './engines.mjs';
-
-/** s. Large scenes are warm after so long. */
-const WARM_SECONDS = 6;
 
 const scenes = { ...built, rays, casts };
 const tasks = { speed, crowd, events, continuous, garbage, memory, hash, snapshot };
@@ -181,12 +179,8 @@ async function continuous({ base, warmUp, steps }) {
   return { share: within(['foresee', 'continuous'])(root) / within(['step'])(root) };
 }
 
-/**
- * Bytes allocated per step of a scene, or of a pyramid with or without handlers. A run begins with a clean heap; it is cut into parts that are too short for a collection of
- * their own, where an engine allocates so much that this is needed.
- */
-async function garbage({ engine, scene, base, listening, warmUp, steps }) {
-  const ROOM = 32e6;
+/** Bytes allocated per warm step of a scene, or of a pyramid with or without handlers. */
+async function garbage({ engine, scene, base, listening, warmUp, seconds, steps }) {
   const device = await engines[engine].load();
   const { world, act = () => world.step(DT), before = () => {} } = sceneOf(scene, base).start(device);
   if (listening) {
@@ -198,24 +192,35 @@ async function garbage({ engine, scene, base, listening, warmUp, steps }) {
     act();
     index += 1;
   };
-  return { bytesPerStep: growthOf(step, warmUp, steps, ROOM) };
+  return growthOf(step, warmUp, seconds, steps);
 }
 
-function growthOf(step, warmUp, steps, room) {
-  const growth = (count) => {
-    globalThis.gc();
-    const before = process.memoryUsage().heapUsed;
-    repeat(count, step);
-    return process.memoryUsage().heapUsed - before;
+/**
+ * How much the heap grows in a step, in the mean of those in which nothing was collected, after `warmUp` steps and so many seconds. No collection is
+ * forced, as it drops compiled code. The heap is read in the warm-up too, so that all is compiled; what reading allocates itself is taken off.
+ */
+function growthOf(step, warmUp, seconds, steps) {
+  const used = () => getHeapStatistics().used_heap_size;
+  const growth = (action) => {
+    const before = used();
+    action();
+    return used() - before;
   };
-  repeatFor(WARM_SECONDS, warmUp, step);
-  const trial = Math.min(50, steps);
-  const part = Math.min(steps, Math.ceil((room * trial) / Math.max(1, growth(trial))));
-  let bytes = 0;
-  for (let done = 0; done < steps; done += part) {
-    bytes += growth(Math.min(part, steps - done));
+  const nothing = () => {};
+  const end = performance.now() + 1000 * seconds;
+  for (let i = 0; i < warmUp || performance.now() < end; i += 1) {
+    growth(step);
+    growth(nothing);
   }
-  return bytes / steps;
+  const own = Array.from({ length: 999 }, () => growth(nothing)).sort((a, b) => a - b)[499];
+  const counted = [];
+  repeatFor(seconds, steps, () => {
+    const bytes = growth(step);
+    if (bytes > 0) {
+      counted.push(bytes - own);
+    }
+  });
+  return { bytesPerStep: counted.reduce((sum, bytes) => sum + bytes, 0) / counted.length, steps: counted.length };
 }
 
 /** Bytes of the heap and of typed arrays, per body, of bodies with one box each that sleep. */

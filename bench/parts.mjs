@@ -6,6 +6,9 @@ const ms = (value) => `${value.toFixed(3)} ms`;
 const kB = (bytes) => `${(bytes / 1000).toFixed(2)} kB`;
 const titleOf = (engine) => engines[engine].title ?? engine;
 
+/** Steps until what they run is compiled: this many, and as long. Then so many are measured, or those that fit into the same time. */
+const GARBAGE = { task: 'garbage', warmUp: 100, seconds: 15, steps: 500 };
+
 /** A target that is met if the value is at most that. */
 function target(what, value, most) {
   return { what, value, most, met: value <= most };
@@ -39,7 +42,7 @@ function events({ rounds }) {
   const [silentRuns, heardRuns] = interleave([job, { ...job, listening: true }], rounds);
   const { pairs, callsPerStep } = heardRuns[0];
   const [silent, heard] = [summary(silentRuns), summary(heardRuns)];
-  const warm = { task: 'garbage', engine: 'phys2d', base: job.base, warmUp: 1000, steps: 1000 };
+  const warm = { ...GARBAGE, engine: 'phys2d', base: job.base };
   const [bytes, heardBytes] = [false, true].map(
     (listening) => measure({ ...warm, listening }, { flags: GC_FLAGS }).bytesPerStep,
   );
@@ -76,7 +79,7 @@ function continuous({ rounds }) {
 
 /** Bytes allocated per warm step: of phys2d in all scenes, of planck in one. */
 function garbage({ scenes }) {
-  const small = { task: 'garbage', base: 15, warmUp: 1000, steps: 1000 };
+  const small = { ...GARBAGE, base: 15 };
   const bytes = Object.fromEntries(
     ['phys2d', 'planck'].map((engine) => [
       `120 awake boxes, ${engine}`,
@@ -84,15 +87,15 @@ function garbage({ scenes }) {
     ]),
   );
   const targets = [target('120 awake boxes, kB', bytes['120 awake boxes, phys2d'] / 1000, 1)];
-  for (const [scene, { steps, renews }] of Object.entries(scenes)) {
-    const job = { task: 'garbage', engine: 'phys2d', scene, warmUp: 300, steps: Math.min(60, steps) };
+  for (const [scene, { renews }] of Object.entries(scenes)) {
+    const job = { ...GARBAGE, engine: 'phys2d', scene };
     bytes[scene] = measure(job, { flags: GC_FLAGS }).bytesPerStep;
     if (!renews) {
       targets.push(target(`${scene}, kB`, bytes[scene] / 1000, 1));
     }
   }
   return {
-    title: 'Garbage: bytes allocated per step, after 300 steps or 6 s',
+    title: `Garbage: bytes allocated per step, after ${GARBAGE.warmUp} steps and ${GARBAGE.seconds} s`,
     rows: [['', 'per step'], ...Object.entries(bytes).map(([name, each]) => [name, kB(each)])],
     targets,
     bytes,

@@ -97,7 +97,7 @@ function compare(name) {
   if (scenes[name].agrees) {
     failStrays(cells);
   }
-  return { name, title, figure, cells, targets: judge(name, cells) };
+  return { name, title, figure, cells, targets: judge(name, figure, cells) };
 }
 
 /** Times of an engine that hits other things than phys2d, by more than a thousandth, do not count. */
@@ -123,7 +123,8 @@ function cellOf(runs) {
   const { factors, profile } = good[0];
   return {
     ...summary(good),
-    quality: Math.max(...good.map(({ quality }) => quality)),
+    // NaN comes through JSON as null.
+    quality: Math.max(...good.map(({ quality }) => quality ?? Number.NaN)),
     isCut: good.some((run) => run.isCut),
     rounds: good.length,
     factors,

@@ -39,16 +39,57 @@ const TIMES = { asleep: 0.005 };
 /** p99 over the median. */
 const WORST = { renewedRain: 3 };
 
-/** Each target of a scene: what, the value in this run, the most it may be, and whether it is met. */
-export function judge(scene, cells) {
+/** mm. How wide the narrowest body of a scene is, by scene; in those that are not here 1 m. */
+const WIDTHS = {
+  circles: 600,
+  rain: 300,
+  renewedRain: 300,
+  pusher: 580,
+  grid: 800,
+  grid100: 800,
+  chains: 100,
+  ragdolls: 140,
+  smash: 400,
+  barrel: 300,
+  compounds: 500,
+};
+
+/** Figures that may be as large as a body is wide. Those of other scenes are counts, of which none may differ from what it should be. */
+const LENGTHS = ['worst sag, mm', 'deepest overlap, mm', 'widest gap, mm'];
+/** Counts that should be 0. */
+const LOSSES = ['escaped', 'bodies left'];
+
+/**
+ * Whether an engine keeps its quality: nothing escapes or is left behind, and nothing sags, overlaps or gapes by more than the narrowest body of the scene is
+ * wide. What does not do that saves the time that the scene is about.
+ */
+export function keepsQuality(scene, figure, quality) {
+  if (LOSSES.includes(figure)) {
+    return quality === 0;
+  }
+  return !LENGTHS.includes(figure) || quality <= (WIDTHS[scene] ?? 1000);
+}
+
+/**
+ * Each target of a scene: what, the value in this run, the most it may be, and whether it is met. Beside an engine that does not keep its quality
+ * there is nothing to meet or miss: it is `lost`. If phys2d does not, none is met.
+ */
+export function judge(scene, figure, cells) {
   const own = cells.phys2d;
   if (own?.median === undefined) {
     return [];
   }
+  const keeps = ({ quality }) => keepsQuality(scene, figure, quality);
   const against = Object.entries(TARGETS[scene] ?? JS)
     .filter(([engine]) => cells[engine]?.median !== undefined)
-    .map(([engine, most]) => ({ what: `phys2d / ${engine}`, engine, value: own.median / cells[engine].median, most }));
+    .map(([engine, most]) => {
+      const { median } = cells[engine];
+      return { what: `phys2d / ${engine}`, engine, value: own.median / median, most, lost: !keeps(cells[engine]) };
+    });
   const time = scene in TIMES ? [{ what: 'median, ms', value: own.median, most: TIMES[scene] }] : [];
   const worst = scene in WORST ? [{ what: 'p99 / median', value: own.p99 / own.median, most: WORST[scene] }] : [];
-  return [...against, ...time, ...worst].map((target) => ({ ...target, met: target.value <= target.most }));
+  return [...against, ...time, ...worst].map((target) => ({
+    ...target,
+    met: keeps(own) && target.value <= target.most,
+  }));
 }

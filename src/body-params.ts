@@ -2,17 +2,7 @@ import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { Vec2Like } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
 import type { UserDataOf } from './user-data.js';
-import {
-  boolean,
-  finite,
-  instance,
-  nonNegative,
-  optional,
-  options,
-  positiveOrInfinite,
-  typeError,
-  vector,
-} from './validate.js';
+import { boolean, finite, nonNegative, optional, options, positiveOrInfinite, typeError, vector } from './validate.js';
 
 /** What moves a body; see `RigidBodyParams.type`. */
 export type BodyType = 'dynamic' | 'kinematic' | 'static';
@@ -91,5 +81,11 @@ function checkedShapes(where: string, value: ArrayLike<Shape> | undefined): Shap
   if (typeof value !== 'object' || value === null || typeof value.length !== 'number') {
     throw typeError(where, 'shapes', 'an array of Shapes', value);
   }
-  return Array.from(value, (shape, i) => instance(where, `shapes[${i}]`, shape, Shape, 'a Shape'));
+  const shapes = Array.isArray(value) ? value.slice() : Array.from(value);
+  for (let i = 0; i < shapes.length; i += 1) {
+    if (!(shapes[i] instanceof Shape)) {
+      throw typeError(where, `shapes[${i}]`, 'a Shape', shapes[i]);
+    }
+  }
+  return shapes;
 }

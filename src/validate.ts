@@ -135,6 +135,21 @@ export function within(where: string, name: string, value: unknown, most: number
   return n;
 }
 
+/** Whether `vector` takes it. Asked first, as the words for what is wrong cost more than all else where it is called for every corner. */
+export function isVector(value: unknown, count: number, most: number): value is ArrayLike<number> {
+  const list = value as ArrayLike<unknown> | null | undefined;
+  if (typeof list !== 'object' || list === null || !(list.length >= count)) {
+    return false;
+  }
+  for (let i = 0; i < count; i += 1) {
+    const n = list[i];
+    if (typeof n !== 'number' || !(Math.abs(n) <= most)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** `count` finite numbers, of at most some size, at the indices 0 … count − 1. */
 export function vector(
   where: string,
@@ -143,6 +158,9 @@ export function vector(
   count: number,
   most = Number.MAX_VALUE,
 ): ArrayLike<number> {
+  if (isVector(value, count, most)) {
+    return value;
+  }
   const rule = `${count} finite numbers [${'x, y, …'.slice(0, count === 2 ? 4 : 7)}]`;
   const list = value as ArrayLike<number> | null | undefined;
   if (typeof list !== 'object' || list === null || !(list.length >= count)) {

@@ -90,7 +90,8 @@ function auditContacts(audit: Audit, pair: Arbiter): void {
 /** Awake pairs are in order, each once; those that were cut off wait there to be dropped. */
 function auditSorted(audit: Audit): void {
   const { world } = audit;
-  const { sorted, arriving, table, reportedCount } = world.pairs;
+  const { sorted, table, reportedCount } = world.pairs;
+  const arriving = world.pairs.arriving.slice(0, world.pairs.arrivingCount);
   audit.demand(reportedCount === 0, world, 'reported pairs must be made within the step');
   audit.distinct([...sorted, ...arriving], world, 'the list of awake pairs');
   let before: Arbiter | null = null;

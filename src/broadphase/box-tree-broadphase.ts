@@ -147,6 +147,11 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
     callable('BoxTreeBroadphase.perform', 'callback', callback);
+    this.renewMoved();
+    this.reportPairs(callback, thisObject);
+  }
+
+  private renewMoved(): void {
     const moved = this.movedHandles;
     for (let i = 0; i < this.movedCount; i += 1) {
       const handle = moved[i]!;
@@ -155,6 +160,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       this.renewPairs(handle);
     }
     this.movedCount = 0;
+  }
+
+  private reportPairs(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject: unknown): void {
     const { pairs, ends, boxes } = this;
     for (let i = 0; i < pairs.length; i += 1) {
       const a = ends[2 * i]!;

@@ -27,8 +27,10 @@ export class Pairs {
 
   /** @internal */
   readonly table = new PairTable();
-  /** @internal */
+  /** @internal what lies beyond the count is old: shortening the list would cost its storage */
   readonly arriving: Arbiter[] = [];
+  /** @internal */
+  arrivingCount = 0;
   /** What lies beyond the count is old. */
   private readonly reported: Report[] = [];
   /** @internal */
@@ -131,21 +133,22 @@ export class Pairs {
   arrive(pair: Arbiter): void {
     if (!pair.awake) {
       pair.awake = true;
-      this.arriving.push(pair);
+      this.arriving[this.arrivingCount] = pair;
+      this.arrivingCount += 1;
     }
   }
 
   /** Merges the pairs that arrived into the sorted list, from the back, in place. */
   merge(): void {
-    const { sorted, arriving } = this;
-    if (arriving.length === 0) {
+    const { sorted, arriving, arrivingCount } = this;
+    if (arrivingCount === 0) {
       return;
     }
-    sortFirst(arriving, arriving.length, before);
+    sortFirst(arriving, arrivingCount, before);
     let i = sorted.length - 1;
-    let j = arriving.length - 1;
+    let j = arrivingCount - 1;
     let k = i + j + 1;
-    for (let n = 0; n < arriving.length; n += 1) {
+    for (let n = 0; n < arrivingCount; n += 1) {
       sorted.push(arriving[n]!);
     }
     while (j >= 0) {
@@ -158,7 +161,7 @@ export class Pairs {
       }
       k -= 1;
     }
-    arriving.length = 0;
+    this.arrivingCount = 0;
   }
 
   /** Makes the pair visible to both shapes. */
@@ -220,7 +223,7 @@ export class Pairs {
         this.free(pair);
       }
     }
-    free.length = 0;
+    if (free.length > 0) free.length = 0;
     this.cutBefore = this.cut;
     this.cut = free;
   }
@@ -243,15 +246,17 @@ export class Pairs {
     }
     this.sorted.length = 0;
     this.arriving.length = 0;
+    this.arrivingCount = 0;
   }
 
   clear(): void {
-    for (const pair of [...this.sorted, ...this.arriving]) {
+    for (const pair of [...this.sorted, ...this.arriving.slice(0, this.arrivingCount)]) {
       pair.awake = false;
     }
     this.table.clear();
     this.sorted.length = 0;
     this.arriving.length = 0;
+    this.arrivingCount = 0;
   }
 }
 

@@ -33,6 +33,8 @@ export class EventQueue {
   private lists = makeLists();
   /** The lists that are being handed out, while the others take what handlers cause. */
   private handed = makeLists();
+  /** Whether a list was asked for since the last delivery: most steps of most worlds have nothing to tell. */
+  private stirred = false;
   private readonly hits: Hit[] = [];
   /** Of them hits of this step; by their arbiters. */
   private readonly struck: Arbiter[] = [];
@@ -73,6 +75,7 @@ export class EventQueue {
   }
 
   private list(type: number, group: number): Notes {
+    this.stirred = true;
     return this.lists[group * RANKS + rankOf(type)]!;
   }
 
@@ -138,6 +141,10 @@ export class EventQueue {
    * rest is delivered all the same.
    */
   deliver(): void {
+    if (!this.stirred) {
+      return;
+    }
+    this.stirred = false;
     const lists = this.lists;
     this.lists = this.handed;
     this.handed = lists;

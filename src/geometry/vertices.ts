@@ -1,7 +1,7 @@
 import { COLLINEAR_TOLERANCE, MAX_SIZE, VERTEX_TOLERANCE } from '../config.js';
 import { cos, sin } from '../math/trig.js';
 import type { Vec2, Vec2Like } from '../math/vectors.js';
-import { finite, integer, positive, typeError, vector } from '../validate.js';
+import { finite, integer, isVector, positive, typeError, vector } from '../validate.js';
 import { polygonArea } from './mass.js';
 
 /** Corners of a `width` × `height` box around the origin, clockwise from the upper left. Sizes in m, > 0. */
@@ -76,7 +76,8 @@ export function convexVertices(where: string, name: string, value: unknown): num
   }
   const flat: number[] = [];
   for (let i = 0; i < count; i += 1) {
-    const point = vector(where, `${name}[${i}]`, list[i], 2, MAX_SIZE);
+    const given = list[i];
+    const point = isVector(given, 2, MAX_SIZE) ? given : vector(where, `${name}[${i}]`, given, 2, MAX_SIZE);
     flat.push(point[0]!, point[1]!);
   }
   refuseRepeats(where, name, flat);

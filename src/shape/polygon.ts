@@ -37,7 +37,11 @@ function formOf(corners: ArrayLike<number>): Form {
 
 /** To the bit: nothing may depend on which polygons there are besides. */
 function isSame(a: Float64Array, b: ArrayLike<number>): boolean {
-  return a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
+  let i = 0;
+  while (i < a.length && Object.is(a[i], b[i])) {
+    i += 1;
+  }
+  return i === a.length && i === b.length;
 }
 
 function makeForm(corners: ArrayLike<number>): Form {

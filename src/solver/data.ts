@@ -223,8 +223,11 @@ export class SolverData {
   crowded = false;
   /** s. Length of the sub-steps of the last step … */
   previousH = 0;
-  /** … and what its impulses are multiplied by to fit the present ones. */
-  impulseScale = 0;
+  /**
+   * … and what its impulses are multiplied by to fit the present ones. Begins with a fraction: a field that turns from an integer into a number with one
+   * gives the object another layout, and what was compiled for the old one, the solver's loops, is never compiled as a whole again.
+   */
+  impulseScale = 0.5;
 
   constructor(readonly joints: JointData) {}
 

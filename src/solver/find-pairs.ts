@@ -63,7 +63,8 @@ export function findPairs(world: World, dt: number): void {
     sorted[kept] = pair;
     kept += 1;
   }
-  sorted.length = kept;
+  // Asked first here and elsewhere: to set a length takes its time even where that changes nothing.
+  if (sorted.length > kept) sorted.length = kept;
   smoothSeams(world);
   wakeHit(world);
 }
@@ -204,7 +205,7 @@ function wakeHit(world: World): void {
       wakeBody(world, hit[i]!, false);
     }
   }
-  hit.length = 0;
+  if (hit.length > 0) hit.length = 0;
   world.pairs.merge();
   world.events.noteWoken(world);
 }
@@ -241,7 +242,7 @@ export function listArbiters(world: World): void {
       statics += 1;
     }
   }
-  sorted.length = kept;
-  dynamicArbiters.length = dynamics;
-  staticArbiters.length = statics;
+  if (sorted.length > kept) sorted.length = kept;
+  if (dynamicArbiters.length > dynamics) dynamicArbiters.length = dynamics;
+  if (staticArbiters.length > statics) staticArbiters.length = statics;
 }

@@ -48,7 +48,7 @@ export function foresee(world: World, dt: number): void {
     }
     world.pairs.merge();
   }
-  world.closing.length = 0;
+  if (world.closing.length > 0) world.closing.length = 0;
   movers.clear();
 }
 

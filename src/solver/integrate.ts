@@ -2,15 +2,19 @@ import { REST_DAMPING, REST_SPEED } from '../config.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
+import { inPieces } from './pieces.js';
 
-/** Angle, cosine, sine: scratch of `advance`. */
+/** Angle, cosine, sine: scratch of `advancePiece`. */
 const turned = new Float64Array(3);
 
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function integrateVelocities(data: SolverData): void {
+  inPieces(data, 1, data.bodyCount, addForces);
+}
+
+function addForces(data: SolverData, from: number, to: number): void {
   const { velocity: v, drive: f } = data;
-  const { bodyCount } = data;
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     const keep = f[i + d.KEEP_LINEAR]!;
     v[i + d.VX] = (v[i + d.VX]! + f[i + d.GAIN_X]!) * keep;
@@ -21,10 +25,13 @@ export function integrateVelocities(data: SolverData): void {
 
 /** The motion of one sub-step, q = v·h, after rest damping of slow bodies in contact. */
 export function integratePositions(data: SolverData, h: number): void {
+  inPieces(data, 1, data.bodyCount, moveOn, h);
+}
+
+function moveOn(data: SolverData, from: number, to: number, h: number): void {
   const { velocity: v, motion: q, drive: f } = data;
-  const { bodyCount } = data;
   const inverseSquare = 1 / (REST_SPEED * REST_SPEED);
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     let vx = v[i + d.VX]!;
     let vy = v[i + d.VY]!;
@@ -50,9 +57,12 @@ export function integratePositions(data: SolverData, h: number): void {
 
 /** Adds the motion of the sub-step, pushes included, to that of the step; contacts want to know how far their bodies have turned in it. */
 export function advance(data: SolverData): void {
+  inPieces(data, 1, data.bodyCount, advancePiece);
+}
+
+function advancePiece(data: SolverData, from: number, to: number): void {
   const { velocity: v, motion: q, drive: f } = data;
-  const { bodyCount } = data;
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     q[i + d.DX] = q[i + d.DX]! + q[i + d.QX]!;
     q[i + d.DY] = q[i + d.DY]! + q[i + d.QY]!;

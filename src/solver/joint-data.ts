@@ -49,6 +49,9 @@ export interface Joint {
   readonly twins: readonly (readonly [number, number])[];
 }
 
+/** How many joints a run has at most: loops take contacts in such pieces too, see `inPieces`. */
+const LONGEST_RUN = 128;
+
 /** Joints next to each other that one kernel solves: from `start` up to, not including, `end`. */
 export interface Run {
   readonly kernel: number;
@@ -152,7 +155,7 @@ export class JointData implements Keeper {
     this.members += constraint.members.length;
     const run = group.runs[group.runs.length - 1];
     group.end += 1;
-    if (run !== undefined && run.kernel === kernel) {
+    if (run !== undefined && run.kernel === kernel && run.end - run.start < LONGEST_RUN) {
       run.end += 1;
     } else {
       const added = { kernel, start: joints.length - 1, end: joints.length };

@@ -68,7 +68,10 @@ export const SUM_Y = 29;
 export const SUM_WA = 30;
 export const SUM_WB = 31;
 export const POINT_CARRY = 32;
-export const POINT_STRIDE = 33;
+/** How far either body was turned in the sub-step when the last exact sweep found its arm. */
+export const PLACED_WA = 33;
+export const PLACED_WB = 34;
+export const POINT_STRIDE = 35;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { MAX_SPEED } from '../config.js';
 import { isCustom } from '../constraint/constraint.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
-import { cos, cosSin, sin } from '../math/trig.js';
+import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -34,26 +34,6 @@ function writePose(body: RigidBody, pose: Float64Array, at: number): void {
   pose[at + ANGLE] = body.angle;
 }
 
-/** Cuts motion that is faster than anything that can be meant; the joints that caused it forget their impulses. */
-export function limitMotion(data: SolverData): void {
-  const { velocity: v, motion: q, bodyCount } = data;
-  const most = MAX_SPEED * data.joints.h;
-  let isCut = false;
-  for (let k = 1; k < bodyCount; k += 1) {
-    const i = (k * d.BODY_STRIDE) & d.OFFSET;
-    for (let c = 0; c < 3; c += 1) {
-      if (!(Math.abs(v[i + c]!) < MAX_SPEED && Math.abs(q[i + c]!) <= most)) {
-        isCut = true;
-        v[i + c] = Math.max(-MAX_SPEED, Math.min(MAX_SPEED, v[i + c]!));
-        q[i + c] = Math.max(-most, Math.min(most, q[i + c]!));
-      }
-    }
-  }
-  if (isCut) {
-    forgetImpulses(data);
-  }
-}
-
 function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
   for (const { kernel, at, first, layout } of data.joints) {
     for (let k = 0; k < layout.members; k += 1) {
@@ -66,11 +46,21 @@ function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
   }
 }
 
-/** Adds the motion of the sub-step to the placements. */
+/**
+ * Adds the motion of the sub-step to the placements. What is faster than anything that can be meant is cut before; the joints that caused it forget
+ * their impulses.
+ */
 export function advancePoses(data: SolverData): void {
-  const { pose: p, motion: q, bodyCount } = data;
+  const { pose: p, velocity: v, motion: q, bodyCount } = data;
+  const most = MAX_SPEED * data.joints.h;
+  let isCut = false;
   for (let k = 1; k < bodyCount; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
+    if (!(isBelow(v, i, MAX_SPEED) && isBelow(q, i, most))) {
+      isCut = true;
+      cut(v, i, MAX_SPEED);
+      cut(q, i, most);
+    }
     const turn = q[i + d.QW]!;
     const square = turn * turn;
     let c = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720 - square / 40320)));
@@ -89,13 +79,28 @@ export function advancePoses(data: SolverData): void {
     p[i + Y] = p[i + Y]! + q[i + d.QY]!;
     p[i + ANGLE] = p[i + ANGLE]! + turn;
   }
+  if (isCut) {
+    forgetImpulses(data);
+  }
 }
 
-/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
+/** Of the first three numbers of a record, all. */
+function isBelow(numbers: Float64Array, i: number, most: number): boolean {
+  return Math.abs(numbers[i]!) < most && Math.abs(numbers[i + 1]!) < most && Math.abs(numbers[i + 2]!) < most;
+}
+
+function cut(numbers: Float64Array, i: number, most: number): void {
+  for (let c = i; c < i + 3; c += 1) {
+    numbers[c] = Math.max(-most, Math.min(most, numbers[c]!));
+  }
+}
+
+/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it; of some kinds the angles alone. */
 function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose: to } = data.joints;
   const { motion: q, pose } = data;
   const { layout, first, constraint } = joint;
+  const looksAtPlaces = constraint.type !== 'ANGLE' && constraint.type !== 'MOTOR';
   for (let k = 0; k < layout.members; k += 1) {
     const b = bodies[first + k]!;
     const at = k * POSE;
@@ -105,8 +110,14 @@ function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
     }
     const share = moving ? 1 : 0;
     const turn = share * q[b + d.QW]!;
-    const c = turn === 0 ? 1 : cos(turn);
-    const s = turn === 0 ? 0 : sin(turn);
+    around[0] = turn;
+    around[1] = 1;
+    around[2] = 0;
+    if (turn !== 0 && looksAtPlaces) {
+      cosSin(around);
+    }
+    const c = around[1]!;
+    const s = around[2]!;
     to[at + X] = pose[b + X]! + share * q[b + d.QX]!;
     to[at + Y] = pose[b + Y]! + share * q[b + d.QY]!;
     to[at + COS] = pose[b + COS]! * c - pose[b + SIN]! * s;

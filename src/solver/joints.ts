@@ -23,12 +23,13 @@ import type { SolverData } from './data.js';
 import { type Group, type Joint, type JointData, packHead, type Run } from './joint-data.js';
 import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
-import { advancePoses, hidePoses, limitMotion, packPoses } from './joint-pose.js';
+import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
   excusePoint,
   finishPoints,
   packPoint,
+  pushFarPoints,
   pushPoints,
   pushPointsFurther,
   solveVelocityPoints,
@@ -139,7 +140,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     for (let n = 0; n < group.runs.length; n += 1) {
       const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
-        warmStartPoints(data, start, end);
+        warmStartPoints(data, start, end, isFirst);
       } else {
         for (let k = start; k < end; k += 1) {
           warmStartBlock(data, k, isFirst);
@@ -230,7 +231,7 @@ function solveVelocityCustoms(data: SolverData): void {
 
 /**
  * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
- * contacts came in between or they are large. @returns whether there is something left for another.
+ * contacts came in between, or bodies are to be moved without turning. @returns whether there is something left for another.
  */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups, worst, isTouched } = data.joints;
@@ -248,9 +249,10 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
     }
     let found = linearise(data, group);
     for (let sweep = before; sweep < after; sweep += 1) {
-      const isLinear = sweep > 0 && !isFar(group) && (sweep > before || !isTouched);
+      const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
+      const pushFurther = isFar(group) ? pushFarRun : pushRunFurther;
       worst[0] = 0;
-      found = sweepOver(data, group, sweep === 0, isLinear ? pushRunFurther : pushRun) || found;
+      found = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun) || found;
       if (!isLinear) {
         group.pushed = worst[0];
       }
@@ -261,9 +263,9 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   return isLeft;
 }
 
-/** More than small motion was left when exact errors were found the last time, or bodies are to be moved without turning. */
-function isFar({ pushed, settling }: Group): boolean {
-  return pushed > JOINT_FAR * JOINT_FAR || settling > 0;
+/** More than small motion was left when all exact errors were found the last time. */
+function isFar({ pushed }: Group): boolean {
+  return pushed > JOINT_FAR * JOINT_FAR;
 }
 
 function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
@@ -282,6 +284,10 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
 
 function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
   return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
+}
+
+function pushFarRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushFarPoints(data, start, end) : pushRun(data, kernel, start, end);
 }
 
 function linearise(data: SolverData, { runs }: Group): boolean {
@@ -331,7 +337,6 @@ function finishJoints(data: SolverData): void {
     closeOpen(data, groups[k]!);
   }
   if (runs.length > 0) {
-    limitMotion(data);
     advancePoses(data);
   }
 }

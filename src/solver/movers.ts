@@ -75,8 +75,12 @@ export class Mover {
     this.begin(body, sweeps);
     this.dx = body.lastDx;
     this.dy = body.lastDy;
-    this.setTurn(body.lastTurn);
-    this.setStart(body.x - this.dx, body.y - this.dy, body.angle - body.lastTurn);
+    this.turn = body.lastTurn;
+    this.unwind();
+    this.x = body.x - this.dx;
+    this.y = body.y - this.dy;
+    this.angle = body.angle - body.lastTurn;
+    this.start();
   }
 
   /** The way that the body would go from here with its velocities. */
@@ -91,25 +95,28 @@ export class Mover {
   foresee(body: RigidBody, { ahead }: Movers): void {
     this.dx *= ahead;
     this.dy *= ahead;
-    this.setTurn(this.turn * ahead);
+    this.turn *= ahead;
+    this.unwind();
     const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
     // As `goesFar`, which called from here would have to box its numbers.
     this.begin(body, body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2);
-    this.setStart(body.x, body.y, body.angle);
+    this.x = body.x;
+    this.y = body.y;
+    this.angle = body.angle;
+    this.start();
   }
 
-  private setTurn(turn: number): void {
-    this.turn = turn % TURN;
-    this.spin = Math.abs(turn);
+  /** Takes whole turns from `turn`. */
+  private unwind(): void {
+    this.spin = Math.abs(this.turn);
+    this.turn %= TURN;
   }
 
-  private setStart(x: number, y: number, angle: number): void {
-    this.x = x;
-    this.y = y;
-    this.angle = angle;
-    this.startX = x;
-    this.startY = y;
-    this.startAngle = angle;
+  /** The way starts where it was set to. Without arguments, as `unwind`: numbers with a fraction are boxed for each call that is not inlined. */
+  private start(): void {
+    this.startX = this.x;
+    this.startY = this.y;
+    this.startAngle = this.angle;
     this.endX = this.body.x;
     this.endY = this.body.y;
     this.endAngle = this.body.angle;

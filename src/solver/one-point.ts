@@ -13,12 +13,12 @@ import type { SolverData } from './data.js';
 import * as d from './data.js';
 
 /** Starts a sub-step, as `warmStartTwo`, for contacts of one point; circles carry a rolling impulse as well. */
-export function warmStartOne(data: SolverData, h: number, first: boolean): void {
-  const { records: r, bodies, count } = data.one;
+export function warmStartOne(data: SolverData, from: number, to: number, h: number, first: boolean): void {
+  const { records: r, bodies } = data.one;
   const { velocity: v, motion: q } = data;
   const keep = first ? 0 : 1;
   const inverseH = 1 / h;
-  for (let k = 0; k < count; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;

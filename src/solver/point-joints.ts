@@ -1,4 +1,11 @@
-import { JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import {
+  JOINT_FAR_TURN,
+  JOINT_MOMENTUM,
+  JOINT_OPEN,
+  JOINT_SNAP,
+  JOINT_TOLERANCE,
+  MIN_INVERSE_MASS,
+} from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
 import { cosSin } from '../math/trig.js';
@@ -16,6 +23,9 @@ import * as j from './joint-layout.js';
 
 /** A matrix whose determinant is below this share of the product of its diagonal has rank 1. */
 const SINGULAR = 1e-12;
+
+/** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
+const FAR_BLOCK = 8;
 
 /** Angle, cosine, sine: scratch. */
 const turn = new Float64Array(3);
@@ -75,8 +85,11 @@ export function beginPoints(data: SolverData, start: number, end: number): void 
   }
 }
 
-/** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
-export function warmStartPoints(data: SolverData, start: number, end: number): void {
+/**
+ * Starts a sub-step: arms and error for the present placement, and the impulse of the last sub-step once more. K⁻¹ is that of the last exact push, which
+ * turned little since; in the first sub-step, that of the placement.
+ */
+export function warmStartPoints(data: SolverData, start: number, end: number, isFirst: boolean): void {
   const { records: r, bodies, joints, worst, strained } = data.joints;
   const { velocity: v, pose: p } = data;
   let i = joints[start]!.at;
@@ -118,14 +131,13 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     const mB = v[b + d.INV_MASS]!;
     const iA = v[a + d.INV_INERTIA]!;
     const iB = v[b + d.INV_INERTIA]!;
-    const m = mA + mB;
-    const k11 = m + iA * ay * ay + iB * by * by;
-    const k12 = -iA * ax * ay - iB * bx * by;
-    const k22 = m + iA * ax * ax + iB * bx * bx;
-    r[i + j.I11] = k11;
-    r[i + j.I12] = k12;
-    r[i + j.I22] = k22;
-    invert(r, i);
+    if (isFirst) {
+      const m = mA + mB;
+      r[i + j.I11] = m + iA * ay * ay + iB * by * by;
+      r[i + j.I12] = -iA * ax * ay - iB * bx * by;
+      r[i + j.I22] = m + iA * ax * ax + iB * bx * bx;
+      invert(r, i);
+    }
     const px = r[i + j.IMPULSE_X]!;
     const py = r[i + j.IMPULSE_Y]!;
     v[a + d.VX] = v[a + d.VX]! - mA * px;
@@ -311,6 +323,8 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const k11 = m + iA * ay * ay + iB * by * by;
     const k12 = -iA * ax * ay - iB * bx * by;
     const k22 = m + iA * ax * ax + iB * bx * bx;
+    r[i + j.PLACED_WA] = wA;
+    r[i + j.PLACED_WB] = wB;
     r[i + j.PLACED_AX] = ax;
     r[i + j.PLACED_AY] = ay;
     r[i + j.PLACED_BX] = bx;
@@ -389,6 +403,33 @@ export function pushPointsFurther(data: SolverData, start: number, end: number):
     q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
   return found;
+}
+
+/** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
+export function pushFarPoints(data: SolverData, start: number, end: number): boolean {
+  let found = false;
+  for (let from = start; from < end; from += FAR_BLOCK) {
+    const to = Math.min(from + FAR_BLOCK, end);
+    found = (haveTurned(data, from, to) ? pushPoints(data, from, to) : pushPointsFurther(data, from, to)) || found;
+  }
+  return found;
+}
+
+function haveTurned(
+  { joints: { records: r, bodies, joints }, motion: q }: SolverData,
+  start: number,
+  end: number,
+): boolean {
+  let most = 0;
+  let i = joints[start]!.at;
+  let n = joints[start]!.first;
+  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const wA = Math.abs(q[bodies[n]! + d.QW]! - r[i + j.PLACED_WA]!);
+    const wB = Math.abs(q[bodies[n + 1]! + d.QW]! - r[i + j.PLACED_WB]!);
+    most = wA > most ? wA : most;
+    most = wB > most ? wB : most;
+  }
+  return most > JOINT_FAR_TURN;
 }
 
 /** The error noted last is above JOINT_OPEN. */

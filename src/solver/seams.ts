@@ -60,7 +60,7 @@ export function smoothSeams(world: World): void {
       }
     }
   }
-  straddling.length = 0;
+  if (straddling.length > 0) straddling.length = 0;
 }
 
 /** Turns a contact to the direction in which the other grounds carry its shape, if they hide the face or corner that it is with. */

@@ -17,7 +17,7 @@ import { store } from './store.js';
  * parts, over which the iterations are spread (Macklin et al., "Small Steps in Physics Simulation", 2019).
  */
 export function step(world: World, dt: number): void {
-  const { solver, substeps, profile, jointSolver } = world;
+  const { solver, substeps, profile } = world;
   const h = dt / substeps;
   profile?.begin();
   refreshMoved(world);
@@ -31,6 +31,22 @@ export function step(world: World, dt: number): void {
   prepare(world, h);
   profile?.lap('prepare');
   profile?.count(world);
+  if (solver.bodyCount === 1 && solver.joints.runs.length === 0) {
+    // Nothing is awake, nothing moves.
+    return;
+  }
+  integrate(world, h, substeps);
+  world.jointSolver?.store(world);
+  store(world);
+  profile?.lap('store');
+  continuous(world, dt);
+  sleepKinematics(world);
+  profile?.lap('continuous');
+}
+
+/** The sub-steps, of length h; how many was asked before any handler was called. */
+function integrate(world: World, h: number, substeps: number): void {
+  const { solver, profile, jointSolver } = world;
   for (let part = 0; part < substeps; part += 1) {
     planBounces(solver, h);
     integrateVelocities(solver);
@@ -61,12 +77,6 @@ export function step(world: World, dt: number): void {
     advance(solver);
     profile?.lap('positions');
   }
-  jointSolver?.store(world);
-  store(world);
-  profile?.lap('store');
-  continuous(world, dt);
-  sleepKinematics(world);
-  profile?.lap('continuous');
 }
 
 /** How many of a step's iterations fall to one of its parts; at least one. */

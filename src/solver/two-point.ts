@@ -8,12 +8,12 @@ import * as d from './data.js';
  *
  *     s = s₀ + n·(ΔdB − ΔdA) + (cos θ − 1)·RT + sin θ·RN   of B less that of A
  */
-export function warmStartTwo(data: SolverData, h: number, first: boolean): void {
-  const { records: r, bodies, count } = data.two;
+export function warmStartTwo(data: SolverData, from: number, to: number, h: number, first: boolean): void {
+  const { records: r, bodies } = data.two;
   const { velocity: v, motion: q } = data;
   const keep = first ? 0 : 1;
   const inverseH = 1 / h;
-  for (let k = 0; k < count; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;

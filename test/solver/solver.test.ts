@@ -203,3 +203,27 @@ describe('turning on', () => {
     near(vx, 0.5 * wheel.getAngularVelocity(), 1e-3);
   });
 });
+
+describe('a step in which no body is awake', () => {
+  it('still asks custom constraints that are', () => {
+    const world = phys2D.createWorld({ allowSleeping: false, velocityIterations: 8 });
+    const body = plainBody();
+    let clamped = 0;
+    const constraint = phys2D.createCustomConstraint({
+      dimension: 1,
+      bodies: [body],
+      jacobian(data, index) {
+        data[index] = 1;
+      },
+      velocityClamp() {
+        clamped += 1;
+      },
+    });
+    add(world, body);
+    world.addConstraint(constraint);
+    body.sleep();
+    steps(world, 1);
+    expect(world.liveDynamics).toEqual([]);
+    expect(clamped).toBe(8);
+  });
+});

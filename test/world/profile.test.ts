@@ -41,6 +41,7 @@ describe('World.profile', () => {
 
   it('has the times of the latest step, and they add up to it', () => {
     const world = phys2D.createWorld({ substeps: 3 });
+    world.addRigidBody(phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 1 })] }));
     world.clock = counter();
     const { profile } = world;
     for (let i = 0; i < 3; i += 1) {
@@ -50,6 +51,13 @@ describe('World.profile', () => {
       expect(sum(world)).toBe(13);
     }
     expect(world.profile).toBe(profile);
+  });
+
+  it('has no sub-steps where nothing is awake', () => {
+    const world = phys2D.createWorld();
+    world.clock = counter();
+    world.step(1 / 60);
+    expect(PHASES.map((phase) => world.profile![phase])).toEqual([1, 1, 1, 1, 0, 0, 0, 0, 1]);
   });
 
   it('measures with a real clock', () => {
