@@ -29,6 +29,7 @@ const FOLDERS = {
     'state/golden',
     'solver/continuous',
     'solver/meeting-queue',
+    'solver/seams',
     'solver/ways',
     'constraint/constraint',
     'constraint/events',
