@@ -149,11 +149,11 @@ export abstract class BodyState extends BodyNumbers {
     result[2] = -Infinity;
     result[3] = -Infinity;
     this.place();
-    for (const { bounds } of this.shapes) {
-      result[0] = Math.min(result[0]!, bounds[0]!);
-      result[1] = Math.min(result[1]!, bounds[1]!);
-      result[2] = Math.max(result[2]!, bounds[2]!);
-      result[3] = Math.max(result[3]!, bounds[3]!);
+    for (const { numbers, at } of this.shapes) {
+      result[0] = Math.min(result[0]!, numbers[at]!);
+      result[1] = Math.min(result[1]!, numbers[at + 1]!);
+      result[2] = Math.max(result[2]!, numbers[at + 2]!);
+      result[3] = Math.max(result[3]!, numbers[at + 3]!);
     }
     return result;
   }
