@@ -4,6 +4,11 @@ export const NONE = -1;
 /** Numbers per node in `boxes`. */
 export const BOX = 4;
 
+/** How many to make room for where there were so many: half as many again, as of twice as many a third is empty on the average. */
+export function grown(count: number): number {
+  return Math.ceil(1.5 * count);
+}
+
 /** Levels by which two subtrees may differ in height: more allows better trees, less makes the worst ones less high. */
 const MAX_LEAN = 4;
 
@@ -275,7 +280,7 @@ export class PackedTree<T> {
   }
 
   private grow(): void {
-    const size = this.left.length * 2;
+    const size = grown(this.left.length);
     const wider = (from: Int32Array): Int32Array<ArrayBuffer> => {
       const to = new Int32Array(size);
       to.set(from);
