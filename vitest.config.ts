@@ -6,7 +6,7 @@ export default defineConfig({
     testTimeout: 30_000,
     coverage: {
       provider: 'v8',
-      include: ['src/**'],
+      include: ['src/**/*.ts'],
       // Types and names only.
       exclude: ['src/umd.ts', 'src/**/index.ts'],
       reporter: ['text', 'text-summary'],

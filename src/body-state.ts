@@ -1,5 +1,6 @@
 import type { BodyHandler } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
+import { BodyNumbers } from './body-numbers.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
 import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
@@ -14,11 +15,8 @@ import type { World } from './world.js';
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
 const turn = new Float64Array(3);
 
-/**
- * What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. Refused: its numbers in a slab behind
- * accessors, as those of pairs are: 0.18 kB a body less, but no time.
- */
-export abstract class BodyState {
+/** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
+export abstract class BodyState extends BodyNumbers {
   /** Attached shapes. Do not modify. */
   readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
@@ -30,52 +28,6 @@ export abstract class BodyState {
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
   kind: number;
-  /** @internal Keeps its name. */
-  x: number;
-  /** @internal Keeps its name. */
-  y: number;
-  /** @internal */
-  angle: number;
-  /** @internal Keeps its name. */
-  cos: number;
-  /** @internal Keeps its name. */
-  sin: number;
-  /** @internal */
-  vx: number;
-  /** @internal */
-  vy: number;
-  /** @internal */
-  w: number;
-  /** @internal */
-  fx: number;
-  /** @internal */
-  fy: number;
-  /** @internal */
-  appliedTorque: number;
-  /** @internal */
-  linearDrag: number;
-  /** @internal */
-  angularDrag: number;
-  /** @internal */
-  surfaceX: number;
-  /** @internal */
-  surfaceY: number;
-  /** @internal given mass, or −1: from the shapes */
-  fixedMass: number;
-  /** @internal given inertia, or −1: from the shapes */
-  fixedInertia: number;
-  /** @internal right after `refreshMass` */
-  mass = 0;
-  /** @internal right after `refreshMass` */
-  inertia = 0;
-  /** @internal largest distance of a shape point from the origin; right after `refreshMass` */
-  radius = 0;
-  /** @internal motion of the last step. Keeps its name: other bundles read it */
-  lastDx = 0;
-  /** @internal Keeps its name. */
-  lastDy = 0;
-  /** @internal Keeps its name. */
-  lastTurn = 0;
   /** @internal the last step in which the body was not at rest or was woken */
   wakeTime = 0;
   /** @internal shapes, mass or radius differ from what is cached */
@@ -98,10 +50,6 @@ export abstract class BodyState {
   slot = 0;
   /** @internal the step that comes after something that touched it was taken away */
   unloaded = -1;
-  /** @internal rad. By how much it would have turned in this step, if it was looked ahead for */
-  turnAhead = 0;
-  /** @internal m. How far it may go in this step, in any direction, without coming near anything that it would be swept against */
-  clearance = 0;
   /** @internal index among the movers of a step, −1 if it is none */
   mover = -1;
   /** @internal those it fell asleep with */
@@ -113,6 +61,7 @@ export abstract class BodyState {
 
   /** @internal */
   constructor(params: RigidBodyParams | undefined) {
+    super();
     const given = checkedParams(params);
     const moves = given.kind !== STATIC;
     this.kind = given.kind;
@@ -200,11 +149,11 @@ export abstract class BodyState {
     result[2] = -Infinity;
     result[3] = -Infinity;
     this.place();
-    for (const { bounds } of this.shapes) {
-      result[0] = Math.min(result[0]!, bounds[0]!);
-      result[1] = Math.min(result[1]!, bounds[1]!);
-      result[2] = Math.max(result[2]!, bounds[2]!);
-      result[3] = Math.max(result[3]!, bounds[3]!);
+    for (const { numbers, at } of this.shapes) {
+      result[0] = Math.min(result[0]!, numbers[at]!);
+      result[1] = Math.min(result[1]!, numbers[at + 1]!);
+      result[2] = Math.max(result[2]!, numbers[at + 2]!);
+      result[3] = Math.max(result[3]!, numbers[at + 3]!);
     }
     return result;
   }

@@ -122,11 +122,11 @@ function auditShape(audit: Audit, body: RigidBody, shape: Shape): void {
 }
 
 function auditBounds(audit: Audit, body: RigidBody, shape: Shape): void {
-  const { bounds, handle } = shape;
+  const { numbers: n, at, handle } = shape;
   // As `widened`, so that not a bit may differ.
   const half = SPECULATIVE_MARGIN / 2;
   const [minX, minY, maxX, maxY] = placedBounds(body, shape);
-  const isPlaced = bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY;
+  const isPlaced = n[at] === minX && n[at + 1] === minY && n[at + 2] === maxX && n[at + 3] === maxY;
   audit.demand(isPlaced, shape, 'bounds must be those of its placement');
   const { minX: left, minY: top, maxX: right, maxY: bottom } = handle as Partial<Bounded>;
   if (left !== undefined) {
@@ -142,9 +142,9 @@ function auditCircle(audit: Audit, circle: Circle): void {
 }
 
 function auditPolygon(audit: Audit, polygon: Polygon): void {
-  const { vertices, localEdges, edges, offsets } = polygon;
+  const { vertices, localEdges, offsets } = polygon;
   const count = vertices.length / 2;
-  audit.demand(count >= 3 && edges.length === EDGE_STRIDE * count, polygon, 'must have as many edges as corners');
+  audit.demand(count >= 3 && localEdges.length === EDGE_STRIDE * count, polygon, 'must have as many edges as corners');
   for (let i = 0; i < count; i += 1) {
     audit.finite(polygon, `corner ${i}`, vertices[2 * i]! + vertices[2 * i + 1]!);
     audit.finite(polygon, `offset of edge ${i}`, offsets[i]!);

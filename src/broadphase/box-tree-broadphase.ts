@@ -1,7 +1,7 @@
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
-import { BOX, NONE, PackedTree } from './packed-tree.js';
+import { BOX, grown, NONE, PackedTree } from './packed-tree.js';
 
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
 const MARGIN = 0.1;
@@ -262,7 +262,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.boxCount += 1;
     if (at === this.boxes.length) {
       const { boxes } = this;
-      this.boxes = new Float64Array(2 * at);
+      this.boxes = new Float64Array(BOX * grown(this.boxCount));
       this.boxes.set(boxes);
     }
     return at;

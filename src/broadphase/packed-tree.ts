@@ -4,6 +4,11 @@ export const NONE = -1;
 /** Numbers per node in `boxes`. */
 export const BOX = 4;
 
+/** How many to make room for where there were so many: half as many again, as of twice as many a third is empty on the average. */
+export function grown(count: number): number {
+  return Math.ceil(1.5 * count);
+}
+
 /** Levels by which two subtrees may differ in height: more allows better trees, less makes the worst ones less high. */
 const MAX_LEAN = 4;
 
@@ -11,10 +16,10 @@ const MAX_LEAN = 4;
 const EARLY = 1 - 4 * Number.EPSILON;
 
 /**
- * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic
- * Bounding Volume Hierarchies", GDC 2019). On the way up every node exchanges a child for a grandchild where that makes a box smaller
- * (Kopta et al., "Fast, effective BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis
- * 1962). Nodes are numbered; freed numbers are reused.
+ * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding
+ * Volume Hierarchies", GDC 2019). On the way up every node exchanges a child for a grandchild where that makes a box smaller (Kopta et al., "Fast,
+ * effective BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis 1962). Nodes are numbered; freed
+ * numbers are reused. `margin`, m, is by how much leaves are larger on all sides.
  */
 export class PackedTree<T> {
   /** minX, minY, maxX, maxY of each node. */
@@ -40,7 +45,6 @@ export class PackedTree<T> {
   /** The box that is being inserted. */
   private readonly box = new Float64Array(BOX);
 
-  /** The boxes of leaves are larger than what they are given by a margin, m, on all sides. */
   constructor(private readonly margin: number) {}
 
   /** Number of levels above the leaves; 0 for one leaf and for none. */
@@ -245,12 +249,11 @@ export class PackedTree<T> {
   }
 
   private setBox(leaf: number, bounds: ArrayLike<number>): void {
-    const { margin } = this;
     const at = BOX * leaf;
-    this.boxes[at] = bounds[0]! - margin;
-    this.boxes[at + 1] = bounds[1]! - margin;
-    this.boxes[at + 2] = bounds[2]! + margin;
-    this.boxes[at + 3] = bounds[3]! + margin;
+    this.boxes[at] = bounds[0]! - this.margin;
+    this.boxes[at + 1] = bounds[1]! - this.margin;
+    this.boxes[at + 2] = bounds[2]! + this.margin;
+    this.boxes[at + 3] = bounds[3]! + this.margin;
   }
 
   private allocate(): number {
@@ -279,7 +282,7 @@ export class PackedTree<T> {
   }
 
   private grow(): void {
-    const size = this.left.length * 2;
+    const size = grown(this.left.length);
     const wider = (from: Int32Array): Int32Array<ArrayBuffer> => {
       const to = new Int32Array(size);
       to.set(from);

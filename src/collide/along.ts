@@ -1,4 +1,4 @@
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Shape } from '../shape/shape.js';
 import { setPoint } from './circles.js';
@@ -29,10 +29,11 @@ export function reachAlong(shape: Shape, along: Along, sign: number): void {
     along.found = nx * centreX + ny * centreY + radius;
     return;
   }
-  const { edges } = shape;
+  const { numbers: n, at, offsets } = shape;
+  const end = at + EDGES + EDGE_STRIDE * offsets.length;
   let most = -Infinity;
-  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
-    most = Math.max(most, nx * edges[k]! + ny * edges[k + 1]!);
+  for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
+    most = Math.max(most, nx * n[k]! + ny * n[k + 1]!);
   }
   along.found = most;
 }

@@ -1,5 +1,5 @@
 import { COINCIDENT, SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
@@ -62,14 +62,15 @@ export function collideCirclePolygon(a: Circle, b: Polygon, n: Float64Array, o: 
 function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: number): void {
   const cx = side * n[o + g.DX]! + b.centreX;
   const cy = side * n[o + g.DY]! + b.centreY;
-  const edges = a.edges;
+  const edges = a.numbers;
+  const from = a.at + EDGES;
   const offsets = a.offsets;
   const limit = b.radius + SPECULATIVE_MARGIN;
   n[o + g.COUNT] = 0;
   let separation = -Infinity;
   let best = 0;
   for (let i = 0; i < offsets.length; i += 1) {
-    const s = edges[EDGE_STRIDE * i + 2]! * cx + edges[EDGE_STRIDE * i + 3]! * cy - offsets[i]!;
+    const s = edges[from + EDGE_STRIDE * i + 2]! * cx + edges[from + EDGE_STRIDE * i + 3]! * cy - offsets[i]!;
     if (s > limit) {
       return;
     }
@@ -78,20 +79,20 @@ function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: num
       best = i;
     }
   }
-  let nx = edges[EDGE_STRIDE * best + 2]!;
-  let ny = edges[EDGE_STRIDE * best + 3]!;
+  let nx = edges[from + EDGE_STRIDE * best + 2]!;
+  let ny = edges[from + EDGE_STRIDE * best + 3]!;
   if (separation > 0) {
     const next = best + 1 === offsets.length ? 0 : best + 1;
     const along = nx * cy - ny * cx;
     const corner =
-      along < nx * edges[EDGE_STRIDE * best + 1]! - ny * edges[EDGE_STRIDE * best]!
+      along < nx * edges[from + EDGE_STRIDE * best + 1]! - ny * edges[from + EDGE_STRIDE * best]!
         ? best
-        : along > nx * edges[EDGE_STRIDE * next + 1]! - ny * edges[EDGE_STRIDE * next]!
+        : along > nx * edges[from + EDGE_STRIDE * next + 1]! - ny * edges[from + EDGE_STRIDE * next]!
           ? next
           : -1;
     if (corner >= 0) {
-      const vx = cx - edges[EDGE_STRIDE * corner]!;
-      const vy = cy - edges[EDGE_STRIDE * corner + 1]!;
+      const vx = cx - edges[from + EDGE_STRIDE * corner]!;
+      const vy = cy - edges[from + EDGE_STRIDE * corner + 1]!;
       const squared = vx * vx + vy * vy;
       if (squared > limit * limit) {
         return;

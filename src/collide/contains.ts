@@ -1,5 +1,5 @@
 import { CIRCLE_POINT_TOLERANCE, POLYGON_POINT_TOLERANCE } from '../config.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from './table.js';
@@ -20,11 +20,12 @@ export function containsPoint(shape: Shape, x: number, y: number): boolean {
 }
 
 /** Whether a placed polygon contains a point, given relative to the origin of its body, or is no farther from it than a tolerance beyond any edge. */
-export function polygonContains({ edges, offsets }: Polygon, point: Float64Array, tolerance: number): boolean {
+export function polygonContains({ numbers: n, at, offsets }: Polygon, point: Float64Array, tolerance: number): boolean {
   const x = point[0]!;
   const y = point[1]!;
   for (let i = 0; i < offsets.length; i += 1) {
-    const height = edges[EDGE_STRIDE * i + 2]! * x + edges[EDGE_STRIDE * i + 3]! * y - offsets[i]!;
+    const edge = at + EDGES + EDGE_STRIDE * i;
+    const height = n[edge + 2]! * x + n[edge + 3]! * y - offsets[i]!;
     if (height > tolerance) {
       return false;
     }

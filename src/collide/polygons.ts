@@ -1,5 +1,5 @@
 import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 import { faceChosen, keepsFace } from './manifold.js';
@@ -7,15 +7,21 @@ import { faceChosen, keepsFace } from './manifold.js';
 /** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
 const best = { separation: -Infinity, edge: 0 };
 
+/** Where the edges of a polygon end in its numbers. */
+function endOf({ at, offsets }: Polygon): number {
+  return at + EDGES + EDGE_STRIDE * offsets.length;
+}
+
 /** Whether Q lies beyond edge `i` of P, and not near it: min over Q's corners q of n · q − offset tells. `side` is 1 if P is A, else −1. */
 function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): boolean {
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
-  const edges = q.edges;
-  const nx = p.edges[EDGE_STRIDE * i + 2]!;
-  const ny = p.edges[EDGE_STRIDE * i + 3]!;
+  const edges = q.numbers;
+  const nx = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 2]!;
+  const ny = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 3]!;
+  const end = endOf(q);
   let least = Infinity;
-  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+  for (let k = q.at + EDGES; k < end; k += EDGE_STRIDE) {
     const s = nx * edges[k]! + ny * edges[k + 1]!;
     if (s < least) least = s;
   }
@@ -27,21 +33,23 @@ function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number,
  * with a likely edge, gives an edge up at the first corner that makes it no better, and stops at one that separates.
  */
 function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: number, likely: number): void {
-  const pe = p.edges;
-  const qe = q.edges;
+  const pe = p.numbers;
+  const qe = q.numbers;
+  const from = p.at + EDGES;
+  const first = q.at + EDGES;
+  const end = endOf(q);
   const offsets = p.offsets;
   const count = offsets.length;
-  const end = qe.length;
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
   let deepest = best.separation;
   let i = likely >= 0 && likely < count ? likely : 0;
   for (let tried = 0; tried < count; tried += 1) {
-    const nx = pe[EDGE_STRIDE * i + 2]!;
-    const ny = pe[EDGE_STRIDE * i + 3]!;
+    const nx = pe[from + EDGE_STRIDE * i + 2]!;
+    const ny = pe[from + EDGE_STRIDE * i + 3]!;
     const base = nx * ox + ny * oy - offsets[i]!;
     let least = Infinity;
-    for (let k = 0; k < end; k += EDGE_STRIDE) {
+    for (let k = first; k < end; k += EDGE_STRIDE) {
       const s = base + nx * qe[k]! + ny * qe[k + 1]!;
       if (s < least) {
         least = s;
@@ -60,17 +68,19 @@ function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: n
 
 /** The edge of Q that faces the direction `(nx, ny)` most squarely. */
 function opposedEdge(q: Polygon, nx: number, ny: number): number {
-  const edges = q.edges;
+  const edges = q.numbers;
+  const first = q.at + EDGES;
+  const end = endOf(q);
   let least = Infinity;
-  let found = 0;
-  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+  let found = first;
+  for (let k = first; k < end; k += EDGE_STRIDE) {
     const d = nx * edges[k + 2]! + ny * edges[k + 3]!;
     if (d < least) {
       least = d;
       found = k;
     }
   }
-  return found / EDGE_STRIDE;
+  return (found - first) / EDGE_STRIDE;
 }
 
 /**
@@ -158,7 +168,8 @@ export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o:
 
 /** Cosine between the normal of edge `i` and a direction. */
 function alignment(p: Polygon, i: number, nx: number, ny: number): number {
-  return p.edges[EDGE_STRIDE * i + 2]! * nx + p.edges[EDGE_STRIDE * i + 3]! * ny;
+  const at = p.at + EDGES + EDGE_STRIDE * i;
+  return p.numbers[at + 2]! * nx + p.numbers[at + 3]! * ny;
 }
 
 /** The axis that separated the shapes last time does so again. */
@@ -184,19 +195,21 @@ function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boole
 function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): void {
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
-  const pe = p.edges;
-  const qe = q.edges;
+  const pe = p.numbers;
+  const qe = q.numbers;
+  const from = p.at + EDGES;
+  const other = q.at + EDGES;
   const next = i + 1 === p.offsets.length ? 0 : i + 1;
-  const nx = pe[EDGE_STRIDE * i + 2]!;
-  const ny = pe[EDGE_STRIDE * i + 3]!;
+  const nx = pe[from + EDGE_STRIDE * i + 2]!;
+  const ny = pe[from + EDGE_STRIDE * i + 3]!;
   const j = opposedEdge(q, nx, ny);
   const after = j + 1 === q.offsets.length ? 0 : j + 1;
-  const v1 = nx * pe[EDGE_STRIDE * i + 1]! - ny * pe[EDGE_STRIDE * i]!;
-  const v2 = nx * pe[EDGE_STRIDE * next + 1]! - ny * pe[EDGE_STRIDE * next]!;
-  const x1 = qe[EDGE_STRIDE * j]! + ox;
-  const y1 = qe[EDGE_STRIDE * j + 1]! + oy;
-  const x2 = qe[EDGE_STRIDE * after]! + ox;
-  const y2 = qe[EDGE_STRIDE * after + 1]! + oy;
+  const v1 = nx * pe[from + EDGE_STRIDE * i + 1]! - ny * pe[from + EDGE_STRIDE * i]!;
+  const v2 = nx * pe[from + EDGE_STRIDE * next + 1]! - ny * pe[from + EDGE_STRIDE * next]!;
+  const x1 = qe[other + EDGE_STRIDE * j]! + ox;
+  const y1 = qe[other + EDGE_STRIDE * j + 1]! + oy;
+  const x2 = qe[other + EDGE_STRIDE * after]! + ox;
+  const y2 = qe[other + EDGE_STRIDE * after + 1]! + oy;
   const w1 = nx * y1 - ny * x1;
   const w2 = nx * y2 - ny * x2;
   const d1 = nx * x1 + ny * y1 - p.offsets[i]!;

@@ -1,4 +1,4 @@
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
@@ -25,15 +25,15 @@ export function rayShape(shape: Shape, ray: RayTest): boolean {
 }
 
 /** Clips the ray to the half-planes of the edges: it is inside from the last one that it enters to the first that it leaves (Cyrus & Beck 1978). */
-function rayPolygon({ edges, offsets }: Polygon, ray: RayTest): boolean {
+function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean {
   const { ox, oy, dx, dy } = ray;
   let enter = -Infinity;
   let leave = Infinity;
   let entered = 0;
   let left = 0;
   for (let i = 0; i < offsets.length; i += 1) {
-    const nx = edges[EDGE_STRIDE * i + 2]!;
-    const ny = edges[EDGE_STRIDE * i + 3]!;
+    const nx = n[at + EDGES + EDGE_STRIDE * i + 2]!;
+    const ny = n[at + EDGES + EDGE_STRIDE * i + 3]!;
     const height = nx * ox + ny * oy - offsets[i]!;
     const rate = nx * dx + ny * dy;
     if (rate === 0) {
@@ -54,9 +54,9 @@ function rayPolygon({ edges, offsets }: Polygon, ray: RayTest): boolean {
     return false;
   }
   const outer = enter >= 0;
-  const edge = EDGE_STRIDE * (outer ? entered : left);
+  const edge = at + EDGES + EDGE_STRIDE * (outer ? entered : left);
   const side = outer ? 1 : -1;
-  return accept(ray, outer, outer ? enter : leave, side * edges[edge + 2]!, side * edges[edge + 3]!);
+  return accept(ray, outer, outer ? enter : leave, side * n[edge + 2]!, side * n[edge + 3]!);
 }
 
 /** The ray is nearest to the centre at `middle`; the surface lies as far before and behind that as the chord is long. */

@@ -30,12 +30,14 @@ export class Crowd {
     if (shape.arbiters.length >= CROWD) {
       return;
     }
-    if (shape.partners.length === 0) {
+    shape.partners ??= [];
+    const { partners } = shape;
+    if (partners.length === 0) {
       this.shapes.add(shape);
     }
-    shape.partners.push(partner);
-    if (shape.partners.length >= 2 * CROWD) {
-      keepFirst(shape);
+    partners.push(partner);
+    if (partners.length >= 2 * CROWD) {
+      keepFirst(partners, shape);
     }
   }
 
@@ -43,15 +45,16 @@ export class Crowd {
   drainTo(pairs: Noting): void {
     for (let i = 0; i < this.shapes.count; i += 1) {
       const shape = this.shapes.items[i]!;
-      keepFirst(shape);
-      for (const partner of shape.partners) {
+      const partners = shape.partners!;
+      keepFirst(partners, shape);
+      for (const partner of partners) {
         if (shape.id < partner.id) {
           pairs.note(shape, partner);
         } else {
           pairs.note(partner, shape);
         }
       }
-      shape.partners.length = 0;
+      partners.length = 0;
     }
     this.shapes.clear();
   }
@@ -70,13 +73,13 @@ function isCrowding(a: Shape, b: Shape): boolean {
   );
 }
 
-function reaches({ bounds: a }: Shape, { bounds: b }: Shape): boolean {
-  const x = 0.5 * (b[0]! + b[2]!);
-  const y = 0.5 * (b[1]! + b[3]!);
-  return a[0]! <= x && x <= a[2]! && a[1]! <= y && y <= a[3]!;
+function reaches({ numbers: a, at: i }: Shape, { numbers: b, at: j }: Shape): boolean {
+  const x = 0.5 * (b[j]! + b[j + 2]!);
+  const y = 0.5 * (b[j + 1]! + b[j + 3]!);
+  return a[i]! <= x && x <= a[i + 2]! && a[i + 1]! <= y && y <= a[i + 3]!;
 }
 
-function keepFirst({ partners, arbiters }: Shape): void {
+function keepFirst(partners: Shape[], { arbiters }: Shape): void {
   sortFirst(partners, partners.length, hasLowerId);
   partners.length = Math.min(partners.length, CROWD - arbiters.length);
 }

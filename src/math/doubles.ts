@@ -13,7 +13,7 @@ export class Slab {
   /** Takes room for so many numbers, zero. @returns where it begins in `numbers`. */
   take(count: number): number {
     if (this.end + count > this.numbers.length) {
-      this.numbers = new Float64Array(SLAB);
+      this.numbers = new Float64Array(Math.max(count, SLAB));
       this.end = 0;
     }
     const start = this.end;

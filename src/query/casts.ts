@@ -9,7 +9,7 @@ import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
-import { near } from './queries.js';
+import { boundsOf, near } from './queries.js';
 
 /** What a cast hit. */
 export interface CastResult {
@@ -154,7 +154,7 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   for (let i = 0; i < candidates.length; i += 1) {
     const other = candidates[i]!;
     const { owner } = other;
-    if (owner === body || !mayMeet(start, sweep.a, other.bounds, limit)) {
+    if (owner === body || !mayMeet(start, sweep.a, other, limit)) {
       continue;
     }
     sweep.b.stand(other, owner!, body);
@@ -181,13 +181,13 @@ let spareSweep: Sweep | null = null;
  * Whether bounds that move as a body does may meet others within a time. Seen from the others, a point starts at 0 and goes along v; it
  * has to reach the rectangle of the differences of both. The axes that can separate them are x, y and across v.
  */
-function mayMeet(start: RectLike, { vx, vy }: Travel, bounds: RectLike, limit: number): boolean {
+function mayMeet(start: RectLike, { vx, vy }: Travel, { numbers: n, at }: Shape, limit: number): boolean {
   // As for the bounds in the broadphase: more than shapes may be apart when a cast ends, and than rounding can make of it.
   const slack = SPECULATIVE_MARGIN / 2;
-  const minX = bounds[0]! - start[2]! - slack;
-  const minY = bounds[1]! - start[3]! - slack;
-  const maxX = bounds[2]! - start[0]! + slack;
-  const maxY = bounds[3]! - start[1]! + slack;
+  const minX = n[at]! - start[2]! - slack;
+  const minY = n[at + 1]! - start[3]! - slack;
+  const maxX = n[at + 2]! - start[0]! + slack;
+  const maxY = n[at + 3]! - start[1]! + slack;
   const x = vx * limit;
   const y = vy * limit;
   if (Math.min(x, 0) > maxX || Math.max(x, 0) < minX || Math.min(y, 0) > maxY || Math.max(y, 0) < minY) {
@@ -210,9 +210,8 @@ function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor:
 function startBounds(shape: Shape): number[] {
   const body = shape.owner!;
   body.place();
-  const { bounds } = shape;
   if (body.w === 0) {
-    return [bounds[0]!, bounds[1]!, bounds[2]!, bounds[3]!];
+    return boundsOf(shape);
   }
   const reach = shape.reach();
   return [body.x - reach, body.y - reach, body.x + reach, body.y + reach];

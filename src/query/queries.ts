@@ -21,6 +21,11 @@ export function near(world: World, bounds: RectLike): Shape[] {
   return found;
 }
 
+/** [minX, minY, maxX, maxY] of a shape as it is placed. */
+export function boundsOf({ numbers: n, at }: Shape): number[] {
+  return [n[at]!, n[at + 1]!, n[at + 2]!, n[at + 3]!];
+}
+
 /** Writes what was found to the start of `store`. @returns how many. */
 export function put<T>(found: readonly T[], store: T[]): number {
   found.forEach((item, i) => {
@@ -59,13 +64,13 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
     Math.max(rectangle[1]!, rectangle[3]!),
   ];
   return near(world, bounds).filter((shape) => {
-    const { owner, bounds: around } = shape;
+    const { owner, numbers: n, at } = shape;
     const { x, y } = owner!;
     // Of a rectangle that may be infinite only what is near the shape counts.
-    const minX = Math.max(bounds[0]!, around[0]! - 1);
-    const minY = Math.max(bounds[1]!, around[1]! - 1);
-    const maxX = Math.min(bounds[2]!, around[2]! + 1);
-    const maxY = Math.min(bounds[3]!, around[3]! + 1);
+    const minX = Math.max(bounds[0]!, n[at]! - 1);
+    const minY = Math.max(bounds[1]!, n[at + 1]! - 1);
+    const maxX = Math.min(bounds[2]!, n[at + 2]! + 1);
+    const maxY = Math.min(bounds[3]!, n[at + 3]! + 1);
     if (minX > maxX || minY > maxY) {
       return false;
     }
@@ -79,7 +84,7 @@ export function shapesMeeting(world: World, shape: Shape): Shape[] {
   const body = shape.owner!;
   body.place();
   shape.outline(own.put(0, 0, body.cos, body.sin));
-  return near(world, shape.bounds).filter((found) => found.owner !== body && meets(found, body.x, body.y));
+  return near(world, boundsOf(shape)).filter((found) => found.owner !== body && meets(found, body.x, body.y));
 }
 
 /** Whether a shape meets the outline in `own`, which is given relative to `(x, y)`; touching counts. */

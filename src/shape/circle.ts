@@ -1,5 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { MAX_SIZE } from '../config.js';
+import { BOUNDS } from '../geometry/layout.js';
 import type { Outline } from '../geometry/outline.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options, positive, vector, within } from '../validate.js';
@@ -40,7 +41,7 @@ export class Circle extends BaseShape {
     const given = options(where, params, true);
     const radius = checkedRadius(where, given.radius);
     const origin = given.origin === undefined ? [0, 0] : vector(where, 'origin', given.origin, 2, MAX_SIZE);
-    super(where, given);
+    super(where, given, BOUNDS);
     this.radius = radius;
     this.originX = origin[0]!;
     this.originY = origin[1]!;
@@ -105,11 +106,11 @@ export class Circle extends BaseShape {
     const cy = s * this.originX + c * this.originY;
     this.centreX = cx;
     this.centreY = cy;
-    const bounds = this.bounds;
-    bounds[0] = x + cx - this.radius;
-    bounds[1] = y + cy - this.radius;
-    bounds[2] = x + cx + this.radius;
-    bounds[3] = y + cy + this.radius;
+    const { numbers: n, at: o } = this;
+    n[o] = x + cx - this.radius;
+    n[o + 1] = y + cy - this.radius;
+    n[o + 2] = x + cx + this.radius;
+    n[o + 3] = y + cy + this.radius;
   }
 
   /** @internal */

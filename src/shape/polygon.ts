@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { MAX_SIZE } from '../config.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
 import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
@@ -84,8 +84,6 @@ export class Polygon extends BaseShape {
   vertices: Float64Array;
   /** @internal [x, y, nx, ny] per corner, body coordinates */
   localEdges: Float64Array;
-  /** @internal the same, turned with the body, relative to the body origin */
-  edges: Float64Array;
   /** @internal n · p of each edge; a turn does not change it */
   offsets: Float64Array;
 
@@ -99,11 +97,10 @@ export class Polygon extends BaseShape {
     const where = 'createPolygonShape';
     const given = options(where, params, true);
     const vertices = convexVertices(where, 'vertices', given.vertices);
-    super(where, given);
+    super(where, given, EDGES + vertices.length * 2);
     const form = formOf(vertices);
     this.vertices = form.vertices;
     this.localEdges = form.localEdges;
-    this.edges = doubles(vertices.length * 2);
     this.offsets = form.offsets;
   }
 
@@ -119,8 +116,8 @@ export class Polygon extends BaseShape {
   /** @internal */
   takeVertices(checked: ArrayLike<number>): void {
     const { vertices, localEdges, offsets } = formOf(checked);
-    if (localEdges.length !== this.edges.length) {
-      this.edges = doubles(localEdges.length);
+    if (localEdges.length !== this.localEdges.length) {
+      this.resize(EDGES + localEdges.length);
     }
     this.vertices = vertices;
     this.localEdges = localEdges;
@@ -157,7 +154,7 @@ export class Polygon extends BaseShape {
   override place(body: RigidBody): void {
     const { x, y, cos: c, sin: s } = body;
     const local = this.localEdges;
-    const edges = this.edges;
+    const { numbers: n, at: o } = this;
     let minX = Infinity;
     let minY = Infinity;
     let maxX = -Infinity;
@@ -169,20 +166,20 @@ export class Polygon extends BaseShape {
       const py = s * lx + c * ly;
       const nx = local[i + 2]!;
       const ny = local[i + 3]!;
-      edges[i] = px;
-      edges[i + 1] = py;
-      edges[i + 2] = c * nx - s * ny;
-      edges[i + 3] = s * nx + c * ny;
+      const to = o + EDGES + i;
+      n[to] = px;
+      n[to + 1] = py;
+      n[to + 2] = c * nx - s * ny;
+      n[to + 3] = s * nx + c * ny;
       if (px < minX) minX = px;
       if (px > maxX) maxX = px;
       if (py < minY) minY = py;
       if (py > maxY) maxY = py;
     }
-    const bounds = this.bounds;
-    bounds[0] = x + minX;
-    bounds[1] = y + minY;
-    bounds[2] = x + maxX;
-    bounds[3] = y + maxY;
+    n[o] = x + minX;
+    n[o + 1] = y + minY;
+    n[o + 2] = x + maxX;
+    n[o + 3] = y + maxY;
   }
 
   /** @internal */

@@ -6,7 +6,7 @@ import type { Hit } from '../contact/hit.js';
 import type { Outline } from '../geometry/outline.js';
 import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
-import { doubles } from '../math/doubles.js';
+import { Slab } from '../math/doubles.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import type { UserDataOf } from '../user-data.js';
@@ -59,6 +59,9 @@ export type ShapeKind = 0 | 1;
 
 let nextId = 0;
 
+/** The numbers of shapes. */
+const slab = /* @__PURE__ */ new Slab();
+
 /**
  * A convex piece of a body: where it collides, what it is made of, what it meets. Coordinates are those of the body.
  * After every change of geometry or material the body's mass and inertia follow, unless they were given.
@@ -80,7 +83,7 @@ export abstract class BaseShape {
   abstract readonly kind: ShapeKind;
   /** @internal */
   material: Material;
-  /** @internal */
+  /** @internal of 32 bits with a sign, as it is compared */
   group: number;
   /** @internal */
   mask: number;
@@ -89,7 +92,7 @@ export abstract class BaseShape {
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
   /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
-  readonly partners: Shape[] = [];
+  partners: Shape[] | null = null;
   /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
@@ -104,21 +107,31 @@ export abstract class BaseShape {
   groundStamp = -1;
   /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
   radius = 0;
-  /** @internal world bounds [minX, minY, maxX, maxY]; right after `place` */
-  readonly bounds = doubles(4);
+  /** @internal the slab with what follows the placement of the body, see `geometry/layout.ts` */
+  numbers: Float64Array;
+  /** @internal where in that it begins */
+  at: number;
 
   /** @internal */
-  constructor(where: string, params: Partial<ShapeParams>) {
+  constructor(where: string, params: Partial<ShapeParams>, count: number) {
     this.sensor = boolean(where, 'sensor', optional(params.sensor, false));
     this.material =
       params.material === undefined
         ? DEFAULT_MATERIAL
         : instance(where, 'material', params.material, Material, 'a Material');
-    this.group = bits(where, 'group', optional(params.group, 1));
-    this.mask = bits(where, 'mask', optional(params.mask, 0xffffffff));
+    this.group = bits(where, 'group', optional(params.group, 1)) | 0;
+    this.mask = bits(where, 'mask', optional(params.mask, 0xffffffff)) | 0;
     this.userData = params.userData === undefined ? null : params.userData;
+    this.at = slab.take(count);
+    this.numbers = slab.numbers;
     this.id = nextId;
     nextId += 1;
+  }
+
+  /** @internal takes room for another count of numbers */
+  protected resize(count: number): void {
+    this.at = slab.take(count);
+    this.numbers = slab.numbers;
   }
 
   /** The body this shape is attached to, or `null`. */
@@ -128,23 +141,23 @@ export abstract class BaseShape {
 
   /** Bits that the masks of others are compared with. */
   getGroup(): number {
-    return this.group;
+    return this.group >>> 0;
   }
 
   /** Sets the bits that say what this shape is. Wakes the body; if that is static, what rests on it. */
   setGroup(group: number): void {
-    this.group = bits('Shape.setGroup', 'group', group);
+    this.group = bits('Shape.setGroup', 'group', group) | 0;
     this.owner?.rouse();
   }
 
   /** Which groups it meets. */
   getMask(): number {
-    return this.mask;
+    return this.mask >>> 0;
   }
 
   /** Sets the bits of the groups that this shape meets. Wakes as `setGroup` does. */
   setMask(mask: number): void {
-    this.mask = bits('Shape.setMask', 'mask', mask);
+    this.mask = bits('Shape.setMask', 'mask', mask) | 0;
     this.owner?.rouse();
   }
 
@@ -314,8 +327,8 @@ export abstract class BaseShape {
     return {
       sensor: this.sensor,
       material: this.material,
-      group: this.group,
-      mask: this.mask,
+      group: this.getGroup(),
+      mask: this.getMask(),
       userData: this.userData,
     };
   }

@@ -82,11 +82,11 @@ function listWays(movers: Movers): boolean {
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
   for (let i = 0; i < body.shapes.length; i += 1) {
-    const { bounds: start, sensor } = body.shapes[i]!;
-    bounds[0] = start[0]! - reach;
-    bounds[1] = start[1]! - reach;
-    bounds[2] = start[2]! + reach;
-    bounds[3] = start[3]! + reach;
+    const { numbers: n, at, sensor } = body.shapes[i]!;
+    bounds[0] = n[at]! - reach;
+    bounds[1] = n[at + 1]! - reach;
+    bounds[2] = n[at + 2]! + reach;
+    bounds[3] = n[at + 3]! + reach;
     if (sensor || comesNear(world.movers) || findNearby(world, bounds, false) > 0) {
       return false;
     }

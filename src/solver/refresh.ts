@@ -6,11 +6,11 @@ const bounds = new Float64Array(4);
 
 /** The bounds of a shape for the broadphase: two shapes within the speculative margin overlap. Dead after the next call. */
 export function widened(shape: Shape): Float64Array {
-  const tight = shape.bounds;
-  bounds[0] = tight[0]! - SPECULATIVE_MARGIN / 2;
-  bounds[1] = tight[1]! - SPECULATIVE_MARGIN / 2;
-  bounds[2] = tight[2]! + SPECULATIVE_MARGIN / 2;
-  bounds[3] = tight[3]! + SPECULATIVE_MARGIN / 2;
+  const { numbers: n, at } = shape;
+  bounds[0] = n[at]! - SPECULATIVE_MARGIN / 2;
+  bounds[1] = n[at + 1]! - SPECULATIVE_MARGIN / 2;
+  bounds[2] = n[at + 2]! + SPECULATIVE_MARGIN / 2;
+  bounds[3] = n[at + 3]! + SPECULATIVE_MARGIN / 2;
   return bounds;
 }
 

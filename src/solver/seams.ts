@@ -6,7 +6,7 @@ import { POLYGON } from '../collide/table.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { touch, touchAlong } from '../contact/touch.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
@@ -146,8 +146,9 @@ function findFace(pair: Arbiter): void {
   up.x = sign * n[o + g.NX]!;
   up.y = sign * n[o + g.NY]!;
   if (ground.kind === POLYGON && dynamicOf(pair).kind === POLYGON) {
-    const { edges } = ground as Polygon;
-    for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+    const { numbers: edges, at, offsets } = ground as Polygon;
+    const end = at + EDGES + EDGE_STRIDE * offsets.length;
+    for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
       if (edges[k + 2]! * up.x + edges[k + 3]! * up.y > FACE_ALIGNMENT) {
         up.x = edges[k + 2]!;
         up.y = edges[k + 3]!;
@@ -194,10 +195,11 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
 
 /** Finds a face of a ground that a shape reaches no deeper below than that, and that near `point` is not within another ground. */
 function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polygon): boolean {
-  const { edges } = ground;
+  const { numbers: edges, at, offsets } = ground;
+  const end = at + EDGES + EDGE_STRIDE * offsets.length;
   up.dx = shape.owner!.x - ground.owner!.x;
   up.dy = shape.owner!.y - ground.owner!.y;
-  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+  for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
     separationAlong(ground, shape, up);
@@ -230,8 +232,9 @@ function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygo
 
 /** Whether an edge of a ground, from its end near `point` on, is not within another polygon. */
 function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
-  const { edges } = ground;
-  const next = edge + EDGE_STRIDE === edges.length ? 0 : edge + EDGE_STRIDE;
+  const { numbers: edges, at, offsets } = ground;
+  const first = at + EDGES;
+  const next = edge + EDGE_STRIDE === first + EDGE_STRIDE * offsets.length ? first : edge + EDGE_STRIDE;
   const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
   const way = isNext ? -OPEN_WAY : OPEN_WAY;

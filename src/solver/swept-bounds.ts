@@ -1,6 +1,6 @@
 import { POLYGON } from '../collide/table.js';
 import { SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { Mover } from './movers.js';
@@ -8,25 +8,25 @@ import type { Mover } from './movers.js';
 // Shapes are placed where the step began; from there their bodies go straight on and turn.
 
 /** Writes the bounds of all places that a shape can have on the way of its body. */
-export function sweepBounds({ body, dx, dy, turn }: Mover, { bounds: start }: Shape, out: Float64Array): void {
+export function sweepBounds({ body, dx, dy, turn }: Mover, { numbers: n, at }: Shape, out: Float64Array): void {
   const swing = Math.abs(turn) * body.radius;
-  out[0] = start[0]! + Math.min(dx, 0) - swing;
-  out[1] = start[1]! + Math.min(dy, 0) - swing;
-  out[2] = start[2]! + Math.max(dx, 0) + swing;
-  out[3] = start[3]! + Math.max(dy, 0) + swing;
+  out[0] = n[at]! + Math.min(dx, 0) - swing;
+  out[1] = n[at + 1]! + Math.min(dy, 0) - swing;
+  out[2] = n[at + 2]! + Math.max(dx, 0) + swing;
+  out[3] = n[at + 3]! + Math.max(dy, 0) + swing;
 }
 
 /**
  * Whether the bounds of two shapes may meet at one time. Seen from B, a point starts at 0 and goes along v; it has to reach the rectangle of the
  * differences of both. The axes that can separate them are x, y and across v.
  */
-export function mayMeet(one: Mover, { bounds: a }: Shape, two: Mover, { bounds: b }: Shape): boolean {
+export function mayMeet(one: Mover, { numbers: a, at: i }: Shape, two: Mover, { numbers: b, at: j }: Shape): boolean {
   // As for the bounds in the broadphase: more than shapes may be apart when they meet, and than rounding can make of it.
   const slack = Math.abs(one.turn) * one.body.radius + Math.abs(two.turn) * two.body.radius + SPECULATIVE_MARGIN / 2;
-  const minX = b[0]! - a[2]! - slack;
-  const minY = b[1]! - a[3]! - slack;
-  const maxX = b[2]! - a[0]! + slack;
-  const maxY = b[3]! - a[1]! + slack;
+  const minX = b[j]! - a[i + 2]! - slack;
+  const minY = b[j + 1]! - a[i + 3]! - slack;
+  const maxX = b[j + 2]! - a[i]! + slack;
+  const maxY = b[j + 3]! - a[i + 1]! + slack;
   const x = one.dx - two.dx;
   const y = one.dy - two.dy;
   if (Math.min(x, 0) > maxX || Math.max(x, 0) < minX || Math.min(y, 0) > maxY || Math.max(y, 0) < minY) {
@@ -37,15 +37,15 @@ export function mayMeet(one: Mover, { bounds: a }: Shape, two: Mover, { bounds: 
 }
 
 /** Writes the bounds of all places that a shape without a mover can have in this step, also if contacts that were foreseen had not turned it. */
-export function widenBounds({ owner, bounds: start }: Shape, ahead: boolean, out: Float64Array): void {
+export function widenBounds({ owner, numbers: n, at }: Shape, ahead: boolean, out: Float64Array): void {
   const { lastDx, lastDy, lastTurn, turnAhead, radius } = owner!;
   const reach = ahead
     ? SPECULATIVE_MARGIN / 2
     : Math.abs(lastDx) + Math.abs(lastDy) + (Math.abs(lastTurn) + Math.abs(turnAhead)) * radius;
-  out[0] = start[0]! - reach;
-  out[1] = start[1]! - reach;
-  out[2] = start[2]! + reach;
-  out[3] = start[3]! + reach;
+  out[0] = n[at]! - reach;
+  out[1] = n[at + 1]! - reach;
+  out[2] = n[at + 2]! + reach;
+  out[3] = n[at + 3]! + reach;
 }
 
 /** Whether bounds lie beyond an edge of a polygon for as long as that is on its way: a long one that is turned has bounds that are much larger. */
@@ -54,13 +54,14 @@ export function isBeyondEdge(mover: Mover, shape: Shape, bounds: Float64Array): 
     return false;
   }
   const { body, dx, dy } = mover;
-  const { edges } = shape as Polygon;
+  const { numbers: edges, at, offsets } = shape as Polygon;
+  const end = at + EDGES + EDGE_STRIDE * offsets.length;
   const slack = Math.abs(mover.turn) * body.radius + SPECULATIVE_MARGIN / 2;
   const x = 0.5 * (bounds[0]! + bounds[2]!) - mover.startX;
   const y = 0.5 * (bounds[1]! + bounds[3]!) - mover.startY;
   const halfX = 0.5 * (bounds[2]! - bounds[0]!);
   const halfY = 0.5 * (bounds[3]! - bounds[1]!);
-  for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
+  for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     const nx = edges[k + 2]!;
     const ny = edges[k + 3]!;
     const height = nx * (x - edges[k]!) + ny * (y - edges[k + 1]!) - Math.abs(nx) * halfX - Math.abs(ny) * halfY;

@@ -123,8 +123,8 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
   const polygon = shape.kind === 0 ? null : shape;
   if (tape.writes) {
     integers[0] = polygon === null ? 1 : polygon.geometryStamp;
-    n[0] = shape.group;
-    n[1] = shape.mask;
+    n[0] = shape.getGroup();
+    n[1] = shape.getMask();
     n[2] = shape.entered;
     n[3] = circle === null ? 1 : circle.radius;
     n[4] = circle === null ? 0 : circle.originX;
@@ -135,8 +135,8 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
   const [radius, x, y] = [n[3]!, n[4]!, n[5]!];
   tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && Math.max(radius, Math.abs(x), Math.abs(y)) <= MAX_SIZE);
   if (tape.takes) {
-    shape.group = group;
-    shape.mask = mask;
+    shape.group = group | 0;
+    shape.mask = mask | 0;
     shape.entered = entered;
   }
   if (polygon !== null) {

@@ -54,6 +54,16 @@ describe('sleeping and waking', () => {
     expect(seen).toEqual({ wake: 0, sleep: 1 });
   });
 
+  it('C-147 a body without shapes is at rest only if it does not turn either', () => {
+    const world = weightless();
+    const [still, turning] = [0, 1].map((angularVelocity) =>
+      phys2D.createRigidBody({ mass: 1, inertia: 1, angularVelocity, angularDrag: 0 }),
+    );
+    add(world, still!, turning!);
+    steps(world, 100);
+    expect([still!.sleeping, turning!.sleeping]).toEqual([true, false]);
+  });
+
   it('C-148 falling asleep ends all motion', () => {
     const { world, body } = resting(ground('static'));
     expect(body.getVelocity()).toEqual([0, 0]);
@@ -128,6 +138,24 @@ describe('sleeping and waking', () => {
     steps(world, 1);
     expect(bodies.map((body) => body.sleeping)).toEqual([false, false]);
     expect(seen.map((events) => events.wake)).toEqual([1, 1]);
+  });
+
+  it('C-152 bodies put to sleep one by one wake with what lies on them, whichever was made first', () => {
+    for (const lowerFirst of [true, false]) {
+      const world = heavy();
+      addFloor(world);
+      const bodies = [0, 1].map(() => boxBody(1, 1));
+      const [lower, upper] = lowerFirst ? [bodies[0]!, bodies[1]!] : [bodies[1]!, bodies[0]!];
+      upper.setPosition([0, -1]);
+      add(world, ...bodies);
+      steps(world, 5);
+      upper.sleep();
+      lower.sleep();
+      steps(world, 1);
+      expect([lower.sleeping, upper.sleeping]).toEqual([true, true]);
+      lower.setVelocity([1, 0]);
+      expect([lower.sleeping, upper.sleeping]).toEqual([false, false]);
+    }
   });
 
   it('C-153 a body falls when its support is removed', () => {

@@ -474,6 +474,34 @@ describe('17 Constraints: kinds', () => {
     near(held.getImpulseForBody(body)[1], -2, 1e-9);
   });
 
+  it('C-204 CUSTOM: velocityClamp is shown the impulse of the whole step, and limits that, in however many sub-steps', () => {
+    for (const substeps of [1, 4]) {
+      const world = heavy({ gravity: [0, 6], substeps, velocityIterations: 8 });
+      const body = addPlain(world);
+      let shown = 0;
+      let most = 1;
+      const held = phys2D.createCustomConstraint({
+        dimension: 1,
+        bodies: [body],
+        jacobian(data, index) {
+          data[index + 1] = 1;
+        },
+        velocityClamp(data, index) {
+          shown = data[index]!;
+          data[index] = Math.max(-most, shown);
+        },
+      });
+      tie(world, held);
+      steps(world, 10);
+      near(shown, -6 / 60, 1e-9);
+      near(body.getVelocity(), [0, 0], 1e-9);
+      most = 0.04;
+      steps(world, 10);
+      near(held.getImpulseForBody(body)[1], -most, 1e-9);
+      near(body.getVelocity(), [0, 10 * (6 / 60 - most)], 1e-9);
+    }
+  });
+
   it('C-204 CUSTOM: the same totals with sub-steps', () => {
     const world = weightless();
     const body = addPlain(world);

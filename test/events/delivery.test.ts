@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
-import { phys2D, type RigidBody, type Shape } from '../../src/index.js';
+import { Arbiter, Hit, phys2D, type RigidBody, type Shape } from '../../src/index.js';
 import { add, addFloor, boxBody, DT, disc, heavy, plainBody, steps, tie, weightless } from '../conformance/setting.js';
 
 // In what order handlers are called, and what they may do meanwhile.
@@ -142,6 +142,34 @@ describe('order', () => {
     expect(log).toEqual(['0 end', '1 end', '2 end', '3 end', 'wake']);
   });
 
+  it('of what wakes and falls asleep is that of first shapes, and bodies without any come before', () => {
+    const world = weightless();
+    const log: string[] = [];
+    const shapes = [0, 1, 2].map(() => disc(0.5));
+    const bodies = [2, 0, -1, 1].map((first, i) =>
+      plainBody({ shapes: first < 0 ? [] : [shapes[first]!], position: [0, 5 * i], sleeping: true }),
+    );
+    ['third', 'first', 'bare', 'second'].forEach((name, i) => {
+      for (const type of ['wake', 'sleep'] as const) {
+        bodies[i]!.addEventListener(type, () => log.push(`${name} ${type}`));
+      }
+    });
+    add(world, ...bodies);
+    for (const body of bodies) {
+      body.sleep();
+    }
+    steps(world, 1);
+    log.length = 0;
+    for (const body of bodies) {
+      body.setVelocity([1e-3, 0]);
+    }
+    steps(world, 1);
+    expect(log).toEqual(['bare wake', 'first wake', 'second wake', 'third wake']);
+    log.length = 0;
+    steps(world, 100);
+    expect(log).toEqual(['bare sleep', 'first sleep', 'second sleep', 'third sleep']);
+  });
+
   it('an end may be followed by a begin of the same step, if the surfaces met within it', () => {
     const world = weightless();
     const a = plainBody();
@@ -207,6 +235,47 @@ describe('handlers', () => {
       }
     });
   }
+
+  it.each(ALL)('of %s are called on their object, with what is promised and no more', (type) => {
+    const { a, b, world, prepare } = about(type);
+    const calls: unknown[][] = [];
+    on(a, type, function (this: unknown, ...given: unknown[]): void {
+      calls.push([this, ...given]);
+    });
+    prepare();
+    steps(world, 1);
+    const [own, arbiter, other, hit, ...rest] = calls[0]!;
+    if (type === 'wake' || type === 'sleep') {
+      expect(calls[0]).toHaveLength(1);
+      expect(own).toBe(a);
+      return;
+    }
+    expect(calls[0]).toHaveLength(type === 'hit' ? 4 : 3);
+    expect([own, other]).toEqual([a.shapes[0], b.shapes[0]]);
+    expect(arbiter).toBeInstanceOf(Arbiter);
+    expect(rest).toEqual([]);
+    expect(hit instanceof Hit).toBe(type === 'hit');
+  });
+
+  it('of wake are not called for a body that has left the world by then', () => {
+    const [first, second] = [weightless(), weightless()];
+    const body = plainBody();
+    const log: string[] = [];
+    add(first, body);
+    body.sleep();
+    steps(first, 1);
+    body.addEventListener('wake', () => log.push('wake'));
+    const move = (): void => body.setVelocity([body.getVelocity()[0] + 1, 0]);
+    move();
+    first.removeRigidBody(body);
+    add(second, body);
+    steps(first, 1);
+    expect(log).toEqual([]);
+    body.sleep();
+    move();
+    steps(second, 1);
+    expect(log).toEqual(['wake']);
+  });
 
   it('the first exception reaches the caller, every handler is called, once', () => {
     const world = weightless();

@@ -1,6 +1,8 @@
 import { expect, it } from 'vitest';
-import { Notes } from '../../src/events/notes.js';
+import { Note, Notes } from '../../src/events/notes.js';
+import { phys2D } from '../../src/index.js';
 import { BEGIN } from '../../src/listeners.js';
+import { disc } from '../conformance/setting.js';
 
 const PAIRS = [
   [3, 4],
@@ -53,4 +55,15 @@ it('notes of the same ids stay as they came, and what was used before is not amo
     [7, 1],
     [8, 1],
   ]);
+});
+
+it('what is cleared holds on to nothing', () => {
+  const notes = new Notes(BEGIN);
+  const note = notes.add(0, 0);
+  const [own, other] = [disc(1), disc(1)];
+  own.addEventListener('begin', () => {});
+  Object.assign(note, { own, other, listeners: own.listeners, otherListeners: own.listeners });
+  note.body = phys2D.createRigidBody({ shapes: [own] });
+  notes.clear();
+  expect(note).toEqual(new Note());
 });

@@ -4,11 +4,9 @@ import type { Shape } from '../../src/index.js';
 import { Chance, formOf, randomShape } from './forms.js';
 import { exactDistance, type Form, gapAlong, signedDistance } from './reference.js';
 
-// Measures random pairs of outlines and compares with the references: `random-pairs.ts <pairs> <seed>`; distance.test.ts
-// bundles and runs it. Prints one line of JSON.
+// Measures random pairs of outlines and compares with the references, for distance.test.ts and many.test.ts.
 
-const [pairs, seed] = process.argv.slice(2).map(Number) as [number, number];
-const chance = new Chance(seed);
+let chance = new Chance(1);
 const a = new Outline();
 const b = new Outline();
 const out = new Distance();
@@ -17,8 +15,8 @@ const out = new Distance();
 const EXACT_SHARE = 100;
 
 /** The worst of each kind of error, relative to the extent of the pair, and the pair's number. */
-const worst: Record<string, { error: number; pair: string }> = {};
-const counts: Record<string, number> = { exact: 0, apart: 0, overlapping: 0, touching: 0 };
+let worst: Record<string, { error: number; pair: string }> = {};
+let counts: Record<string, number> = {};
 
 function note(kind: string, error: number, pair: string): void {
   const seen = worst[kind];
@@ -134,22 +132,28 @@ function check(p: Placed, q: Placed, pair: string, exactly: boolean): void {
   note('witness B', outside(bx, by, formB) / size, pair);
 }
 
-const pool = Array.from({ length: 20_000 }, () => {
-  const size = chance.size(0.01, 30);
-  return { shape: randomShape(chance, size), size };
-});
-for (let i = 0; i < pairs; i += 1) {
-  const first = pool[chance.index(pool.length)]!;
-  const second = pool[chance.index(pool.length)]!;
-  const size = Math.max(first.size, second.size);
-  const [p, q] = [first, second].map(({ shape }) => ({
-    shape,
-    x: chance.span(-size, size),
-    y: chance.span(-size, size),
-    angle: chance.span(-4, 4),
-  })) as [Placed, Placed];
-  const name = NAMES[i % NAMES.length]!;
-  WAYS[name]!(p, q, size);
-  check(p, q, `${i}: ${name}`, chance.index(EXACT_SHARE) === 0);
+/** The worst of each kind of error, relative to the extent of the pair, and how many pairs there were of each kind. */
+export function measure(pairs: number, seed: number): { worst: typeof worst; counts: typeof counts } {
+  chance = new Chance(seed);
+  worst = {};
+  counts = { exact: 0, apart: 0, overlapping: 0, touching: 0 };
+  const pool = Array.from({ length: Math.min(pairs, 20_000) }, () => {
+    const size = chance.size(0.01, 30);
+    return { shape: randomShape(chance, size), size };
+  });
+  for (let i = 0; i < pairs; i += 1) {
+    const first = pool[chance.index(pool.length)]!;
+    const second = pool[chance.index(pool.length)]!;
+    const size = Math.max(first.size, second.size);
+    const [p, q] = [first, second].map(({ shape }) => ({
+      shape,
+      x: chance.span(-size, size),
+      y: chance.span(-size, size),
+      angle: chance.span(-4, 4),
+    })) as [Placed, Placed];
+    const name = NAMES[i % NAMES.length]!;
+    WAYS[name]!(p, q, size);
+    check(p, q, `${i}: ${name}`, chance.index(EXACT_SHARE) === 0);
+  }
+  return { worst, counts };
 }
-console.log(JSON.stringify({ worst, counts }));

@@ -5,22 +5,21 @@ import type { Shape } from '../../src/index.js';
 import { Chance, formOf, randomShape } from './forms.js';
 import { type Form, signedDistance } from './reference.js';
 
-// Sweeps random pairs and looks at their distance at many times between: `random-sweeps.ts <sweeps> <seed>`; sweep.test.ts bundles and runs
-// it. Prints one line of JSON.
+// Sweeps random pairs and looks at their distance at many times between, for sweep.test.ts and many.test.ts.
 
-const [sweeps, seed] = process.argv.slice(2).map(Number) as [number, number];
-const chance = new Chance(seed);
+let chance = new Chance(1);
 const scratch = new Outline();
 
 /** The worst of each kind of error, and the number of its sweep. */
-const worst: Record<string, { error: number; sweep: string }> = {};
+let worst: Record<string, { error: number; sweep: string }> = {};
 /** Relative to the size: dips below the target that are no deeper are not looked for between the samples. */
 const SLACK = 1e-6;
 
 /** In one search. */
 const MAX_SAMPLES = 5000;
 
-const counts = { unfinished: 0, hits: 0, misses: 0, 'at once': 0, 'close misses': 0, iterations: 0 };
+const NONE = { unfinished: 0, hits: 0, misses: 0, 'at once': 0, 'close misses': 0, iterations: 0 };
+let counts = NONE;
 
 function note(kind: string, error: number, sweep: string): void {
   const seen = worst[kind];
@@ -174,7 +173,13 @@ function check(trial: Trial, name: string): void {
   }
 }
 
-for (let i = 0; i < sweeps; i += 1) {
-  check(new Trial(), `${i}`);
+/** The worst of each kind of error, and how many sweeps ended in which way. */
+export function measure(sweeps: number, seed: number): { worst: typeof worst; counts: typeof counts } {
+  chance = new Chance(seed);
+  worst = {};
+  counts = { ...NONE };
+  for (let i = 0; i < sweeps; i += 1) {
+    check(new Trial(), `${i}`);
+  }
+  return { worst, counts };
 }
-console.log(JSON.stringify({ worst, counts }));

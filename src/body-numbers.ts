@@ -1,0 +1,211 @@
+import { Slab } from './math/doubles.js';
+
+const COUNT = 25;
+
+const slab = /* @__PURE__ */ new Slab();
+
+/** The numbers of a body, in a slab: each step walks through those of all bodies, and as fields each would be a box of its own somewhere in memory. */
+export abstract class BodyNumbers {
+  private readonly at = slab.take(COUNT);
+  private readonly numbers = slab.numbers;
+
+  /** @internal m. Keeps its name. */
+  get x(): number {
+    return this.numbers[this.at]!;
+  }
+  set x(value: number) {
+    this.numbers[this.at] = value;
+  }
+
+  /** @internal Keeps its name. */
+  get y(): number {
+    return this.numbers[this.at + 1]!;
+  }
+  set y(value: number) {
+    this.numbers[this.at + 1] = value;
+  }
+
+  /** @internal rad */
+  get angle(): number {
+    return this.numbers[this.at + 2]!;
+  }
+  set angle(value: number) {
+    this.numbers[this.at + 2] = value;
+  }
+
+  /** @internal Keeps its name. */
+  get cos(): number {
+    return this.numbers[this.at + 3]!;
+  }
+  set cos(value: number) {
+    this.numbers[this.at + 3] = value;
+  }
+
+  /** @internal Keeps its name. */
+  get sin(): number {
+    return this.numbers[this.at + 4]!;
+  }
+  set sin(value: number) {
+    this.numbers[this.at + 4] = value;
+  }
+
+  /** @internal m/s */
+  get vx(): number {
+    return this.numbers[this.at + 5]!;
+  }
+  set vx(value: number) {
+    this.numbers[this.at + 5] = value;
+  }
+
+  /** @internal  */
+  get vy(): number {
+    return this.numbers[this.at + 6]!;
+  }
+  set vy(value: number) {
+    this.numbers[this.at + 6] = value;
+  }
+
+  /** @internal rad/s */
+  get w(): number {
+    return this.numbers[this.at + 7]!;
+  }
+  set w(value: number) {
+    this.numbers[this.at + 7] = value;
+  }
+
+  /** @internal kg; right after `refreshMass` */
+  get mass(): number {
+    return this.numbers[this.at + 8]!;
+  }
+  set mass(value: number) {
+    this.numbers[this.at + 8] = value;
+  }
+
+  /** @internal kg·m²; right after `refreshMass` */
+  get inertia(): number {
+    return this.numbers[this.at + 9]!;
+  }
+  set inertia(value: number) {
+    this.numbers[this.at + 9] = value;
+  }
+
+  /** @internal m. Largest distance of a shape point from the origin; right after `refreshMass` */
+  get radius(): number {
+    return this.numbers[this.at + 10]!;
+  }
+  set radius(value: number) {
+    this.numbers[this.at + 10] = value;
+  }
+
+  /** @internal share of the velocity that is lost in a second */
+  get linearDrag(): number {
+    return this.numbers[this.at + 11]!;
+  }
+  set linearDrag(value: number) {
+    this.numbers[this.at + 11] = value;
+  }
+
+  /** @internal  */
+  get angularDrag(): number {
+    return this.numbers[this.at + 12]!;
+  }
+  set angularDrag(value: number) {
+    this.numbers[this.at + 12] = value;
+  }
+
+  /** @internal N */
+  get fx(): number {
+    return this.numbers[this.at + 13]!;
+  }
+  set fx(value: number) {
+    this.numbers[this.at + 13] = value;
+  }
+
+  /** @internal  */
+  get fy(): number {
+    return this.numbers[this.at + 14]!;
+  }
+  set fy(value: number) {
+    this.numbers[this.at + 14] = value;
+  }
+
+  /** @internal N·m */
+  get appliedTorque(): number {
+    return this.numbers[this.at + 15]!;
+  }
+  set appliedTorque(value: number) {
+    this.numbers[this.at + 15] = value;
+  }
+
+  /** @internal m/s */
+  get surfaceX(): number {
+    return this.numbers[this.at + 16]!;
+  }
+  set surfaceX(value: number) {
+    this.numbers[this.at + 16] = value;
+  }
+
+  /** @internal  */
+  get surfaceY(): number {
+    return this.numbers[this.at + 17]!;
+  }
+  set surfaceY(value: number) {
+    this.numbers[this.at + 17] = value;
+  }
+
+  /** @internal m. Motion of the last step. Keeps its name: other bundles read it */
+  get lastDx(): number {
+    return this.numbers[this.at + 18]!;
+  }
+  set lastDx(value: number) {
+    this.numbers[this.at + 18] = value;
+  }
+
+  /** @internal Keeps its name. */
+  get lastDy(): number {
+    return this.numbers[this.at + 19]!;
+  }
+  set lastDy(value: number) {
+    this.numbers[this.at + 19] = value;
+  }
+
+  /** @internal rad. Keeps its name. */
+  get lastTurn(): number {
+    return this.numbers[this.at + 20]!;
+  }
+  set lastTurn(value: number) {
+    this.numbers[this.at + 20] = value;
+  }
+
+  /** @internal m. How far it may go in this step, in any direction, without coming near anything that it would be swept against */
+  get clearance(): number {
+    return this.numbers[this.at + 21]!;
+  }
+  set clearance(value: number) {
+    this.numbers[this.at + 21] = value;
+  }
+
+  /** @internal rad. By how much it would have turned in this step, if it was looked ahead for */
+  get turnAhead(): number {
+    return this.numbers[this.at + 22]!;
+  }
+  set turnAhead(value: number) {
+    this.numbers[this.at + 22] = value;
+  }
+
+  /** @internal given mass, or −1: from the shapes */
+  get fixedMass(): number {
+    return this.numbers[this.at + 23]!;
+  }
+  set fixedMass(value: number) {
+    this.numbers[this.at + 23] = value;
+  }
+
+  /** @internal given inertia, or −1: from the shapes */
+  get fixedInertia(): number {
+    return this.numbers[this.at + 24]!;
+  }
+  set fixedInertia(value: number) {
+    this.numbers[this.at + 24] = value;
+  }
+}

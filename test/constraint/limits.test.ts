@@ -1,0 +1,76 @@
+import { describe, expect, it } from 'vitest';
+import { type Constraint, phys2D, type RigidBody } from '../../src/index.js';
+import { add, heavy, near, plainBody, staticBody, steps, tie } from '../conformance/setting.js';
+
+// What a constraint may give at most is meant for the whole step, however many parts that is solved in.
+
+const WEIGHT = 6;
+
+type Limits = { maxForce: number; breakUnderForce?: boolean };
+
+/** Constraints that hold a body of mass 1 at the origin against its weight. */
+const KINDS: Record<string, (body: RigidBody, limits: Limits) => Constraint> = {
+  POINT: (bodyB, limits) => phys2D.createPointConstraint({ bodyA: staticBody(), bodyB, ...limits }),
+  WELD: (bodyB, limits) => phys2D.createWeldConstraint({ bodyA: staticBody(), bodyB, ...limits }),
+  DISTANCE: (bodyB, limits) =>
+    phys2D.createDistanceConstraint({
+      bodyA: staticBody(),
+      bodyB,
+      anchorA: [0, -3],
+      lowerBound: 0,
+      upperBound: 3,
+      ...limits,
+    }),
+  LINE: (bodyB, limits) =>
+    phys2D.createLineConstraint({
+      bodyA: staticBody(),
+      bodyB,
+      axis: [1, 0],
+      lowerBound: -9,
+      upperBound: 9,
+      ...limits,
+    }),
+  CUSTOM: (body, limits) =>
+    phys2D.createCustomConstraint({
+      dimension: 2,
+      bodies: [body],
+      jacobian(data, index) {
+        data[index] = 1;
+        data[index + 4] = 1;
+      },
+      ...limits,
+    }),
+};
+
+/** A body that hangs on a constraint. */
+function hang(kind: string, substeps: number, limits: Limits) {
+  const world = heavy({ gravity: [0, WEIGHT], substeps });
+  const body = plainBody();
+  add(world, body);
+  const constraint = KINDS[kind]!(body, limits);
+  tie(world, constraint);
+  return { world, body, constraint };
+}
+
+describe.each(Object.keys(KINDS))('%s', (kind) => {
+  it.each([1, 4])('breaks under more than its force and holds under less, with %d sub-steps', (substeps) => {
+    for (const share of [0.9, 1.1]) {
+      const { world, constraint } = hang(kind, substeps, { maxForce: share * WEIGHT, breakUnderForce: true });
+      steps(world, 50);
+      expect(constraint.world, `${share} of the weight`).toBe(share > 1 ? world : null);
+    }
+  });
+
+  it.each([1, 4])('gives the weight, with %d sub-steps', (substeps) => {
+    const { world, body, constraint } = hang(kind, substeps, { maxForce: 2 * WEIGHT });
+    steps(world, 30);
+    near(constraint.getImpulseForBody(body).slice(0, 2), [0, -WEIGHT / 60], 1e-6);
+  });
+});
+
+it.each([1, 4])('a custom constraint of velocities gives its force and no more, with %d sub-steps', (substeps) => {
+  const { world, body, constraint } = hang('CUSTOM', substeps, { maxForce: 4 });
+  steps(world, 30);
+  near(constraint.getImpulseForBody(body).slice(0, 2), [0, -4 / 60], 1e-9);
+  near(body.getVelocity(), [0, (30 * (WEIGHT - 4)) / 60], 1e-9);
+});
