@@ -363,9 +363,8 @@ export class PackedTree<T> {
   }
 
   private perimeter(node: number): number {
-    const { boxes } = this;
     const at = BOX * node;
-    return boxes[at + 2]! - boxes[at]! + (boxes[at + 3]! - boxes[at + 1]!);
+    return this.boxes[at + 2]! - this.boxes[at]! + (this.boxes[at + 3]! - this.boxes[at + 1]!);
   }
 
   /** Perimeter of the union of a node and the box that is being inserted. */
