@@ -7,6 +7,7 @@ import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
+import { List } from './math/list.js';
 import type { Vec2Like } from './math/vectors.js';
 import { type Clock, Profile } from './profile.js';
 import type { Shape } from './shape/shape.js';
@@ -98,11 +99,11 @@ export abstract class WorldState {
   /** @internal */
   staleCount = 0;
   /** @internal sleeping bodies hit in this step */
-  readonly hit: RigidBody[] = [];
+  readonly hit = new List<RigidBody>();
   /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */
-  readonly closing: Arbiter[] = [];
+  readonly closing = new List<Arbiter>();
   /** @internal shapes that lie on or near several static ones, of one step */
-  readonly straddling: Shape[] = [];
+  readonly straddling = new List<Shape>();
   /** @internal */
   readonly saving: WorldSaving | null;
   /** @internal since there was a constraint */

@@ -18,8 +18,9 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
   movedSlot = NONE;
   /** The last search in which it was met. */
   mark = 0;
-  /** Its own when it first has one: most that are static never do. */
+  /** Its own when it first has one: most that are static never do. What lies beyond the count is old: shortening the list would cost its storage. */
   pairs: TreePair<T>[] | null = null;
+  pairCount = 0;
 
   constructor(
     public data: T,
@@ -53,8 +54,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     return 1;
   }
 
-  private readonly moving = new PackedTree<TreeHandle<T>>();
-  private readonly still = new PackedTree<TreeHandle<T>>();
+  private readonly moving = new PackedTree<TreeHandle<T>>(MARGIN);
+  private readonly still = new PackedTree<TreeHandle<T>>(0);
   /** The first `movedCount` are handles. As `met` and `samples` not shortened, which would cost the storage, but filled up with `null`. */
   private readonly movedHandles: (TreeHandle<T> | null)[] = [];
   private movedCount = 0;
@@ -62,10 +63,11 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private boxes = new Float64Array(16 * BOX);
   private boxCount = 0;
   private readonly freeBoxes: number[] = [];
+  /** What lies beyond the count is for later. */
   private readonly pairs: TreePair<T>[] = [];
+  private pairCount = 0;
   /** Two for each pair: where the bounds of its handles are. */
   private ends = new Int32Array(32);
-  private readonly freePairs: TreePair<T>[] = [];
   private search = 0;
   private readonly met: (TreeHandle<T> | null)[] = [];
   private readonly box = new Float64Array(BOX);
@@ -82,7 +84,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
     const handle = new TreeHandle<T>(data, isStatic, this, this.takeBox());
     this.setBox(handle.at, bounds);
-    handle.leaf = this.treeOf(handle).insert(handle, bounds, isStatic ? 0 : MARGIN);
+    handle.leaf = this.treeOf(handle).insert(handle, bounds);
     this.noteMoved(handle);
     return handle;
   }
@@ -102,7 +104,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     if (becomesStatic !== own.isStatic) {
       this.treeOf(own).remove(own.leaf);
       own.isStatic = becomesStatic;
-      own.leaf = this.treeOf(own).insert(own, bounds, becomesStatic ? 0 : MARGIN);
+      own.leaf = this.treeOf(own).insert(own, bounds);
       this.noteMoved(own);
     } else if (!this.treeOf(own).contains(own.leaf, bounds)) {
       // Not left for a while by what goes on as in the last step.
@@ -113,16 +115,15 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       reach[1] = bounds[1]! + Math.min(y, 0);
       reach[2] = bounds[2]! + Math.max(x, 0);
       reach[3] = bounds[3]! + Math.max(y, 0);
-      this.treeOf(own).move(own.leaf, becomesStatic ? bounds : reach, becomesStatic ? 0 : MARGIN);
+      this.treeOf(own).move(own.leaf, becomesStatic ? bounds : reach);
       this.noteMoved(own);
     }
   }
 
   remove(handle: BroadphaseHandle<T>): void {
     const own = this.owned('BoxTreeBroadphase.remove', handle);
-    const { pairs } = own;
-    while (pairs !== null && pairs.length > 0) {
-      this.dropPair(pairs[pairs.length - 1]!);
+    while (own.pairCount > 0) {
+      this.dropPair(own.pairs![own.pairCount - 1]!);
     }
     this.treeOf(own).remove(own.leaf);
     own.leaf = NONE;
@@ -164,7 +165,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private reportPairs(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject: unknown): void {
     const { pairs, ends, boxes } = this;
-    for (let i = 0; i < pairs.length; i += 1) {
+    for (let i = 0; i < this.pairCount; i += 1) {
       const a = ends[2 * i]!;
       const b = ends[2 * i + 1]!;
       if (
@@ -240,6 +241,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     for (const handle of this.handles()) {
       handle.leaf = NONE;
       handle.pairs = null;
+      handle.pairCount = 0;
     }
     this.moving.clear();
     this.still.clear();
@@ -248,6 +250,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.boxCount = 0;
     this.freeBoxes.length = 0;
     this.pairs.length = 0;
+    this.pairCount = 0;
   }
 
   private takeBox(): number {
@@ -278,7 +281,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.search += 1;
     const tree = this.treeOf(handle);
     const own = handle.pairs;
-    for (let i = own === null ? -1 : own.length - 1; i >= 0; i -= 1) {
+    for (let i = handle.pairCount - 1; i >= 0; i -= 1) {
       const pair = own![i]!;
       const other = pair.a === handle ? pair.b! : pair.a!;
       if ((handle.isStatic && other.isStatic) || !tree.overlaps(handle.leaf, this.treeOf(other), other.leaf)) {
@@ -303,10 +306,14 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   private addPair(a: TreeHandle<T>, b: TreeHandle<T>): void {
-    const pair = this.freePairs.pop() ?? new TreePair(a, b);
+    const slot = this.pairCount;
+    if (slot === this.pairs.length) {
+      this.pairs.push(new TreePair(a, b));
+    }
+    this.pairCount += 1;
+    const pair = this.pairs[slot]!;
     pair.a = a;
     pair.b = b;
-    const slot = this.pairs.push(pair) - 1;
     pair.slot = slot;
     if (2 * slot === this.ends.length) {
       const { ends } = this;
@@ -320,10 +327,12 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   private dropPair(pair: TreePair<T>): void {
-    const last = this.pairs.pop()!;
+    this.pairCount -= 1;
+    const last = this.pairs[this.pairCount]!;
     if (last !== pair) {
       const { slot } = pair;
       this.pairs[slot] = last;
+      this.pairs[this.pairCount] = pair;
       this.ends[2 * slot] = last.a!.at;
       this.ends[2 * slot + 1] = last.b!.at;
       last.slot = slot;
@@ -332,7 +341,6 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     dropFrom(pair.b!, pair.slotB);
     pair.a = null;
     pair.b = null;
-    this.freePairs.push(pair);
   }
 
   private noteMoved(handle: TreeHandle<T>): void {
@@ -371,18 +379,19 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
 /** Adds a pair to a handle's list. @returns its place. */
 function addTo<T>(handle: TreeHandle<T>, pair: TreePair<T>): number {
-  if (handle.pairs === null) {
-    handle.pairs = [pair];
-    return 0;
-  }
-  return handle.pairs.push(pair) - 1;
+  handle.pairs ??= [];
+  const slot = handle.pairCount;
+  handle.pairs[slot] = pair;
+  handle.pairCount += 1;
+  return slot;
 }
 
 /** Takes the pair at `slot` out of a handle's list; the last one takes its place. */
 function dropFrom<T>(handle: TreeHandle<T>, slot: number): void {
   const pairs = handle.pairs!;
-  const last = pairs.pop()!;
-  if (slot === pairs.length) {
+  handle.pairCount -= 1;
+  const last = pairs[handle.pairCount]!;
+  if (slot === handle.pairCount) {
     return;
   }
   pairs[slot] = last;

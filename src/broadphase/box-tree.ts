@@ -65,7 +65,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     return 1;
   }
 
-  private readonly tree = new PackedTree<T>();
+  private readonly tree = new PackedTree<T>(0);
   private dirty = false;
   private nodes: BoxTreeNode<T>[] | null = null;
 
@@ -83,7 +83,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
       throw typeError('BoxTree.add', 'externalNode', 'an object that is in no tree', externalNode);
     }
     writeIndex('BoxTree.add', externalNode, NONE);
-    externalNode.boxTreeIndex = this.tree.insert(externalNode, extents, 0);
+    externalNode.boxTreeIndex = this.tree.insert(externalNode, extents);
     this.changed();
   }
 
@@ -96,7 +96,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
       return;
     }
     this.checkMember('BoxTree.update', externalNode);
-    this.tree.move(externalNode.boxTreeIndex, extents, 0);
+    this.tree.move(externalNode.boxTreeIndex, extents);
     this.changed();
   }
 

@@ -16,10 +16,10 @@ const MAX_LEAN = 4;
 const EARLY = 1 - 4 * Number.EPSILON;
 
 /**
- * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic
- * Bounding Volume Hierarchies", GDC 2019). On the way up every node exchanges a child for a grandchild where that makes a box smaller
- * (Kopta et al., "Fast, effective BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis
- * 1962). Nodes are numbered; freed numbers are reused.
+ * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding
+ * Volume Hierarchies", GDC 2019). On the way up every node exchanges a child for a grandchild where that makes a box smaller (Kopta et al., "Fast,
+ * effective BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis 1962). Nodes are numbered; freed
+ * numbers are reused. `margin`, m, is by how much leaves are larger on all sides.
  */
 export class PackedTree<T> {
   /** minX, minY, maxX, maxY of each node. */
@@ -45,22 +45,24 @@ export class PackedTree<T> {
   /** The box that is being inserted. */
   private readonly box = new Float64Array(BOX);
 
+  constructor(private readonly margin: number) {}
+
   /** Number of levels above the leaves; 0 for one leaf and for none. */
   get height(): number {
     return this.root === NONE ? 0 : this.level[this.root]!;
   }
 
-  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by `margin` on all sides. @returns its number. */
-  insert(item: T, bounds: ArrayLike<number>, margin: number): number {
+  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides. @returns its number. */
+  insert(item: T, bounds: ArrayLike<number>): number {
     const leaf = this.allocate();
     this.items[leaf] = item;
-    this.setBox(leaf, bounds, margin);
+    this.setBox(leaf, bounds);
     this.attach(leaf);
     return leaf;
   }
 
   /** Gives a leaf another box. It stays where it is in the tree if that overlaps the old one: the exchanges on the way up see to the rest. */
-  move(leaf: number, bounds: ArrayLike<number>, margin: number): void {
+  move(leaf: number, bounds: ArrayLike<number>): void {
     const { boxes } = this;
     const at = BOX * leaf;
     const isNear =
@@ -69,11 +71,11 @@ export class PackedTree<T> {
       boxes[at + 2]! >= bounds[0]! &&
       boxes[at + 3]! >= bounds[1]!;
     if (isNear) {
-      this.setBox(leaf, bounds, margin);
+      this.setBox(leaf, bounds);
       this.refit(this.parent[leaf]!);
     } else {
       this.detach(leaf);
-      this.setBox(leaf, bounds, margin);
+      this.setBox(leaf, bounds);
       this.attach(leaf);
     }
   }
@@ -246,12 +248,12 @@ export class PackedTree<T> {
     return this;
   }
 
-  private setBox(leaf: number, bounds: ArrayLike<number>, margin: number): void {
+  private setBox(leaf: number, bounds: ArrayLike<number>): void {
     const at = BOX * leaf;
-    this.boxes[at] = bounds[0]! - margin;
-    this.boxes[at + 1] = bounds[1]! - margin;
-    this.boxes[at + 2] = bounds[2]! + margin;
-    this.boxes[at + 3] = bounds[3]! + margin;
+    this.boxes[at] = bounds[0]! - this.margin;
+    this.boxes[at + 1] = bounds[1]! - this.margin;
+    this.boxes[at + 2] = bounds[2]! + this.margin;
+    this.boxes[at + 3] = bounds[3]! + this.margin;
   }
 
   private allocate(): number {

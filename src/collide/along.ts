@@ -6,11 +6,28 @@ import * as g from './layout.js';
 import { collidePolygonsAlong } from './polygons.js';
 import { POLYGON } from './table.js';
 
-/** How far a placed shape reaches along a unit vector, from the origin of its body. */
-export function reachAlong(shape: Shape, nx: number, ny: number): number {
+/** What is asked for along a unit vector, and what was found. An object, as numbers that go from function to function would be boxed. */
+export class Along {
+  /** The unit vector. */
+  x = 0.5;
+  y = 0.5;
+  /** m. Where B's body is from A's. */
+  dx = 0.5;
+  dy = 0.5;
+  /** m. */
+  found = 0.5;
+}
+
+const between = /* @__PURE__ */ new Along();
+
+/** Finds how far a placed shape reaches along the unit vector, or with `sign` −1 against it, from the origin of its body. */
+export function reachAlong(shape: Shape, along: Along, sign: number): void {
+  const nx = sign * along.x;
+  const ny = sign * along.y;
   if (shape.kind !== POLYGON) {
     const { centreX, centreY, radius } = shape;
-    return nx * centreX + ny * centreY + radius;
+    along.found = nx * centreX + ny * centreY + radius;
+    return;
   }
   const { numbers: n, at, offsets } = shape;
   const end = at + EDGES + EDGE_STRIDE * offsets.length;
@@ -18,12 +35,15 @@ export function reachAlong(shape: Shape, nx: number, ny: number): number {
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     most = Math.max(most, nx * n[k]! + ny * n[k + 1]!);
   }
-  return most;
+  along.found = most;
 }
 
-/** How far two placed shapes are apart along a unit vector, B's body being at `(dx, dy)` from A's. */
-export function separationAlong(a: Shape, b: Shape, dx: number, dy: number, nx: number, ny: number): number {
-  return nx * dx + ny * dy - reachAlong(b, -nx, -ny) - reachAlong(a, nx, ny);
+/** Finds how far two placed shapes are apart along the unit vector. */
+export function separationAlong(a: Shape, b: Shape, along: Along): void {
+  reachAlong(b, along, -1);
+  const rest = along.x * along.dx + along.y * along.dy - along.found;
+  reachAlong(a, along, 1);
+  along.found = rest - along.found;
 }
 
 /**
@@ -42,7 +62,12 @@ export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number, nx:
   }
   const dx = n[o + g.DX]!;
   const dy = n[o + g.DY]!;
-  const separation = separationAlong(a, b, dx, dy, nx, ny);
+  between.x = nx;
+  between.y = ny;
+  between.dx = dx;
+  between.dy = dy;
+  separationAlong(a, b, between);
+  const separation = between.found;
   const { centreX, centreY, radius } = (a.kind === POLYGON ? b : a) as Circle;
   if (a.kind === POLYGON) {
     const reach = radius + separation;

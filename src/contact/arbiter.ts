@@ -354,7 +354,13 @@ export class Arbiter {
     this.sumImpulses(-1);
     const wA = sum[2]!;
     this.sumImpulses(1);
-    this.before = { step: this.lastInteraction, x: sum[0]!, y: sum[1]!, wA, wB: sum[2]! };
+    this.before ??= { step: 0, x: 0.5, y: 0.5, wA: 0.5, wB: 0.5 };
+    const { before } = this;
+    before.step = this.lastInteraction;
+    before.x = sum[0]!;
+    before.y = sum[1]!;
+    before.wA = wA;
+    before.wB = sum[2]!;
     this.dropPoints();
   }
 

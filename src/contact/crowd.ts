@@ -1,5 +1,7 @@
 import { DYNAMIC } from '../body-kind.js';
 import { CROWD } from '../config.js';
+import { List } from '../math/list.js';
+import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 
 interface Noting {
@@ -12,7 +14,7 @@ interface Noting {
  * any more. So it does not depend on the order in which they are reported which pairs are made, and what carries many things counts every one of them.
  */
 export class Crowd {
-  private readonly shapes: Shape[] = [];
+  private readonly shapes = new List<Shape>();
 
   /** Takes two shapes that may interact and have no pair yet. @returns `false` if they are no case for a crowd. */
   take(a: Shape, b: Shape): boolean {
@@ -31,7 +33,7 @@ export class Crowd {
     shape.partners ??= [];
     const { partners } = shape;
     if (partners.length === 0) {
-      this.shapes.push(shape);
+      this.shapes.add(shape);
     }
     partners.push(partner);
     if (partners.length >= 2 * CROWD) {
@@ -41,7 +43,8 @@ export class Crowd {
 
   /** Tells which pairs are to be made, some twice; of each the shape with the lower id comes first. */
   drainTo(pairs: Noting): void {
-    for (const shape of this.shapes) {
+    for (let i = 0; i < this.shapes.count; i += 1) {
+      const shape = this.shapes.items[i]!;
       const partners = shape.partners!;
       keepFirst(partners, shape);
       for (const partner of partners) {
@@ -53,7 +56,7 @@ export class Crowd {
       }
       partners.length = 0;
     }
-    this.shapes.length = 0;
+    this.shapes.clear();
   }
 }
 
@@ -77,6 +80,10 @@ function reaches({ numbers: a, at: i }: Shape, { numbers: b, at: j }: Shape): bo
 }
 
 function keepFirst(partners: Shape[], { arbiters }: Shape): void {
-  partners.sort((a, b) => a.id - b.id);
+  sortFirst(partners, partners.length, hasLowerId);
   partners.length = Math.min(partners.length, CROWD - arbiters.length);
+}
+
+function hasLowerId(a: Shape, b: Shape): boolean {
+  return a.id < b.id;
 }

@@ -22,6 +22,12 @@ const LEVEL = 1e-12;
 const best = { separation: 0.5, edge: 0, corner: 0, ofB: false };
 
 /**
+ * The best edge: its normal, its span along (−ny, nx), n · p of the nearest corner of the other outline, and where along the edge that is nearest. Scratch;
+ * numbers that go from function to function would be boxed.
+ */
+const span = { nx: 0.5, ny: 0.5, start: 0.5, end: 0.5, height: 0.5, along: 0.5 };
+
+/**
  * Signed distance of two convex outlines. Of all edges of both the one with the other outline farthest beyond it gives the depth if they
  * overlap, and the distance if the nearest corner lies above that edge. Only if not, which is when two corners are nearest, all pairs of
  * corners and of edges and corners are compared. So nothing iterates, and the result is right to rounding (Ericson, Real-Time Collision
@@ -87,7 +93,13 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   const ny = pc[i + 3]!;
   const start = nx * pc[i + 1]! - ny * pc[i]!;
   const end = nx * pc[j + 1]! - ny * pc[j]!;
-  const along = levelPoint(q, nx, ny, separation + p.offsets[edge]!, start, end);
+  span.nx = nx;
+  span.ny = ny;
+  span.start = start;
+  span.end = end;
+  span.height = separation + p.offsets[edge]!;
+  findLevel(q);
+  const { along } = span;
   if (
     separation > LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!)) &&
     (along < start || along > end)
@@ -107,11 +119,9 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   return true;
 }
 
-/**
- * Where along an edge the other outline is nearest: at its nearest corner, or in the middle of what an edge that is parallel shares with the
- * span from `start` to `end`. Measured along t = (−ny, nx); `height` is n · p of the nearest corner.
- */
-function levelPoint(q: Outline, nx: number, ny: number, height: number, start: number, end: number): number {
+/** Finds where along the edge the other outline is nearest: at its nearest corner, or in the middle of what an edge that is parallel shares with the span. */
+function findLevel(q: Outline): void {
+  const { nx, ny, start, end, height } = span;
   const qc = q.corners;
   const first = EDGE_STRIDE * best.corner;
   const tolerance = LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(height));
@@ -125,9 +135,10 @@ function levelPoint(q: Outline, nx: number, ny: number, height: number, start: n
     }
   }
   if (low === high || high < start || low > end) {
-    return low > end ? low : high;
+    span.along = low > end ? low : high;
+  } else {
+    span.along = 0.5 * (Math.max(low, start) + Math.min(high, end));
   }
-  return 0.5 * (Math.max(low, start) + Math.min(high, end));
 }
 
 /** Compares corners with corners, and edges with the corners above them. */

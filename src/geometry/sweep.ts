@@ -34,7 +34,7 @@ export class Travel {
   vx = 0;
   vy = 0;
   w = 0;
-  /** The time last placed for, and where the origin is then. */
+  /** The time that it is placed for, and where the origin is then. */
   at = 0.5;
   atX = 0;
   atY = 0;
@@ -60,13 +60,8 @@ export class Travel {
     this.w = at.w;
   }
 
-  /** Brings the outline to where it is at time t. */
-  place(t: number): void {
-    this.at = t;
-    this.placeOutline();
-  }
-
-  private placeOutline(): void {
+  /** Brings the outline to where it is at time `at`. */
+  place(): void {
     const { at, outline } = this;
     turned[0] = this.angle + this.w * at;
     cosSin(turned);
@@ -198,8 +193,10 @@ export function findImpact(sweep: Sweep): boolean {
   let isFirst = true;
   for (let i = 0; i < sweep.patience; i += 1) {
     sweep.time = t;
-    a.place(t);
-    b.place(t);
+    a.at = t;
+    b.at = t;
+    a.place();
+    b.place();
     measureDistance(a.outline, b.outline, distance);
     if (distance.value <= enough) {
       return true;

@@ -306,7 +306,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
   }
   findLength(r, at + layout.push, rows);
   if (r[at + j.TOUCHED] !== 0 && length[0] === 0) {
-    r[at + j.CARRY] = (JOINT_MOMENTUM / data.joints.h) * shareMade(r, joint, violated);
+    carryShare(data, joint, violated);
     r.fill(0, at + layout.undone, at + layout.undone + rows);
   }
   r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.CARRY] === 0 && r[at + j.TOUCHED] === 0 ? 1 : 0;
@@ -367,13 +367,8 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   apply(data, joint, turned, work, 1, true);
 }
 
-/** part / whole, not below 0 nor above 1. */
-function shareOf(part: number, whole: number): number {
-  return part <= 0 ? 0 : part < whole ? part / whole : 1;
-}
-
-/** The share of the error, of its first `count` rows, that is not the doing of contacts. */
-function shareMade(r: Float64Array, { at, layout }: Joint, count: number): number {
+/** Makes momentum of the share of the error, of its first `count` rows, that is not the doing of contacts: not below 0 nor above 1. */
+function carryShare({ joints: { records: r, h } }: SolverData, { at, layout }: Joint, count: number): void {
   let made = 0;
   let square = 0;
   for (let n = 0; n < count; n += 1) {
@@ -381,7 +376,7 @@ function shareMade(r: Float64Array, { at, layout }: Joint, count: number): numbe
     square += error * error;
     made += error * (error - r[at + layout.undone + n]!);
   }
-  return shareOf(made, square);
+  r[at + j.CARRY] = (JOINT_MOMENTUM / h) * (made <= 0 ? 0 : made < square ? made / square : 1);
 }
 
 /** As for point joints, by the linear part of the error. */

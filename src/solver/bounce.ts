@@ -18,8 +18,11 @@ function normalVelocity(data: SolverData, batch: ContactBatch, record: number, s
   );
 }
 
-/** The separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
-function separation(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
+/** What `planBounce` knows of a point: numbers that go from function to function would be boxed. */
+const plan = { comes: 0.5, gain: 0.5, separation: 0.5 };
+
+/** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
+function findSeparation(data: SolverData, batch: ContactBatch, record: number, shift: number): void {
   const r = batch.records;
   const { velocity: v, motion: q } = data;
   const k = record / batch.stride;
@@ -27,15 +30,14 @@ function separation(data: SolverData, batch: ContactBatch, record: number, shift
   const b = batch.bodies[2 * k + 1]!;
   const i = record + shift;
   const isOne = batch === data.one;
-  return (
+  plan.separation =
     r[i + d.START1]! +
     r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
     r[record + d.NY]! * (q[b + d.DY]! - q[a + d.DY]!) +
     v[b + d.COS_LESS_ONE]! * r[i + (isOne ? d.PIVOT_B : d.RT_B1)]! +
     v[b + d.SIN]! * r[i + d.RN_B1]! -
     v[a + d.COS_LESS_ONE]! * r[i + (isOne ? d.PIVOT_A : d.RT_A1)]! -
-    v[a + d.SIN]! * r[i + d.RN_A1]!
-  );
+    v[a + d.SIN]! * r[i + d.RN_A1]!;
 }
 
 /** What forces add in a sub-step to the velocity of one body against another along `(nx, ny)`; `a` and `b` are the offsets of their records. */
@@ -44,15 +46,17 @@ export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: n
 }
 
 /**
- * The normal velocity that a bounce ends with, with the sign changed, for one that comes with `comes` and is found at a separation `s` ≤ 0: what fell on
- * below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
+ * The normal velocity that a bounce ends with, with the sign changed, as its bias, for one that comes with `comes` and is found at a separation ≤ 0: what
+ * fell on below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
  * ahead of the true one by half of `gain`, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
  */
-function leaveSpeed(elasticity: number, comes: number, gain: number, s: number, h: number): number {
-  const lift = gain < 0 ? (2 * gain * s) / h : 0;
+function planSpeed({ elasticity: all, bias }: SolverData['bounces'], k: number, h: number): void {
+  const { comes, gain, separation } = plan;
+  const elasticity = all[k]!;
+  const lift = gain < 0 ? (2 * gain * separation) / h : 0;
   const speed = comes + 0.5 * gain;
   const onSurface = speed * speed - lift;
-  return -Math.sqrt(elasticity * elasticity * (onSurface > 0 ? onSurface : 0) + lift) - 0.5 * gain;
+  bias[k] = -Math.sqrt(elasticity * elasticity * (onSurface > 0 ? onSurface : 0) + lift) - 0.5 * gain;
 }
 
 /**
@@ -60,27 +64,34 @@ function leaveSpeed(elasticity: number, comes: number, gain: number, s: number, 
  * surface yet is left out of the sub-step, so that it gets there at full speed.
  */
 export function planBounces(data: SolverData, h: number): void {
+  for (let k = 0; k < data.bounces.count; k += 1) {
+    planBounce(data, k, h);
+  }
+}
+
+function planBounce(data: SolverData, k: number, h: number): void {
   const list = data.bounces;
-  for (let k = 0; k < list.count; k += 1) {
-    const batch = list.twoPoint[k] === 1 ? data.two : data.one;
-    const record = list.record[k]!;
-    const shift = list.shift[k]!;
-    const elasticity = list.elasticity[k]!;
-    const comes = normalVelocity(data, batch, record, shift);
-    list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
-    if (elasticity * comes < -BOUNCE_THRESHOLD) {
-      const s = separation(data, batch, record, shift);
-      const { records: r, bodies, stride } = batch;
-      const n = (2 * record) / stride;
-      const gain = normalGain(data, bodies[n]!, bodies[n + 1]!, r[record + d.NX]!, r[record + d.NY]!);
-      list.bias[k] = s > 0 ? d.OFF : leaveSpeed(elasticity, comes, gain, s, h);
-      if (s > 0) {
-        const i = record + shift;
-        r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
-        r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + r[i + d.TANGENT1]!;
-        r[i + d.NORMAL1] = 0;
-        r[i + d.TANGENT1] = 0;
-      }
+  const batch = list.twoPoint[k] === 1 ? data.two : data.one;
+  const record = list.record[k]!;
+  const shift = list.shift[k]!;
+  const elasticity = list.elasticity[k]!;
+  const comes = normalVelocity(data, batch, record, shift);
+  list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
+  if (elasticity * comes < -BOUNCE_THRESHOLD) {
+    findSeparation(data, batch, record, shift);
+    const { records: r, bodies, stride } = batch;
+    const n = (2 * record) / stride;
+    plan.comes = comes;
+    plan.gain = normalGain(data, bodies[n]!, bodies[n + 1]!, r[record + d.NX]!, r[record + d.NY]!);
+    if (plan.separation <= 0) {
+      planSpeed(list, k, h);
+    } else {
+      list.bias[k] = d.OFF;
+      const i = record + shift;
+      r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
+      r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + r[i + d.TANGENT1]!;
+      r[i + d.NORMAL1] = 0;
+      r[i + d.TANGENT1] = 0;
     }
   }
 }

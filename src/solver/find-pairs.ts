@@ -141,10 +141,10 @@ function interact(world: World, pair: Arbiter): void {
     return;
   }
   if (a.asleep && a.kind === DYNAMIC) {
-    world.hit.push(a);
+    world.hit.add(a);
   }
   if (b.asleep && b.kind === DYNAMIC) {
-    world.hit.push(b);
+    world.hit.add(b);
   }
   noteGround(world, pair);
   if (begins && isHitHeard(pair)) {
@@ -163,7 +163,7 @@ function approach(world: World, pair: Arbiter, dt: number): void {
     pair.mixMaterials();
     pair.near = !isForeseen(pair, dt);
     if (!pair.near) {
-      world.closing.push(pair);
+      world.closing.add(pair);
     }
     noteGround(world, pair);
     if (isHitHeard(pair)) {
@@ -180,7 +180,7 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
     (a.kind !== DYNAMIC || b.kind !== DYNAMIC) &&
     numbers[at + c.ELASTICITY]! <= 0 &&
     ((shapeA.isRound() ? 0 : Math.abs(a.w)) + (shapeB.isRound() ? 0 : Math.abs(b.w))) * dt <= SOLVED_TURN &&
-    (goesFar(a, a.vx * dt, a.vy * dt, a.w * dt) || goesFar(b, b.vx * dt, b.vy * dt, b.w * dt))
+    (goesFar(a, dt) || goesFar(b, dt))
   );
 }
 
@@ -200,12 +200,12 @@ function part(world: World, pair: Arbiter): void {
 
 function wakeHit(world: World): void {
   const hit = world.hit;
-  for (let i = 0; i < hit.length; i += 1) {
-    if (hit[i]!.asleep) {
-      wakeBody(world, hit[i]!, false);
+  for (let i = 0; i < hit.count; i += 1) {
+    if (hit.items[i]!.asleep) {
+      wakeBody(world, hit.items[i]!, false);
     }
   }
-  if (hit.length > 0) hit.length = 0;
+  hit.clear();
   world.pairs.merge();
   world.events.noteWoken(world);
 }

@@ -41,14 +41,15 @@ export function foresee(world: World, dt: number): void {
         open(world, next);
       }
     }
-    for (let i = 0; i < world.closing.length; i += 1) {
-      if (!world.closing[i]!.near) {
-        openAtEnd(world, world.closing[i]!);
+    const { closing } = world;
+    for (let i = 0; i < closing.count; i += 1) {
+      if (!closing.items[i]!.near) {
+        openAtEnd(world, closing.items[i]!);
       }
     }
     world.pairs.merge();
   }
-  if (world.closing.length > 0) world.closing.length = 0;
+  world.closing.clear();
   movers.clear();
 }
 
@@ -64,7 +65,7 @@ function foreseeDynamic(world: World, body: RigidBody): void {
 function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void {
   for (let i = 0; i < liveKinematics.length; i += 1) {
     const body = liveKinematics[i]!;
-    if (goesFar(body, body.vx * dt, body.vy * dt, body.w * dt)) {
+    if (goesFar(body, dt)) {
       movers.add(body).aim(body, movers);
     }
   }

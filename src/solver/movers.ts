@@ -244,9 +244,9 @@ export class Mover {
   }
 }
 
-/** A body that moves by more than half the margin within which pairs are solved may meet something that is not. */
-export function goesFar(body: RigidBody, dx: number, dy: number, turn: number): boolean {
-  return Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > SPECULATIVE_MARGIN / 2;
+/** A body that moves by more than half the margin within which pairs are solved may meet something that is not: whether it does with its velocities. */
+export function goesFar({ vx, vy, w, radius }: RigidBody, dt: number): boolean {
+  return Math.abs(vx * dt) + Math.abs(vy * dt) + Math.abs(w * dt) * radius > SPECULATIVE_MARGIN / 2;
 }
 
 /** The movers of a step: those that sweep, and others that were met. Used again and again. */

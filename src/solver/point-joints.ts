@@ -305,7 +305,7 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     }
     if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
       const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
-      // As `shareOf`, which called from here would have to box its numbers.
+      // Of the error, what is not the doing of contacts.
       const share = made <= 0 ? 0 : made < square ? made / square : 1;
       r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * share;
       r[i + j.UNDONE_X] = 0;

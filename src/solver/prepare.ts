@@ -8,6 +8,24 @@ import * as d from './data.js';
 import { holdWild } from './freeze.js';
 import { packContacts } from './pack-contacts.js';
 
+/** What a drag leaves of a velocity after h seconds, (1 − drag)^h: remembered, as most bodies have the same drag in all steps. */
+class Keep {
+  drag = -1.5;
+  h = 0.5;
+  keep = 0.5;
+
+  find(drag: number, h: number): void {
+    if (drag !== this.drag || h !== this.h) {
+      this.drag = drag;
+      this.h = h;
+      this.keep = drag >= 1 ? 0 : pow(1 - drag, h);
+    }
+  }
+}
+
+const linear = /* @__PURE__ */ new Keep();
+const angular = /* @__PURE__ */ new Keep();
+
 /** Packs awake bodies, live constraints and accepted contacts for sub-steps of length h. */
 export function prepare(world: World, h: number): void {
   const data = world.solver;
@@ -29,14 +47,10 @@ function packBodies(world: World, h: number): void {
   const kinematics = world.liveKinematics;
   data.resetBodies(1 + dynamics.length + kinematics.length);
   let slot = 1;
-  let drag = -1;
-  let keep = 1;
   for (let i = 0; i < dynamics.length; i += 1) {
     const body = dynamics[i]!;
-    if (body.linearDrag !== drag) {
-      drag = body.linearDrag;
-      keep = keepAfter(drag, h);
-    }
+    linear.find(body.linearDrag, h);
+    angular.find(body.angularDrag, h);
     packBody(data, body, slot);
     const at = slot * d.BODY_STRIDE;
     const invMass = data.velocity[at + d.INV_MASS]!;
@@ -46,9 +60,8 @@ function packBodies(world: World, h: number): void {
     drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (body.fy * invMass + world.gravityY) * h;
     drive[at + d.GAIN_W] = body.appliedTorque * invInertia * h;
     drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
-    drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : keep;
-    drive[at + d.KEEP_ANGULAR] =
-      invInertia === 0 ? 1 : body.angularDrag === drag ? keep : keepAfter(body.angularDrag, h);
+    drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : linear.keep;
+    drive[at + d.KEEP_ANGULAR] = invInertia === 0 ? 1 : angular.keep;
     holdWild(world, body);
     slot += 1;
   }
@@ -63,11 +76,6 @@ function packBodies(world: World, h: number): void {
     holdWild(world, body);
     slot += 1;
   }
-}
-
-/** What a drag leaves of a velocity after h seconds: (1 − drag)^h. */
-function keepAfter(drag: number, h: number): number {
-  return drag >= 1 ? 0 : pow(1 - drag, h);
 }
 
 function packBody(data: SolverData, body: RigidBody, slot: number): void {

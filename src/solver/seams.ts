@@ -1,5 +1,5 @@
 import { DYNAMIC, STATIC } from '../body-kind.js';
-import { reachAlong, separationAlong } from '../collide/along.js';
+import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
 import { POLYGON } from '../collide/table.js';
@@ -28,7 +28,7 @@ class Spot {
 }
 
 /** The direction that was found for a contact, from the ground to the body: scratch. */
-const up = new Spot();
+const up = new Along();
 /** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
 const point = new Spot();
 const asked = new Float64Array(2);
@@ -44,7 +44,7 @@ export function noteGround(world: World, pair: Arbiter): void {
     shape.groundStamp = world.timeStamp;
     shape.grounds = null;
   } else if (shape.grounds!.nextGround === null) {
-    world.straddling.push(shape);
+    world.straddling.add(shape);
   }
   pair.nextGround = shape.grounds;
   shape.grounds = pair;
@@ -53,14 +53,14 @@ export function noteGround(world: World, pair: Arbiter): void {
 /** Looks at all contacts of shapes that lie on or near more than one static shape. */
 export function smoothSeams(world: World): void {
   const { straddling } = world;
-  for (let i = 0; i < straddling.length; i += 1) {
-    for (let pair = straddling[i]!.grounds; pair !== null; pair = pair.nextGround) {
+  for (let i = 0; i < straddling.count; i += 1) {
+    for (let pair = straddling.items[i]!.grounds; pair !== null; pair = pair.nextGround) {
       if (smooth(pair)) {
         pair.near &&= pair.count > 0;
       }
     }
   }
-  if (straddling.length > 0) straddling.length = 0;
+  straddling.clear();
 }
 
 /** Turns a contact to the direction in which the other grounds carry its shape, if they hide the face or corner that it is with. */
@@ -162,7 +162,10 @@ function findFace(pair: Arbiter): void {
 function standsOut(from: Shape, to: Shape): boolean {
   const dx = to.owner!.x - from.owner!.x;
   const dy = to.owner!.y - from.owner!.y;
-  return reachAlong(to, up.x, up.y) + up.x * dx + up.y * dy - reachAlong(from, up.x, up.y) > FLUSH_TOLERANCE;
+  reachAlong(from, up, 1);
+  const { found } = up;
+  reachAlong(to, up, 1);
+  return up.found + up.x * dx + up.y * dy - found > FLUSH_TOLERANCE;
 }
 
 /**
@@ -194,13 +197,13 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
 function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polygon): boolean {
   const { numbers: edges, at, offsets } = ground;
   const end = at + EDGES + EDGE_STRIDE * offsets.length;
-  const dx = shape.owner!.x - ground.owner!.x;
-  const dy = shape.owner!.y - ground.owner!.y;
+  up.dx = shape.owner!.x - ground.owner!.x;
+  up.dy = shape.owner!.y - ground.owner!.y;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
-    const height = separationAlong(ground, shape, dx, dy, up.x, up.y);
-    if (height > -depth && height < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
+    separationAlong(ground, shape, up);
+    if (up.found > -depth && up.found < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
       return true;
     }
   }

@@ -22,6 +22,8 @@ export class Ways {
   private scale = 0.5;
   /** The largest width, m. */
   private widest = 0.5;
+  /** m. Where a column is asked for: an argument would be boxed. */
+  private x = 0.5;
 
   clear(): void {
     this.count = 0;
@@ -55,14 +57,16 @@ export class Ways {
     this.widest = widest;
     starts.fill(0, 0, count + 1);
     for (let i = 0; i < count; i += 1) {
-      const column = this.columnOf(boxes[i * BOX]!);
+      this.x = boxes[i * BOX]!;
+      const column = this.column();
       starts[column] = starts[column]! + 1;
     }
     for (let column = 1; column <= count; column += 1) {
       starts[column] = starts[column]! + starts[column - 1]!;
     }
     for (let i = count - 1; i >= 0; i -= 1) {
-      const column = this.columnOf(boxes[i * BOX]!);
+      this.x = boxes[i * BOX]!;
+      const column = this.column();
       starts[column] = starts[column]! - 1;
       order[starts[column]!] = i;
     }
@@ -78,9 +82,11 @@ export class Ways {
     if (this.count === 0) {
       return 0;
     }
-    const end = starts[this.columnOf(maxX) + 1]!;
+    this.x = maxX;
+    const end = starts[this.column() + 1]!;
+    this.x = minX - this.widest;
     let size = 0;
-    for (let i = starts[this.columnOf(minX - this.widest)]!; i < end; i += 1) {
+    for (let i = starts[this.column()]!; i < end; i += 1) {
       const which = order[i]!;
       const at = which * BOX;
       if (boxes[at]! <= maxX && boxes[at + 2]! >= minX && boxes[at + 1]! <= maxY && boxes[at + 3]! >= minY) {
@@ -96,9 +102,9 @@ export class Ways {
     return size;
   }
 
-  /** The first column for what is farther left or nowhere, the last one for what is farther right. */
-  private columnOf(x: number): number {
-    return Math.max(0, Math.min(this.count - 1, (x - this.left) * this.scale)) | 0;
+  /** That of `x`: the first column for what is farther left or nowhere, the last one for what is farther right. */
+  private column(): number {
+    return Math.max(0, Math.min(this.count - 1, (this.x - this.left) * this.scale)) | 0;
   }
 
   private grow(): void {

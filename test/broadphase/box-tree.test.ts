@@ -156,15 +156,15 @@ describe('packed tree', () => {
     ['a pile of equal boxes', () => [0, 0, 1, 1]],
   ];
   it.each(inOrder)('stays low for %s', (_, box) => {
-    const tree = new PackedTree<number>();
+    const tree = new PackedTree<number>(0.1);
     const leaves: number[] = [];
     for (let i = 0; i < 4096; i += 1) {
-      leaves.push(tree.insert(i, box(i), 0));
+      leaves.push(tree.insert(i, box(i)));
     }
     expect(tree.height).toBeLessThanOrEqual(2 * Math.log2(4096));
     leaves.forEach((leaf, i) => {
       const [x0, y0, x1, y1] = box(i);
-      tree.move(leaf, [x0 + 0.5, y0, x1 + 0.5, y1], 0.1);
+      tree.move(leaf, [x0 + 0.5, y0, x1 + 0.5, y1]);
     });
     expect(tree.height).toBeLessThanOrEqual(2 * Math.log2(4096));
     for (const leaf of leaves.slice(0, 4000)) {
@@ -192,7 +192,7 @@ describe('packed tree, used for long', () => {
     for (let seed = 1; seed <= 4; seed += 1) {
       const random = generator(seed);
       const box = boxes(seed);
-      const tree = new PackedTree<number>();
+      const tree = new PackedTree<number>(0.1);
       const leaves: number[] = [];
       for (let i = 0; i < 10 * COUNT; i += 1) {
         const k = Math.floor(random() * leaves.length);
@@ -200,9 +200,9 @@ describe('packed tree, used for long', () => {
         // A row now and then: the worst there is for a tree that only looks at perimeters.
         const next: Rect = i % COUNT < 100 ? [i, 0, i + 1, 1] : box();
         if (leaves.length < 10 || choice < 0.4) {
-          leaves.push(tree.insert(i, next, 0));
+          leaves.push(tree.insert(i, next));
         } else if (choice < 0.7) {
-          tree.move(leaves[k]!, next, 0.1);
+          tree.move(leaves[k]!, next);
         } else {
           tree.remove(leaves[k]!);
           leaves[k] = leaves.at(-1)!;
@@ -222,13 +222,13 @@ describe('packed tree, used for long', () => {
     for (let seed = 1; seed <= 6; seed += 1) {
       const random = generator(seed);
       const box = boxes(10 + seed);
-      const tree = new PackedTree<number>();
-      const leaves = Array.from({ length: COUNT }, (_, i) => tree.insert(i, box(), 0));
+      const tree = new PackedTree<number>(0);
+      const leaves = Array.from({ length: COUNT }, (_, i) => tree.insert(i, box()));
       for (let round = 0; round < 40; round += 1) {
         for (const leaf of leaves) {
           const [dx, dy] = [random() - 0.5, random() - 0.5];
           const [x0, y0, x1, y1] = round < 20 ? box() : tree.boxOf(leaf);
-          tree.move(leaf, [x0! + dx, y0! + dy, x1! + dx, y1! + dy], 0);
+          tree.move(leaf, [x0! + dx, y0! + dy, x1! + dx, y1! + dy]);
         }
       }
       worn += checkBelow(tree, tree.root).perimeter;
@@ -250,9 +250,9 @@ describe('packed tree, asked by rays', () => {
       // Integers, so exactly on the ray: it comes to the box where it goes by.
       const [x, y] = [ox + dx * factor, oy + dy * factor];
       const box: Rect = i % 2 === 0 ? [x, y - 9, x + 9, y] : [x - 9, y, x, y + 9];
-      const tree = new PackedTree<number>();
-      tree.insert(0, box, 0);
-      tree.insert(1, [-9, -9, -8, -8], 0);
+      const tree = new PackedTree<number>(0);
+      tree.insert(0, box);
+      tree.insert(1, [-9, -9, -8, -8]);
       tree.cast([ox, oy], [dx, dy], factor, (item) => {
         met += item === 0 ? 1 : 0;
         return factor;
@@ -266,9 +266,9 @@ describe('packed tree, asked by rays', () => {
     for (const x of [-0.5, -5e-324, -0, 0, 0.5, 1, 1 + Number.EPSILON, 1.5]) {
       for (const zero of [0, -0]) {
         for (const way of [1, -1]) {
-          const tree = new PackedTree<number>();
-          tree.insert(0, box, 0);
-          tree.insert(1, [50, 50, 51, 51], 0);
+          const tree = new PackedTree<number>(0);
+          tree.insert(0, box);
+          tree.insert(1, [50, 50, 51, 51]);
           const met = { x: 0, y: 0 };
           tree.cast([x, -7 * way], [zero, way], Infinity, () => {
             met.x += 1;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { collideAlong, reachAlong, roundness, separationAlong } from '../../src/collide/along.js';
+import { Along, collideAlong, reachAlong, roundness, separationAlong } from '../../src/collide/along.js';
 import * as g from '../../src/collide/layout.js';
 import { reset } from '../../src/collide/manifold.js';
 import { intersect } from '../../src/collide/table.js';
@@ -112,12 +112,14 @@ describe('two shapes', () => {
       const [a, b] = [put(chance), put(chance)];
       const [nx, ny] = directionOf(chance);
       const gap = gapAlong(a.form.corners, b.form.corners, nx, ny) - a.form.radius - b.form.radius;
-      near(separationAlong(a.shape, b.shape, b.x - a.x, b.y - a.y, nx, ny), gap, CLOSE);
-      near(
-        reachAlong(a.shape, nx, ny),
-        -gapAlong(a.form.corners, Float64Array.of(a.x, a.y), nx, ny) + a.form.radius,
-        CLOSE,
-      );
+      const along = Object.assign(new Along(), { x: nx, y: ny, dx: b.x - a.x, dy: b.y - a.y });
+      separationAlong(a.shape, b.shape, along);
+      near(along.found, gap, CLOSE);
+      for (const sign of [1, -1]) {
+        reachAlong(a.shape, along, sign);
+        const reach = -gapAlong(a.form.corners, Float64Array.of(a.x, a.y), sign * nx, sign * ny) + a.form.radius;
+        near(along.found, reach, CLOSE);
+      }
     }
   });
 

@@ -92,8 +92,10 @@ class Trial {
         at = (i / 200) * this.most;
       }
     }
-    a.place(at);
-    b.place(at);
+    a.at = at;
+    b.at = at;
+    a.place();
+    b.place();
     measureDistance(a.outline, b.outline, distance);
     const rest = (chance.next() < 0.5 ? -1 : 1) * this.size * chance.size(1e-12, 1e-2);
     b.x -= distance.axisX * (distance.value - rest);
@@ -108,8 +110,10 @@ class Trial {
   rate(): number {
     const { a, b } = this.sweep;
     const [x, y] = [a.vx - b.vx, a.vy - b.vy];
-    a.place(0);
-    b.place(0);
+    a.at = 0;
+    b.at = 0;
+    a.place();
+    b.place();
     a.measureReach();
     b.measureReach();
     return Math.sqrt(x * x + y * y) + Math.abs(a.w) * a.reach + Math.abs(b.w) * b.reach;

@@ -1,0 +1,14 @@
+/** A list that is filled and emptied in each step. What lies beyond the count is old: shortening an array would cost its storage. */
+export class List<T> {
+  readonly items: T[] = [];
+  count = 0;
+
+  add(item: T): void {
+    this.items[this.count] = item;
+    this.count += 1;
+  }
+
+  clear(): void {
+    this.count = 0;
+  }
+}
