@@ -104,8 +104,17 @@ function demand(tape: Tape, holds: boolean, otherwise: string): void {
   }
 }
 
+/** Its body is in another world. */
+export function isElsewhere(world: World, { owner }: Shape): boolean {
+  return isOther(world, owner?.owner);
+}
+
+function isOther(world: World, owner: World | null | undefined): boolean {
+  return owner !== undefined && owner !== null && owner !== world;
+}
+
 /** A shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
-function standIn(kind: number): Shape {
+export function standIn(kind: number): Shape {
   const vertices = createBoxVertices(1, 1);
   return kind === 0 ? new Circle({ radius: 1 }) : new Polygon({ vertices });
 }
@@ -151,16 +160,14 @@ class Finder {
     return object;
   }
 
-  /** What is in another world cannot come back. */
-  refuseOthers({ bodies, shapes, constraints, inside }: Scene): void {
+  /** What is in another world cannot come back; a shape that only an event names need not. */
+  refuseOthers({ bodies, shapes, constraints, inside, attached }: Scene): void {
     const { world } = this;
-    const isElsewhere = (owner: World | null | undefined): boolean =>
-      owner !== undefined && owner !== null && owner !== world;
     if (
-      bodies.slice(0, inside).some(({ owner }) => isElsewhere(owner)) ||
+      bodies.slice(0, inside).some(({ owner }) => isOther(world, owner)) ||
       bodies.slice(inside).some(({ owner }) => owner !== null) ||
-      shapes.some(({ owner }) => isElsewhere(owner?.owner)) ||
-      constraints.some(({ owner }) => isElsewhere(owner))
+      shapes.slice(0, attached).some((shape) => isElsewhere(world, shape)) ||
+      constraints.some(({ owner }) => isOther(world, owner))
     ) {
       throw this.tape.refusal('an object of it is in another world now');
     }

@@ -9,7 +9,7 @@ import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
 import { VERSION } from './format.js';
-import { describe, ranksOf, resolve } from './identity.js';
+import { describe, isElsewhere, ranksOf, resolve } from './identity.js';
 import { keepGroup, ROWS } from './rows.js';
 import { emptyScene, gather, type Objects, type Scene } from './scene.js';
 import { Tape } from './tape.js';
@@ -188,6 +188,9 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     world.rigidBodies.push(body);
   }
   for (let i = 0; i < shapes.length; i += 1, at += 3) {
+    if (isElsewhere(world, shapes[i]!)) {
+      continue;
+    }
     shapes[i]!.order = ids[at]!;
     drop(shapes[i]!.arbiters);
     shapes[i]!.grounds = null;

@@ -2,7 +2,9 @@ import type { RigidBody } from '../body.js';
 
 import type { Constraint } from '../constraint/constraint.js';
 import { Material } from '../material.js';
+import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { isElsewhere, standIn } from './identity.js';
 import * as rows from './rows.js';
 import type { Scene } from './scene.js';
 import type { Tape } from './tape.js';
@@ -23,7 +25,8 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
     first += shapeCount;
   }
   for (; first < shapes.length; first += 1) {
-    walkShape(tape, scene, first);
+    const shape = shapes[first]!;
+    walkShape(tape, scene, tape.holds && isElsewhere(world, shape) ? standIn(shape.kind) : shape);
   }
   for (const constraint of constraints) {
     tape.begins();
@@ -70,7 +73,7 @@ function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount
   let isOther = rows.keepBody(tape, body);
   let isMoved = body.x !== x || body.y !== y || body.cos !== cos || body.sin !== sin;
   for (let k = 0; k < shapeCount; k += 1) {
-    if (walkShape(tape, scene, first + k)) {
+    if (walkShape(tape, scene, scene.shapes[first + k]!)) {
       isOther = true;
       isMoved = true;
     }
@@ -82,8 +85,7 @@ function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount
 }
 
 /** @returns whether it is another shape now, or of another material. */
-function walkShape(tape: Tape, { shapes, materials, isCopy }: Scene, i: number): boolean {
-  const shape = shapes[i]!;
+function walkShape(tape: Tape, { materials, isCopy }: Scene, shape: Shape): boolean {
   const { material } = shape;
   if (tape.hashes) {
     tape.shared(rows.materialNumbers(material), Infinity);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { BodyNumbers } from '../../src/body-numbers.js';
 import { PAIR_NUMBERS } from '../../src/collide/layout.js';
 import { APPROACH, FORESIGHT } from '../../src/contact/layout.js';
 import { type Arbiter, phys2D, type World } from '../../src/index.js';
@@ -24,8 +25,8 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
 
 /** Fixed when an object is made. */
 const FIXED: Readonly<Record<string, readonly string[]>> = {
-  body: [],
-  shape: ['id', 'sensor', 'kind'],
+  body: ['at'],
+  shape: ['id', 'sensor', 'kind', 'at'],
   polygon: ['radius'],
   constraint: ['dimension', 'positional', 'bounded'],
   arbiter: ['sensor', 'at'],
@@ -39,6 +40,11 @@ const UNHEARD: Readonly<Record<string, readonly string[]>> = {
   constraint: ['order', 'index', 'liveIndex'],
   arbiter: ['listIndex', 'listed', 'awake', 'indexA', 'indexB'],
 };
+
+/** What a body has as accessors. */
+const NUMBERS = Object.entries(Object.getOwnPropertyDescriptors(BodyNumbers.prototype))
+  .filter(([, { set }]) => set !== undefined)
+  .map(([key]) => key);
 
 const names = (of: Readonly<Record<string, readonly string[]>>, kind: string): readonly string[] => [
   ...(kind === 'polygon' ? (of.shape ?? []) : []),
@@ -104,9 +110,8 @@ describe.each([
   const hash = world.hash();
 
   for (const [kind, find] of objects(world)) {
-    const keys = Object.entries(find())
-      .filter(([, value]) => typeof value === 'number' || typeof value === 'boolean')
-      .map(([key]) => key)
+    const keys = [...Object.keys(find()), ...(kind === 'body' ? NUMBERS : [])]
+      .filter((key) => ['number', 'boolean'].includes(typeof (find() as Fields)[key]))
       .filter((key) => ![...names(DERIVED, kind), ...names(FIXED, kind)].includes(key));
 
     it(`${kind}: ${keys.join(' ') || 'nothing'}`, () => {
