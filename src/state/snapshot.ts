@@ -117,7 +117,12 @@ function walkGroups(on: Tape, world: World): void {
   const isListed = on.flag(!world.jointsStale);
   const count = on.count(isListed ? groups.length : 0);
   if (on.reads) {
-    orderJoints(world);
+    // Ordering them forgets what those gave that do nothing any more: that comes with the next step, as it would have.
+    if (isListed) {
+      orderJoints(world);
+    } else {
+      world.solver.joints.reset();
+    }
     world.jointsStale = !isListed;
     world.jointsTouched = true;
   }

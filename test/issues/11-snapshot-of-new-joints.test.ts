@@ -17,3 +17,22 @@ it('a snapshot can be restored in every step of a joint that is new', () => {
     expect(world.hash()).toBe(hash);
   }
 });
+
+it('a constraint that will act no more comes back with what it gave in the latest step', () => {
+  const world = phys2D.createWorld();
+  const [bodyA, bodyC] = [phys2D.createRigidBody({ type: 'static' }), phys2D.createRigidBody({ type: 'static' })];
+  const bodyB = phys2D.createRigidBody({ position: [1, 1], shapes: [phys2D.createCircleShape({ radius: 0.5 })] });
+  const bodyD = phys2D.createRigidBody({ type: 'static', position: [2, 2] });
+  world.addRigidBody(bodyB);
+  const pulley = phys2D.createPulleyConstraint({ bodyA, bodyB, bodyC, bodyD, lowerBound: 1, upperBound: 1 });
+  world.addConstraint(pulley);
+  world.step(1 / 60);
+  bodyC.setAsDynamic();
+  const [hash, given] = [world.hash(), pulley.getImpulseForBody(bodyB)];
+  expect(given).not.toEqual([0, 0, 0]);
+  world.restore(world.snapshot());
+  expect(pulley.getImpulseForBody(bodyB)).toEqual(given);
+  expect(world.hash()).toBe(hash);
+  world.step(1 / 60);
+  expect(pulley.getImpulseForBody(bodyB)).toEqual([0, 0, 0]);
+});
