@@ -140,7 +140,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     for (let n = 0; n < group.runs.length; n += 1) {
       const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
-        warmStartPoints(data, start, end, isFirst);
+        warmStartPoints(data, start, end);
       } else {
         for (let k = start; k < end; k += 1) {
           warmStartBlock(data, k, isFirst);

@@ -51,6 +51,12 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
   }
   body.kind = kind;
   world.jointsStale = true;
+  for (const constraint of body.constraints) {
+    if (constraint.owner !== world) {
+      // In another world it acts on what cannot move there, and on nothing dynamic.
+      constraint.touch();
+    }
+  }
   for (const shape of body.shapes) {
     for (const pair of [...shape.arbiters]) {
       if (!isPossible(pair)) {

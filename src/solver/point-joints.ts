@@ -85,11 +85,8 @@ export function beginPoints(data: SolverData, start: number, end: number): void 
   }
 }
 
-/**
- * Starts a sub-step: arms and error for the present placement, and the impulse of the last sub-step once more. K⁻¹ is that of the last exact push, which
- * turned little since; in the first sub-step, that of the placement.
- */
-export function warmStartPoints(data: SolverData, start: number, end: number, isFirst: boolean): void {
+/** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
+export function warmStartPoints(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints, worst, strained } = data.joints;
   const { velocity: v, pose: p } = data;
   let i = joints[start]!.at;
@@ -131,13 +128,14 @@ export function warmStartPoints(data: SolverData, start: number, end: number, is
     const mB = v[b + d.INV_MASS]!;
     const iA = v[a + d.INV_INERTIA]!;
     const iB = v[b + d.INV_INERTIA]!;
-    if (isFirst) {
-      const m = mA + mB;
-      r[i + j.I11] = m + iA * ay * ay + iB * by * by;
-      r[i + j.I12] = -iA * ax * ay - iB * bx * by;
-      r[i + j.I22] = m + iA * ax * ax + iB * bx * bx;
-      invert(r, i);
-    }
+    const m = mA + mB;
+    const k11 = m + iA * ay * ay + iB * by * by;
+    const k12 = -iA * ax * ay - iB * bx * by;
+    const k22 = m + iA * ax * ax + iB * bx * bx;
+    r[i + j.I11] = k11;
+    r[i + j.I12] = k12;
+    r[i + j.I22] = k22;
+    invert(r, i);
     const px = r[i + j.IMPULSE_X]!;
     const py = r[i + j.IMPULSE_Y]!;
     v[a + d.VX] = v[a + d.VX]! - mA * px;

@@ -36,3 +36,18 @@ it('a constraint that will act no more comes back with what it gave in the lates
   world.step(1 / 60);
   expect(pulley.getImpulseForBody(bodyB)).toEqual([0, 0, 0]);
 });
+
+it('a constraint acts no more once a body of it is dynamic in another world', () => {
+  const [world, other] = [phys2D.createWorld(), phys2D.createWorld()];
+  const bodyA = phys2D.createRigidBody({ type: 'static' });
+  const bodyB = phys2D.createRigidBody({ position: [1, 0], shapes: [phys2D.createCircleShape({ radius: 0.5 })] });
+  world.addRigidBody(bodyB);
+  other.addRigidBody(bodyA);
+  const rod = phys2D.createDistanceConstraint({ bodyA, bodyB, lowerBound: 0, upperBound: 0.5 });
+  world.addConstraint(rod);
+  world.step(1 / 60);
+  expect(rod.getImpulseForBody(bodyB)).not.toEqual([0, 0, 0]);
+  bodyA.setAsDynamic();
+  world.step(1 / 60);
+  expect(rod.getImpulseForBody(bodyB)).toEqual([0, 0, 0]);
+});
