@@ -6,13 +6,16 @@ const slab = /* @__PURE__ */ new Slab();
 
 /** The numbers of a body, in a slab: each step walks through those of all bodies, and as fields each would be a box of its own somewhere in memory. */
 export abstract class BodyNumbers {
+  /** @internal */
   private readonly at = slab.take(COUNT);
+  /** @internal */
   private readonly numbers = slab.numbers;
 
   /** @internal m. Keeps its name. */
   get x(): number {
     return this.numbers[this.at]!;
   }
+  /** @internal */
   set x(value: number) {
     this.numbers[this.at] = value;
   }
@@ -21,6 +24,7 @@ export abstract class BodyNumbers {
   get y(): number {
     return this.numbers[this.at + 1]!;
   }
+  /** @internal */
   set y(value: number) {
     this.numbers[this.at + 1] = value;
   }
@@ -29,6 +33,7 @@ export abstract class BodyNumbers {
   get angle(): number {
     return this.numbers[this.at + 2]!;
   }
+  /** @internal */
   set angle(value: number) {
     this.numbers[this.at + 2] = value;
   }
@@ -37,6 +42,7 @@ export abstract class BodyNumbers {
   get cos(): number {
     return this.numbers[this.at + 3]!;
   }
+  /** @internal */
   set cos(value: number) {
     this.numbers[this.at + 3] = value;
   }
@@ -45,6 +51,7 @@ export abstract class BodyNumbers {
   get sin(): number {
     return this.numbers[this.at + 4]!;
   }
+  /** @internal */
   set sin(value: number) {
     this.numbers[this.at + 4] = value;
   }
@@ -53,6 +60,7 @@ export abstract class BodyNumbers {
   get vx(): number {
     return this.numbers[this.at + 5]!;
   }
+  /** @internal */
   set vx(value: number) {
     this.numbers[this.at + 5] = value;
   }
@@ -61,6 +69,7 @@ export abstract class BodyNumbers {
   get vy(): number {
     return this.numbers[this.at + 6]!;
   }
+  /** @internal */
   set vy(value: number) {
     this.numbers[this.at + 6] = value;
   }
@@ -69,6 +78,7 @@ export abstract class BodyNumbers {
   get w(): number {
     return this.numbers[this.at + 7]!;
   }
+  /** @internal */
   set w(value: number) {
     this.numbers[this.at + 7] = value;
   }
@@ -77,6 +87,7 @@ export abstract class BodyNumbers {
   get mass(): number {
     return this.numbers[this.at + 8]!;
   }
+  /** @internal */
   set mass(value: number) {
     this.numbers[this.at + 8] = value;
   }
@@ -85,6 +96,7 @@ export abstract class BodyNumbers {
   get inertia(): number {
     return this.numbers[this.at + 9]!;
   }
+  /** @internal */
   set inertia(value: number) {
     this.numbers[this.at + 9] = value;
   }
@@ -93,6 +105,7 @@ export abstract class BodyNumbers {
   get radius(): number {
     return this.numbers[this.at + 10]!;
   }
+  /** @internal */
   set radius(value: number) {
     this.numbers[this.at + 10] = value;
   }
@@ -101,6 +114,7 @@ export abstract class BodyNumbers {
   get linearDrag(): number {
     return this.numbers[this.at + 11]!;
   }
+  /** @internal */
   set linearDrag(value: number) {
     this.numbers[this.at + 11] = value;
   }
@@ -109,6 +123,7 @@ export abstract class BodyNumbers {
   get angularDrag(): number {
     return this.numbers[this.at + 12]!;
   }
+  /** @internal */
   set angularDrag(value: number) {
     this.numbers[this.at + 12] = value;
   }
@@ -117,6 +132,7 @@ export abstract class BodyNumbers {
   get fx(): number {
     return this.numbers[this.at + 13]!;
   }
+  /** @internal */
   set fx(value: number) {
     this.numbers[this.at + 13] = value;
   }
@@ -125,6 +141,7 @@ export abstract class BodyNumbers {
   get fy(): number {
     return this.numbers[this.at + 14]!;
   }
+  /** @internal */
   set fy(value: number) {
     this.numbers[this.at + 14] = value;
   }
@@ -133,6 +150,7 @@ export abstract class BodyNumbers {
   get appliedTorque(): number {
     return this.numbers[this.at + 15]!;
   }
+  /** @internal */
   set appliedTorque(value: number) {
     this.numbers[this.at + 15] = value;
   }
@@ -141,6 +159,7 @@ export abstract class BodyNumbers {
   get surfaceX(): number {
     return this.numbers[this.at + 16]!;
   }
+  /** @internal */
   set surfaceX(value: number) {
     this.numbers[this.at + 16] = value;
   }
@@ -149,6 +168,7 @@ export abstract class BodyNumbers {
   get surfaceY(): number {
     return this.numbers[this.at + 17]!;
   }
+  /** @internal */
   set surfaceY(value: number) {
     this.numbers[this.at + 17] = value;
   }
@@ -157,6 +177,7 @@ export abstract class BodyNumbers {
   get lastDx(): number {
     return this.numbers[this.at + 18]!;
   }
+  /** @internal */
   set lastDx(value: number) {
     this.numbers[this.at + 18] = value;
   }
@@ -165,6 +186,7 @@ export abstract class BodyNumbers {
   get lastDy(): number {
     return this.numbers[this.at + 19]!;
   }
+  /** @internal */
   set lastDy(value: number) {
     this.numbers[this.at + 19] = value;
   }
@@ -173,6 +195,7 @@ export abstract class BodyNumbers {
   get lastTurn(): number {
     return this.numbers[this.at + 20]!;
   }
+  /** @internal */
   set lastTurn(value: number) {
     this.numbers[this.at + 20] = value;
   }
@@ -181,6 +204,7 @@ export abstract class BodyNumbers {
   get clearance(): number {
     return this.numbers[this.at + 21]!;
   }
+  /** @internal */
   set clearance(value: number) {
     this.numbers[this.at + 21] = value;
   }
@@ -189,6 +213,7 @@ export abstract class BodyNumbers {
   get turnAhead(): number {
     return this.numbers[this.at + 22]!;
   }
+  /** @internal */
   set turnAhead(value: number) {
     this.numbers[this.at + 22] = value;
   }
@@ -197,6 +222,7 @@ export abstract class BodyNumbers {
   get fixedMass(): number {
     return this.numbers[this.at + 23]!;
   }
+  /** @internal */
   set fixedMass(value: number) {
     this.numbers[this.at + 23] = value;
   }
@@ -205,6 +231,7 @@ export abstract class BodyNumbers {
   get fixedInertia(): number {
     return this.numbers[this.at + 24]!;
   }
+  /** @internal */
   set fixedInertia(value: number) {
     this.numbers[this.at + 24] = value;
   }
