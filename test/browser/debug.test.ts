@@ -151,15 +151,15 @@ it('the page of the README shows crates that fall', async () => {
   const readme = await open(browser, errors);
   // Looks at two early frames as they are drawn: later, which may be soon on a slow machine, the crates sleep.
   await readme.addInitScript(`
-    const lit = [];
-    const next = requestAnimationFrame;
+    window.lit = [];
+    const next = window.requestAnimationFrame;
     let frame = 0;
-    requestAnimationFrame = (draw) => next((time) => {
+    window.requestAnimationFrame = (draw) => next((time) => {
       draw(time);
       frame += 1;
       if (frame === 3 || frame === 10) {
         const { data } = document.querySelector('canvas').getContext('2d').getImageData(0, 0, 900, 600);
-        lit.push(Array.from({ length: 900 * 600 }, (_, i) => i).filter((i) => data[4 * i + 1] > 150));
+        window.lit.push(Array.from({ length: 900 * 600 }, (_, i) => i).filter((i) => data[4 * i + 1] > 150));
       }
     });`);
   await readme.goto(new URL('/readme.html', readme.url()).href);
