@@ -159,7 +159,7 @@ it('the page of the README shows crates that fall', async () => {
       frame += 1;
       if (frame === 3 || frame === 10) {
         const { data } = document.querySelector('canvas').getContext('2d').getImageData(0, 0, 900, 600);
-        window.lit.push(Array.from({ length: 900 * 600 }, (_, i) => i).filter((i) => data[4 * i + 1] > 150));
+        window.lit.push(Array.from({ length: 900 * 600 }, (_, i) => i).filter((i) => Math.max(data[4 * i], data[4 * i + 1], data[4 * i + 2]) > 90));
       }
     });`);
   await readme.goto(new URL('/readme.html', readme.url()).href);
