@@ -93,11 +93,15 @@ function noteIsland({ islands }: Scene, { island }: RigidBody | Constraint): voi
   }
 }
 
+function isIn(world: World, { owner }: Shape): boolean {
+  return owner !== null && owner.owner === world;
+}
+
 function gatherPairs(world: World, scene: Scene): void {
   const { pairs, shapes } = scene;
   world.pairs.merge();
   for (const pair of world.pairs.sorted) {
-    if (!pair.dead && pair.shapeA.handle !== null && pair.shapeB.handle !== null) {
+    if (!pair.dead && isIn(world, pair.shapeA) && isIn(world, pair.shapeB)) {
       pairs.push(pair);
     }
   }

@@ -42,3 +42,17 @@ it('a world is restored though a body that an event still names is in another wo
   expect(met).toEqual([goes]);
   expect(other.dynamicArbiters).toHaveLength(1);
 });
+
+it('a pair that never touched, of a body that is in another world now, is not restored', () => {
+  const [world, other] = [phys2D.createWorld({ gravity: [0, 0] }), phys2D.createWorld({ gravity: [0, 0] })];
+  const bodies = [disc(0, 1), disc(1.91, 2), disc(0.9, 4)] as const;
+  bodies.forEach((body) => void world.addRigidBody(body));
+  world.step(1 / 60);
+  expect(world.dynamicArbiters).toHaveLength(1);
+  world.removeRigidBody(bodies[1]);
+  other.addRigidBody(bodies[1]);
+  const hash = world.hash();
+  world.restore(world.snapshot());
+  validate(world);
+  expect(world.hash()).toBe(hash);
+});
