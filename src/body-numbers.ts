@@ -65,7 +65,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 5] = value;
   }
 
-  /** @internal  */
+  /** @internal */
   get vy(): number {
     return this.numbers[this.at + 6]!;
   }
@@ -119,7 +119,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 11] = value;
   }
 
-  /** @internal  */
+  /** @internal */
   get angularDrag(): number {
     return this.numbers[this.at + 12]!;
   }
@@ -137,7 +137,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 13] = value;
   }
 
-  /** @internal  */
+  /** @internal */
   get fy(): number {
     return this.numbers[this.at + 14]!;
   }
@@ -164,7 +164,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 16] = value;
   }
 
-  /** @internal  */
+  /** @internal */
   get surfaceY(): number {
     return this.numbers[this.at + 17]!;
   }

@@ -3,7 +3,7 @@ import type { Circle } from '../shape/circle.js';
 import type { Shape } from '../shape/shape.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
-import { collidePolygonsAlong } from './polygons.js';
+import { collidePolygonsAlong, endOfEdges } from './polygons.js';
 import { POLYGON } from './table.js';
 
 /** What is asked for along a unit vector, and what was found. An object, as numbers that go from function to function would be boxed. */
@@ -29,8 +29,8 @@ export function reachAlong(shape: Shape, along: Along, sign: number): void {
     along.found = nx * centreX + ny * centreY + radius;
     return;
   }
-  const { numbers: n, at, offsets } = shape;
-  const end = at + EDGES + EDGE_STRIDE * offsets.length;
+  const { numbers: n, at } = shape;
+  const end = endOfEdges(shape);
   let most = -Infinity;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     most = Math.max(most, nx * n[k]! + ny * n[k + 1]!);

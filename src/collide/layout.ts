@@ -38,6 +38,5 @@ export const AXIS = 21;
 /** Whose edge the other's was clipped to: 0 A's, 1 B's, −1: there was no such choice; and for which shapes. */
 export const FACE = 22;
 export const FACE_STAMP = 23;
-/** What the contacts keep with that begins here: see `contact/layout.ts`. */
-export const MANIFOLD_NUMBERS = 24;
+/** With what the contacts keep there from 24 on: see `contact/layout.ts`. */
 export const PAIR_NUMBERS = 41;

@@ -8,7 +8,7 @@ import { faceChosen, keepsFace } from './manifold.js';
 const best = { separation: -Infinity, edge: 0 };
 
 /** Where the edges of a polygon end in its numbers. */
-function endOf({ at, offsets }: Polygon): number {
+export function endOfEdges({ at, offsets }: Polygon): number {
   return at + EDGES + EDGE_STRIDE * offsets.length;
 }
 
@@ -19,7 +19,7 @@ function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number,
   const edges = q.numbers;
   const nx = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 2]!;
   const ny = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 3]!;
-  const end = endOf(q);
+  const end = endOfEdges(q);
   let least = Infinity;
   for (let k = q.at + EDGES; k < end; k += EDGE_STRIDE) {
     const s = nx * edges[k]! + ny * edges[k + 1]!;
@@ -37,7 +37,7 @@ function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: n
   const qe = q.numbers;
   const from = p.at + EDGES;
   const first = q.at + EDGES;
-  const end = endOf(q);
+  const end = endOfEdges(q);
   const offsets = p.offsets;
   const count = offsets.length;
   const ox = side * n[o + g.DX]!;
@@ -70,7 +70,7 @@ function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: n
 function opposedEdge(q: Polygon, nx: number, ny: number): number {
   const edges = q.numbers;
   const first = q.at + EDGES;
-  const end = endOf(q);
+  const end = endOfEdges(q);
   let least = Infinity;
   let found = first;
   for (let k = first; k < end; k += EDGE_STRIDE) {

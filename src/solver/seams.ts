@@ -2,6 +2,7 @@ import { DYNAMIC, STATIC } from '../body-kind.js';
 import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
+import { endOfEdges } from '../collide/polygons.js';
 import { POLYGON } from '../collide/table.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -146,8 +147,8 @@ function findFace(pair: Arbiter): void {
   up.x = sign * n[o + g.NX]!;
   up.y = sign * n[o + g.NY]!;
   if (ground.kind === POLYGON && dynamicOf(pair).kind === POLYGON) {
-    const { numbers: edges, at, offsets } = ground as Polygon;
-    const end = at + EDGES + EDGE_STRIDE * offsets.length;
+    const { numbers: edges, at } = ground;
+    const end = endOfEdges(ground);
     for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
       if (edges[k + 2]! * up.x + edges[k + 3]! * up.y > FACE_ALIGNMENT) {
         up.x = edges[k + 2]!;
@@ -195,8 +196,8 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
 
 /** Finds a face of a ground that a shape reaches no deeper below than that, and that near `point` is not within another ground. */
 function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polygon): boolean {
-  const { numbers: edges, at, offsets } = ground;
-  const end = at + EDGES + EDGE_STRIDE * offsets.length;
+  const { numbers: edges, at } = ground;
+  const end = endOfEdges(ground);
   up.dx = shape.owner!.x - ground.owner!.x;
   up.dy = shape.owner!.y - ground.owner!.y;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
@@ -232,9 +233,8 @@ function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygo
 
 /** Whether an edge of a ground, from its end near `point` on, is not within another polygon. */
 function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
-  const { numbers: edges, at, offsets } = ground;
-  const first = at + EDGES;
-  const next = edge + EDGE_STRIDE === first + EDGE_STRIDE * offsets.length ? first : edge + EDGE_STRIDE;
+  const { numbers: edges, at } = ground;
+  const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
   const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
   const way = isNext ? -OPEN_WAY : OPEN_WAY;

@@ -1,7 +1,7 @@
+import { endOfEdges } from '../collide/polygons.js';
 import { POLYGON } from '../collide/table.js';
 import { SPECULATIVE_MARGIN } from '../config.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
-import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { Mover } from './movers.js';
 
@@ -54,8 +54,8 @@ export function isBeyondEdge(mover: Mover, shape: Shape, bounds: Float64Array): 
     return false;
   }
   const { body, dx, dy } = mover;
-  const { numbers: edges, at, offsets } = shape as Polygon;
-  const end = at + EDGES + EDGE_STRIDE * offsets.length;
+  const { numbers: edges, at } = shape;
+  const end = endOfEdges(shape);
   const slack = Math.abs(mover.turn) * body.radius + SPECULATIVE_MARGIN / 2;
   const x = 0.5 * (bounds[0]! + bounds[2]!) - mover.startX;
   const y = 0.5 * (bounds[1]! + bounds[3]!) - mover.startY;
