@@ -10,6 +10,12 @@ const MARGIN = 0.1;
 const AHEAD = 4;
 const MAX_AHEAD = 1;
 
+/** Of a pair: where the bounds of its handles are, and its note, see `perform`; 0: none. */
+const END_A = 0;
+const END_B = 1;
+const NOTE = 2;
+const ENDS = 3;
+
 /** A handle of {@link BoxTreeBroadphase}. */
 class TreeHandle<T> implements BroadphaseHandle<T> {
   /** Leaf in the tree of its kind; −1 once removed. */
@@ -66,8 +72,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   /** What lies beyond the count is for later. */
   private readonly pairs: TreePair<T>[] = [];
   private pairCount = 0;
-  /** Two for each pair: where the bounds of its handles are. */
-  private ends = new Int32Array(32);
+  /** A record for each pair, side by side, as `perform` goes through all of them. */
+  private ends = new Int32Array(16 * ENDS);
   private search = 0;
   private readonly met: (TreeHandle<T> | null)[] = [];
   private readonly box = new Float64Array(BOX);
@@ -146,10 +152,17 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
   }
 
-  perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
+  perform(
+    callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown,
+    thisObject?: unknown,
+    isKnown?: (note: number) => boolean,
+  ): void {
     callable('BoxTreeBroadphase.perform', 'callback', callback);
+    if (isKnown !== undefined) {
+      callable('BoxTreeBroadphase.perform', 'isKnown', isKnown);
+    }
     this.renewMoved();
-    this.reportPairs(callback, thisObject);
+    this.reportPairs(callback, thisObject, isKnown);
   }
 
   private renewMoved(): void {
@@ -163,18 +176,30 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.movedCount = 0;
   }
 
-  private reportPairs(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject: unknown): void {
+  private reportPairs(
+    callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown,
+    thisObject: unknown,
+    isKnown: ((note: number) => boolean) | undefined,
+  ): void {
     const { pairs, ends, boxes } = this;
     for (let i = 0; i < this.pairCount; i += 1) {
-      const a = ends[2 * i]!;
-      const b = ends[2 * i + 1]!;
+      const at = i * ENDS;
+      const a = ends[at + END_A]!;
+      const b = ends[at + END_B]!;
+      const note = ends[at + NOTE]!;
       if (
         boxes[a]! <= boxes[b + 2]! &&
         boxes[a + 2]! >= boxes[b]! &&
         boxes[a + 1]! <= boxes[b + 3]! &&
         boxes[a + 3]! >= boxes[b + 1]!
       ) {
-        callback.call(thisObject, pairs[i]!.a!, pairs[i]!.b!);
+        if (isKnown === undefined) {
+          callback.call(thisObject, pairs[i]!.a!, pairs[i]!.b!);
+        } else if (note === 0 || !isKnown.call(thisObject, note)) {
+          ends[at + NOTE] = callback.call(thisObject, pairs[i]!.a!, pairs[i]!.b!) as number;
+        }
+      } else if (note !== 0) {
+        ends[at + NOTE] = 0;
       }
     }
   }
@@ -315,13 +340,15 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     pair.a = a;
     pair.b = b;
     pair.slot = slot;
-    if (2 * slot === this.ends.length) {
+    const at = slot * ENDS;
+    if (at === this.ends.length) {
       const { ends } = this;
-      this.ends = new Int32Array(4 * slot);
+      this.ends = new Int32Array(2 * at);
       this.ends.set(ends);
     }
-    this.ends[2 * slot] = a.at;
-    this.ends[2 * slot + 1] = b.at;
+    this.ends[at + END_A] = a.at;
+    this.ends[at + END_B] = b.at;
+    this.ends[at + NOTE] = 0;
     pair.slotA = addTo(a, pair);
     pair.slotB = addTo(b, pair);
   }
@@ -333,8 +360,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       const { slot } = pair;
       this.pairs[slot] = last;
       this.pairs[this.pairCount] = pair;
-      this.ends[2 * slot] = last.a!.at;
-      this.ends[2 * slot + 1] = last.b!.at;
+      this.ends.copyWithin(slot * ENDS, this.pairCount * ENDS, (this.pairCount + 1) * ENDS);
       last.slot = slot;
     }
     dropFrom(pair.a!, pair.slotA);

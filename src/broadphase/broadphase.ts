@@ -29,8 +29,16 @@ export interface Broadphase<T = unknown> {
   /** Removes everything, after calling back once per handle; also if a callback throws. */
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
 
-  /** Reports each pair of overlapping handles once, in any order, except pairs of static ones. */
-  perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
+  /**
+   * Reports each pair of overlapping handles once, in any order, except pairs of static ones. Given `isKnown`, a broadphase may keep the integer that
+   * `callback` returns for a pair, other than 0, as long as the pair is reported in every call, and then ask `isKnown(integer)` first: if that is
+   * `true` the pair is not reported.
+   */
+  perform(
+    callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown,
+    thisObject?: unknown,
+    isKnown?: (note: number) => boolean,
+  ): void;
 
   /** Reports each handle that overlaps `bounds` once, static or not. */
   sample(

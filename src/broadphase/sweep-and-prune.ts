@@ -164,7 +164,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     }
   }
 
-  perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
+  perform(callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown, thisObject?: unknown): void {
     callable('SweepAndPrune.perform', 'callback', callback);
     this.moving.sort();
     this.still.sort();

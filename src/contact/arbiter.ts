@@ -100,7 +100,12 @@ export class Arbiter {
   private points: readonly Contact[] | null = null;
 
   /** @internal */
-  constructor(shapeA: Shape, shapeB: Shape) {
+  constructor(
+    shapeA: Shape,
+    shapeB: Shape,
+    /** @internal among those of its world, from 1 on */
+    readonly number: number,
+  ) {
     this.shapeA = shapeA;
     this.shapeB = shapeB;
     this.at = slab.take(g.PAIR_NUMBERS);

@@ -9,6 +9,11 @@ function before(a: Report, b: Report): boolean {
   return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
 }
 
+/** In place of a step in which the broadphase reported a pair: it never did … */
+const NEVER = -1;
+/** … and it is one that was brought back with its world. */
+const CLAIMED = -2;
+
 /** Two shapes that the broadphase reported for the first time. Used again and again. */
 interface Report {
   shapeA: Shape;
@@ -36,6 +41,13 @@ export class Pairs {
   /** @internal */
   reportedCount = 0;
   private readonly crowd = new Crowd();
+  /**
+   * By the numbers of pairs: the last step in which the broadphase reported it. It does so in an order of its own, and would have to wait for each arbiter
+   * otherwise.
+   */
+  private sightings = new Int32Array(64).fill(NEVER);
+  /** How many arbiters were made: their numbers begin with 1. */
+  private made = 0;
   /** @internal */
   readonly pool: Arbiter[] = [];
   /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
@@ -60,20 +72,33 @@ export class Pairs {
   }
 
   private make(shapeA: Shape, shapeB: Shape): Arbiter {
-    const pair = this.pool.pop() ?? new Arbiter(shapeA, shapeB);
+    const pair = this.pool.pop() ?? this.makeNew(shapeA, shapeB);
     pair.reuse(shapeA, shapeB);
+    this.sightings[pair.number] = NEVER;
     return pair;
+  }
+
+  private makeNew(shapeA: Shape, shapeB: Shape): Arbiter {
+    this.made += 1;
+    if (this.made === this.sightings.length) {
+      const { sightings } = this;
+      this.sightings = new Int32Array(2 * this.made).fill(NEVER);
+      this.sightings.set(sightings);
+    }
+    return new Arbiter(shapeA, shapeB, this.made);
   }
 
   /** For a world that is restored: a pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
   restore(shapeA: Shape, shapeB: Shape): Arbiter {
-    const there = this.table.claim(shapeA, shapeB);
-    if (there !== null) {
+    const there = this.table.find(shapeA, shapeB);
+    if (there !== null && this.sightings[there.number] === NEVER) {
+      this.sightings[there.number] = CLAIMED;
       there.revive();
       return there;
     }
     const pair = this.make(shapeA, shapeB);
-    this.table.addClaimed(pair);
+    this.table.add(pair);
+    this.sightings[pair.number] = CLAIMED;
     return pair;
   }
 
@@ -85,20 +110,27 @@ export class Pairs {
     return pair;
   }
 
-  /** The broadphase reports two shapes, of which the first has the lower id. @returns whether it did in the last step, so that they are known. */
-  reportAgain(shapeA: Shape, shapeB: Shape, stamp: number): boolean {
-    return this.table.seeAgain(shapeA.id, shapeB.id, stamp);
+  /** The broadphase reports a pair by its number. @returns whether it did in the last step too; if not, the number may be that of another pair by now. */
+  reportAgain(number: number, stamp: number): boolean {
+    const isKnown = this.sightings[number] === stamp - 1;
+    if (isKnown) {
+      this.sightings[number] = stamp;
+    }
+    return isKnown;
   }
 
-  /** … and they may interact. */
-  report(shapeA: Shape, shapeB: Shape, stamp: number): void {
+  /** The broadphase reports two shapes that may interact, of which the first has the lower id. @returns the number of the pair, 0 if it is yet to be made. */
+  report(shapeA: Shape, shapeB: Shape, stamp: number): number {
     const pair = this.table.find(shapeA, shapeB);
     if (pair !== null) {
-      this.table.see(pair, stamp);
+      this.sightings[pair.number] = stamp;
       this.arrive(pair);
-    } else if (!this.crowd.take(shapeA, shapeB)) {
+      return pair.number;
+    }
+    if (!this.crowd.take(shapeA, shapeB)) {
       this.note(shapeA, shapeB);
     }
+    return 0;
   }
 
   /** @internal the pair of two shapes is to be made */
@@ -114,7 +146,7 @@ export class Pairs {
 
   /** Whether the broadphase reported a pair in a step. */
   isReported(pair: Arbiter, stamp: number): boolean {
-    return this.table.saw(pair, stamp);
+    return this.sightings[pair.number] === stamp;
   }
 
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
@@ -124,7 +156,8 @@ export class Pairs {
     sortFirst(reported, reportedCount, before);
     for (let i = 0; i < reportedCount; i += 1) {
       const { shapeA, shapeB } = reported[i]!;
-      this.table.see(this.obtain(shapeA, shapeB), stamp);
+      const { number } = this.obtain(shapeA, shapeB);
+      this.sightings[number] = stamp;
     }
     this.reportedCount = 0;
   }
@@ -187,7 +220,7 @@ export class Pairs {
 
   /** Drops a pair that is not listed and is leaving the sorted list. */
   retire(pair: Arbiter): void {
-    this.table.remove(pair);
+    this.drop(pair);
     this.free(pair);
   }
 
@@ -203,8 +236,13 @@ export class Pairs {
     pair.sleeping = false;
     pair.shown = 0;
     pair.dead = true;
-    this.table.remove(pair);
+    this.drop(pair);
     this.cut.push(pair);
+  }
+
+  private drop(pair: Arbiter): void {
+    this.table.remove(pair);
+    this.sightings[pair.number] = NEVER;
   }
 
   private free(pair: Arbiter): void {
@@ -230,14 +268,21 @@ export class Pairs {
 
   /** … and the pairs that were not brought back. */
   dropUnclaimed(): void {
-    for (const pair of this.table.unclaimed()) {
+    const unclaimed: Arbiter[] = [];
+    for (const pair of this.table.arbiters) {
+      if (pair !== null && this.sightings[pair.number] === NEVER) {
+        unclaimed.push(pair);
+      }
+    }
+    for (const pair of unclaimed) {
       this.retire(pair);
     }
+    this.sightings.fill(NEVER);
   }
 
   /** For a world that is restored: nothing is listed, and pairs are dropped unless brought back. */
   reset(): void {
-    this.table.release();
+    this.sightings.fill(NEVER);
     for (const list of [this.cut, this.cutBefore]) {
       for (const pair of list) {
         this.free(pair);
@@ -254,6 +299,7 @@ export class Pairs {
       pair.awake = false;
     }
     this.table.clear();
+    this.sightings.fill(NEVER);
     this.sorted.length = 0;
     this.arriving.length = 0;
     this.arrivingCount = 0;

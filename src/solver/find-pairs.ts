@@ -30,16 +30,18 @@ export function mayInteract(a: Shape, b: Shape): boolean {
   );
 }
 
-/** Called by the broadphase with `this` = the world. */
-function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): void {
+/** Called by the broadphase with `this` = the world. @returns the number of the pair, if there is one: what `reportAgain` is asked in the next step. */
+function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): number {
   const a = first.data as Shape;
   const b = second.data as Shape;
-  const isInOrder = a.id < b.id;
-  const shapeA = isInOrder ? a : b;
-  const shapeB = isInOrder ? b : a;
-  if (!this.pairs.reportAgain(shapeA, shapeB, this.timeStamp) && mayInteract(a, b)) {
-    this.pairs.report(shapeA, shapeB, this.timeStamp);
+  if (!mayInteract(a, b)) {
+    return 0;
   }
+  return a.id < b.id ? this.pairs.report(a, b, this.timeStamp) : this.pairs.report(b, a, this.timeStamp);
+}
+
+function reportAgain(this: World, pair: number): boolean {
+  return this.pairs.reportAgain(pair, this.timeStamp);
 }
 
 /**
@@ -49,7 +51,7 @@ function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle):
 export function findPairs(world: World, dt: number): void {
   const pairs = world.pairs;
   pairs.recycle();
-  world.broadphase.perform(report, world);
+  world.broadphase.perform(report, world, reportAgain);
   pairs.makeReported(world.timeStamp);
   pairs.merge();
   const sorted = pairs.sorted;

@@ -38,7 +38,7 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
   tape.require(awake + cut <= count && (count === 0 || shapes.length > 1));
   places.ofShapes.clear();
   places.ofWorld.clear();
-  const scratch = tape.checks && count > 0 ? new Arbiter(shapes[0]!, shapes[1]!) : null;
+  const scratch = tape.checks && count > 0 ? new Arbiter(shapes[0]!, shapes[1]!, 0) : null;
   tape.checksOnto(true);
   const { integers: ends } = endsRow;
   for (let i = 0; i < count; i += 1) {

@@ -3,7 +3,7 @@ import type { Rect } from '../../src/index.js';
 import { generator } from '../scenes/mixed.js';
 import { BROADPHASES, Model, pairsOf, sampleOf } from './model.js';
 
-describe.each(BROADPHASES)('%s', (_, create) => {
+describe.each(BROADPHASES)('%s', (name, create) => {
   it('agrees with a plain list through thousands of random changes', () => {
     for (let seed = 1; seed <= 8; seed += 1) {
       const random = generator(seed);
@@ -88,6 +88,37 @@ describe.each(BROADPHASES)('%s', (_, create) => {
       self,
     );
     expect(seen).toEqual([self, self, bounds]);
+  });
+
+  it('does without pairs that are known', () => {
+    const model = new Model(create());
+    model.insert([0, 0, 1, 1], false);
+    const moving = model.insert([1, 1, 2, 2], false);
+    const told: string[] = [];
+    const perform = (answer: boolean): string[] => {
+      told.length = 0;
+      model.broadphase.perform(
+        () => {
+          told.push('reported');
+          return 7;
+        },
+        null,
+        (note) => {
+          told.push(`asked ${note}`);
+          return answer;
+        },
+      );
+      return told;
+    };
+    const keepsNotes = name === 'box tree';
+    expect(perform(true)).toEqual(['reported']);
+    expect(perform(true)).toEqual(keepsNotes ? ['asked 7'] : ['reported']);
+    expect(perform(false)).toEqual(keepsNotes ? ['asked 7', 'reported'] : ['reported']);
+    // Apart for one call: what is kept is forgotten. The leaves still overlap.
+    model.update(moving, [1.05, 1, 2.05, 2]);
+    expect(perform(true)).toEqual([]);
+    model.update(moving, [1, 1, 2, 2]);
+    expect(perform(true)).toEqual(['reported']);
   });
 
   it('refuses bad bounds and foreign handles', () => {

@@ -22,6 +22,45 @@ export function pairsOf(broadphase: Broadphase): string[] {
   return found.sort();
 }
 
+/** Notes that a broadphase keeps of pairs, beside those that it was given. */
+export class Notes {
+  private given = new Map<string, number>();
+  private count = 0;
+
+  /** All pairs, those whose note is known among them: each note must be the one that was given for its pair in the call before, and is known if `isKnown`. */
+  pairsOf(broadphase: Broadphase, isKnown: () => boolean): string[] {
+    const pairs = new Map([...this.given].map(([pair, note]) => [note, pair]));
+    const now = new Map<string, number>();
+    const self = {};
+    const add = (pair: string | undefined, note: number): void => {
+      if (pair === undefined || now.has(pair)) {
+        throw new Error(`${pair} is reported twice, or was not in the call before: ${note}`);
+      }
+      now.set(pair, note);
+    };
+    broadphase.perform(
+      (a, b) => {
+        this.count += 1;
+        add([Number(a.data), Number(b.data)].sort((x, y) => x - y).join('-'), this.count);
+        return this.count;
+      },
+      self,
+      function (this: unknown, note) {
+        const answer = isKnown();
+        if (this !== self) {
+          throw new Error('is not called with thisObject');
+        }
+        if (answer) {
+          add(pairs.get(note), note);
+        }
+        return answer;
+      },
+    );
+    this.given = now;
+    return [...now.keys()].sort();
+  }
+}
+
 export function sampleOf(broadphase: Broadphase, bounds: Rect): number[] {
   const found: number[] = [];
   broadphase.sample(bounds, (handle) => found.push(Number(handle.data)));

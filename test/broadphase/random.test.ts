@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Broadphase, type BroadphaseHandle, phys2D, type Ray, type Rect } from '../../src/index.js';
-import { BROADPHASES, Model, overlap, pairsOf, sampleOf } from './model.js';
+import { BROADPHASES, Model, Notes, overlap, pairsOf, sampleOf } from './model.js';
 import { meeting, RandomBoxes } from './random-boxes.js';
 import { checkRay, type Item, TreeModel } from './tree-model.js';
 
@@ -119,8 +119,10 @@ function playBroadphase(create: () => Broadphase, extreme: boolean): void {
   for (let seed = 1; seed <= PROGRAMS; seed += 1) {
     const random = new RandomBoxes(seed, extreme);
     const model = new Model(create());
+    const notes = new Notes();
     run(seed, (i) => {
       changeBroadphase(model, random);
+      expect(notes.pairsOf(model.broadphase, () => random.chance(0.8))).toEqual(model.expectedPairs());
       const probe = random.box();
       expect(sampleOf(model.broadphase, probe)).toEqual(model.expectedSample(probe));
       if (i % 3 === 0) {

@@ -18,7 +18,7 @@ it('the pair table agrees with a map through thousands of additions and removals
     const known = model.get(key) ?? null;
     expect(table.find(shapes[a]!, shapes[b]!)).toBe(known);
     if (known === null) {
-      const arbiter = new Arbiter(shapes[a]!, shapes[b]!);
+      const arbiter = new Arbiter(shapes[a]!, shapes[b]!, 0);
       model.set(key, arbiter);
       table.add(arbiter);
     } else if (random() < 0.7) {
