@@ -208,8 +208,8 @@ export class SolverData {
   drive = new Float64Array(64 * BODY_STRIDE);
   /** Placements as the sub-step starts; constraint/layout.ts names the offsets. */
   pose = new Float64Array(64 * BODY_STRIDE);
-  /** The pairs that have a contact in this step; what lies beyond the count is old. */
-  readonly solved: Arbiter[] = [];
+  /** The pairs that are being packed; what lies beyond their count is old. */
+  readonly window: Arbiter[] = [];
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();
@@ -230,6 +230,13 @@ export class SolverData {
   impulseScale = 0.5;
 
   constructor(readonly joints: JointData) {}
+
+  clearContacts(): void {
+    this.one.count = 0;
+    this.two.count = 0;
+    this.bounces.count = 0;
+    this.hardCount = 0;
+  }
 
   /** Makes room for `count` bodies; slot 0 is cleared, the others are to be filled. */
   resetBodies(count: number): void {

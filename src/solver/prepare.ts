@@ -32,7 +32,7 @@ export function prepare(world: World, h: number): void {
   packBodies(world, h);
   data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
   data.previousH = h;
-  packContacts(data, world.pairs.sorted, world.timeStamp);
+  packContacts(world);
   if (world.jointSolver === null) {
     world.jointsStale = false;
     world.jointsTouched = false;

@@ -3,7 +3,7 @@ import type { World } from '../world.js';
 import { applyBounces, planBounces, releaseBounces } from './bounce.js';
 import { partCrowds, solvePositionContacts, solveVelocityContacts, warmStartContacts } from './contacts.js';
 import { continuous } from './continuous.js';
-import { findPairs, listArbiters } from './find-pairs.js';
+import { findPairs } from './find-pairs.js';
 import { foresee } from './foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
@@ -27,7 +27,6 @@ export function step(world: World, dt: number): void {
   profile?.lap('foresight');
   sleepIslands(world, dt);
   profile?.lap('islands');
-  listArbiters(world);
   prepare(world, h);
   profile?.lap('prepare');
   profile?.count(world);
