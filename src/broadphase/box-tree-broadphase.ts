@@ -1,3 +1,4 @@
+import { widened } from '../math/doubles.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
@@ -10,42 +11,29 @@ const MARGIN = 0.1;
 const AHEAD = 4;
 const MAX_AHEAD = 1;
 
-/** Of a pair: where the bounds of its handles are, and its note, see `perform`; 0: none. */
+/** Of a handle: its leaf in the tree of its kind, whether that is the static one, */
+const LEAF = 0;
+const STATIC = 1;
+/** … the first link of its pairs, the last search in which it was met, */
+const FIRST = 2;
+const MARK = 3;
+/** … and if its pairs may have changed its place in the list of `perform`, else −1. */
+const MOVED = 4;
+const STATE = 5;
+
+/** Of a pair: its handles, and its note, see `perform`; 0: none. */
 const END_A = 0;
 const END_B = 1;
 const NOTE = 2;
-const ENDS = 3;
+const PAIR = 3;
 
 /** A handle of {@link BoxTreeBroadphase}. */
 class TreeHandle<T> implements BroadphaseHandle<T> {
-  /** Leaf in the tree of its kind; −1 once removed. */
-  leaf = NONE;
-  /** If its pairs may have changed, its place in the list of `perform`, else −1. */
-  movedSlot = NONE;
-  /** The last search in which it was met. */
-  mark = 0;
-  /** Its own when it first has one: most that are static never do. What lies beyond the count is old: shortening the list would cost its storage. */
-  pairs: TreePair<T>[] | null = null;
-  pairCount = 0;
-
   constructor(
     public data: T,
     public isStatic: boolean,
-    readonly owner: object,
-    /** Where its bounds are in `boxes`. */
-    readonly at: number,
-  ) {}
-}
-
-/** Two handles, not both static, whose leaves overlap; none while it waits for its next use. Knows its place in three lists, so that it is taken out at once. */
-class TreePair<T> {
-  slot = 0;
-  slotA = 0;
-  slotB = 0;
-
-  constructor(
-    public a: TreeHandle<T> | null,
-    public b: TreeHandle<T> | null,
+    /** By which the broadphase has what it knows of it; −1 once removed. */
+    public number: number,
   ) {}
 }
 
@@ -62,25 +50,27 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private readonly moving = new PackedTree<TreeHandle<T>>(MARGIN);
   private readonly still = new PackedTree<TreeHandle<T>>(0);
-  /** The first `movedCount` are handles. As `met` and `samples` not shortened, which would cost the storage, but filled up with `null`. */
-  private readonly movedHandles: (TreeHandle<T> | null)[] = [];
-  private movedCount = 0;
-  /** Bounds of all handles, and where those of handles that were removed are. Side by side, as `perform` goes through all of them. */
+  /** Bounds of all handles, and what else is known of them, by their numbers. Side by side, as `perform` goes through all of them. */
   private boxes = new Float64Array(16 * BOX);
-  private boxCount = 0;
-  private readonly freeBoxes: number[] = [];
-  /** What lies beyond the count is for later. */
-  private readonly pairs: TreePair<T>[] = [];
+  private states = new Int32Array(16 * STATE);
+  private handleCount = 0;
+  private readonly freeNumbers: number[] = [];
+  /** The first `movedCount` are numbers of handles. As `met` and `samples` not shortened, which would cost the storage. */
+  private readonly moved: number[] = [];
+  private movedCount = 0;
+  /** Two handles each, not both static, whose leaves overlap. */
+  private pairs = new Int32Array(16 * PAIR);
   private pairCount = 0;
-  /** A record for each pair, side by side, as `perform` goes through all of them. */
-  private ends = new Int32Array(16 * ENDS);
+  /** Lists of the pairs of each handle: pair p is linked into that of its A as 2 p, into that of its B as 2 p + 1. */
+  private next = new Int32Array(32);
+  private previous = new Int32Array(32);
   private search = 0;
-  private readonly met: (TreeHandle<T> | null)[] = [];
+  private readonly met: number[] = [];
   private readonly box = new Float64Array(BOX);
   /** Bounds that a handle will not leave for a while. */
   private readonly reach = new Float64Array(BOX);
-  /** Results of `sample`, one list for each call that is inside another. */
-  private readonly samples: (TreeHandle<T> | null)[][] = [];
+  /** Leaves that `sample` found, one list for each call that is inside another. */
+  private readonly samples: number[][] = [];
   private depth = 0;
 
   insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
@@ -88,10 +78,16 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
     }
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
-    const handle = new TreeHandle<T>(data, isStatic, this, this.takeBox());
-    this.setBox(handle.at, bounds);
-    handle.leaf = this.treeOf(handle).insert(handle, bounds);
-    this.noteMoved(handle);
+    const number = this.takeNumber();
+    const handle = new TreeHandle<T>(data, isStatic, number);
+    const at = number * STATE;
+    this.setBox(number, bounds);
+    this.states[at + LEAF] = this.treeOf(handle).insert(handle, bounds, number);
+    this.states[at + STATIC] = isStatic ? 1 : 0;
+    this.states[at + FIRST] = NONE;
+    this.states[at + MARK] = 0;
+    this.states[at + MOVED] = NONE;
+    this.noteMoved(number);
     return handle;
   }
 
@@ -102,17 +98,20 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const own = this.owned('BoxTreeBroadphase.update', handle);
     const becomesStatic =
       isStatic === undefined ? own.isStatic : boolean('BoxTreeBroadphase.update', 'isStatic', isStatic);
-    const { boxes } = this;
-    const { at } = own;
-    const dx = (bounds[0]! - boxes[at]! + bounds[2]! - boxes[at + 2]!) / 2;
-    const dy = (bounds[1]! - boxes[at + 1]! + bounds[3]! - boxes[at + 3]!) / 2;
-    this.setBox(at, bounds);
+    const { boxes, states } = this;
+    const { number } = own;
+    const box = number * BOX;
+    const leaf = number * STATE + LEAF;
+    const dx = (bounds[0]! - boxes[box]! + bounds[2]! - boxes[box + 2]!) / 2;
+    const dy = (bounds[1]! - boxes[box + 1]! + bounds[3]! - boxes[box + 3]!) / 2;
+    this.setBox(number, bounds);
     if (becomesStatic !== own.isStatic) {
-      this.treeOf(own).remove(own.leaf);
+      this.treeOf(own).remove(states[leaf]!);
       own.isStatic = becomesStatic;
-      own.leaf = this.treeOf(own).insert(own, bounds);
-      this.noteMoved(own);
-    } else if (!this.treeOf(own).contains(own.leaf, bounds)) {
+      states[leaf] = this.treeOf(own).insert(own, bounds, number);
+      states[number * STATE + STATIC] = becomesStatic ? 1 : 0;
+      this.noteMoved(number);
+    } else if (!this.treeOf(own).contains(states[leaf]!, bounds)) {
       // Not left for a while by what goes on as in the last step.
       const x = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dx));
       const y = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dy));
@@ -121,20 +120,23 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       reach[1] = bounds[1]! + Math.min(y, 0);
       reach[2] = bounds[2]! + Math.max(x, 0);
       reach[3] = bounds[3]! + Math.max(y, 0);
-      this.treeOf(own).move(own.leaf, becomesStatic ? bounds : reach);
-      this.noteMoved(own);
+      this.treeOf(own).move(states[leaf]!, becomesStatic ? bounds : reach);
+      this.noteMoved(number);
     }
   }
 
   remove(handle: BroadphaseHandle<T>): void {
     const own = this.owned('BoxTreeBroadphase.remove', handle);
-    while (own.pairCount > 0) {
-      this.dropPair(own.pairs![own.pairCount - 1]!);
+    const { states } = this;
+    const { number } = own;
+    const first = number * STATE + FIRST;
+    while (states[first] !== NONE) {
+      this.dropPair(states[first]! >> 1);
     }
-    this.treeOf(own).remove(own.leaf);
-    own.leaf = NONE;
-    this.freeBoxes.push(own.at);
-    this.forgetMoved(own);
+    this.treeOf(own).remove(states[number * STATE + LEAF]!);
+    this.forgetMoved(number);
+    this.freeNumbers.push(number);
+    own.number = NONE;
   }
 
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
@@ -166,12 +168,10 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   private renewMoved(): void {
-    const moved = this.movedHandles;
+    const { moved, states } = this;
     for (let i = 0; i < this.movedCount; i += 1) {
-      const handle = moved[i]!;
-      moved[i] = null;
-      handle.movedSlot = NONE;
-      this.renewPairs(handle);
+      states[moved[i]! * STATE + MOVED] = NONE;
+      this.renewPairs(moved[i]!);
     }
     this.movedCount = 0;
   }
@@ -181,12 +181,12 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     thisObject: unknown,
     isKnown: ((note: number) => boolean) | undefined,
   ): void {
-    const { pairs, ends, boxes } = this;
+    const { pairs, boxes } = this;
     for (let i = 0; i < this.pairCount; i += 1) {
-      const at = i * ENDS;
-      const a = ends[at + END_A]!;
-      const b = ends[at + END_B]!;
-      const note = ends[at + NOTE]!;
+      const at = i * PAIR;
+      const a = pairs[at + END_A]! * BOX;
+      const b = pairs[at + END_B]! * BOX;
+      const note = pairs[at + NOTE]!;
       if (
         boxes[a]! <= boxes[b + 2]! &&
         boxes[a + 2]! >= boxes[b]! &&
@@ -194,12 +194,13 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
         boxes[a + 3]! >= boxes[b + 1]!
       ) {
         if (isKnown === undefined) {
-          callback.call(thisObject, pairs[i]!.a!, pairs[i]!.b!);
+          callback.call(thisObject, this.handleOf(pairs[at + END_A]!), this.handleOf(pairs[at + END_B]!));
         } else if (note === 0 || !isKnown.call(thisObject, note)) {
-          ends[at + NOTE] = callback.call(thisObject, pairs[i]!.a!, pairs[i]!.b!) as number;
+          const given = callback.call(thisObject, this.handleOf(pairs[at + END_A]!), this.handleOf(pairs[at + END_B]!));
+          pairs[at + NOTE] = given as number;
         }
       } else if (note !== 0) {
-        ends[at + NOTE] = 0;
+        pairs[at + NOTE] = 0;
       }
     }
   }
@@ -233,21 +234,20 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const maxY = bounds[3]!;
     this.samples[this.depth] ??= [];
     const found = this.samples[this.depth]!;
-    const count = this.still.query(bounds, found, alsoMoving ? this.moving.query(bounds, found, 0) : 0);
-    const { boxes } = this;
+    const { moving, still, boxes } = this;
+    const movingCount = alsoMoving ? moving.query(bounds, found, 0) : 0;
+    const count = still.query(bounds, found, movingCount);
     this.depth += 1;
     try {
       for (let i = 0; i < count; i += 1) {
-        const { at } = found[i]!;
+        const tree = i < movingCount ? moving : still;
+        const at = tree.right[found[i]!]! * BOX;
         if (boxes[at]! <= maxX && boxes[at + 2]! >= minX && boxes[at + 1]! <= maxY && boxes[at + 3]! >= minY) {
-          callback.call(thisObject, found[i]!, bounds);
+          callback.call(thisObject, tree.items[found[i]!]!, bounds);
         }
       }
     } finally {
       this.depth -= 1;
-      for (let i = 0; i < count; i += 1) {
-        found[i] = null;
-      }
     }
   }
 
@@ -264,37 +264,33 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private empty(): void {
     for (const handle of this.handles()) {
-      handle.leaf = NONE;
-      handle.pairs = null;
-      handle.pairCount = 0;
+      handle.number = NONE;
     }
     this.moving.clear();
     this.still.clear();
-    this.movedHandles.length = 0;
     this.movedCount = 0;
-    this.boxCount = 0;
-    this.freeBoxes.length = 0;
-    this.pairs.length = 0;
+    this.handleCount = 0;
+    this.freeNumbers.length = 0;
     this.pairCount = 0;
   }
 
-  private takeBox(): number {
-    const free = this.freeBoxes.pop();
+  private takeNumber(): number {
+    const free = this.freeNumbers.pop();
     if (free !== undefined) {
       return free;
     }
-    const at = this.boxCount * BOX;
-    this.boxCount += 1;
-    if (at === this.boxes.length) {
-      const { boxes } = this;
-      this.boxes = new Float64Array(BOX * grown(this.boxCount));
-      this.boxes.set(boxes);
+    const number = this.handleCount;
+    this.handleCount += 1;
+    if (number * BOX === this.boxes.length) {
+      this.boxes = widened(this.boxes, new Float64Array(BOX * grown(this.handleCount)));
+      this.states = widened(this.states, new Int32Array(STATE * grown(this.handleCount)));
     }
-    return at;
+    return number;
   }
 
-  private setBox(at: number, bounds: RectLike): void {
+  private setBox(number: number, bounds: RectLike): void {
     const { boxes } = this;
+    const at = number * BOX;
     boxes[at] = bounds[0]!;
     boxes[at + 1] = bounds[1]!;
     boxes[at + 2] = bounds[2]!;
@@ -302,92 +298,143 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */
-  private renewPairs(handle: TreeHandle<T>): void {
+  private renewPairs(handle: number): void {
+    const { states, moving, still } = this;
     this.search += 1;
-    const tree = this.treeOf(handle);
-    const own = handle.pairs;
-    for (let i = handle.pairCount - 1; i >= 0; i -= 1) {
-      const pair = own![i]!;
-      const other = pair.a === handle ? pair.b! : pair.a!;
-      if ((handle.isStatic && other.isStatic) || !tree.overlaps(handle.leaf, this.treeOf(other), other.leaf)) {
+    const isStatic = states[handle * STATE + STATIC] === 1;
+    const tree = isStatic ? still : moving;
+    const leaf = states[handle * STATE + LEAF]!;
+    let link = states[handle * STATE + FIRST]!;
+    while (link !== NONE) {
+      const pair = link >> 1;
+      const other = this.pairs[pair * PAIR + 1 - (link & 1)]! * STATE;
+      link = this.next[link]!;
+      const isOtherStatic = states[other + STATIC] === 1;
+      if ((isStatic && isOtherStatic) || !tree.overlaps(leaf, isOtherStatic ? still : moving, states[other + LEAF]!)) {
         this.dropPair(pair);
+        if (link >> 1 === this.pairCount) {
+          // The last pair, which has taken the place of the one that was dropped.
+          link = 2 * pair + (link & 1);
+        }
       } else {
-        other.mark = this.search;
+        states[other + MARK] = this.search;
       }
     }
-    handle.mark = this.search;
-    const box = tree.boxOf(handle.leaf, this.box);
-    let count = this.moving.query(box, this.met, 0);
-    if (!handle.isStatic) {
-      count = this.still.query(box, this.met, count);
+    states[handle * STATE + MARK] = this.search;
+    const box = tree.boxOf(leaf, this.box);
+    this.addPairs(handle, moving, moving.query(box, this.met, 0));
+    if (!isStatic) {
+      this.addPairs(handle, still, still.query(box, this.met, 0));
     }
+  }
+
+  /** Adds the pairs of a handle with the leaves that were met, unless they are marked. */
+  private addPairs(handle: number, tree: PackedTree<TreeHandle<T>>, count: number): void {
+    const { met, states, search } = this;
     for (let i = 0; i < count; i += 1) {
-      const other = this.met[i]!;
-      this.met[i] = null;
-      if (other.mark !== this.search) {
+      const other = tree.right[met[i]!]!;
+      if (states[other * STATE + MARK] !== search) {
         this.addPair(handle, other);
       }
     }
   }
 
-  private addPair(a: TreeHandle<T>, b: TreeHandle<T>): void {
-    const slot = this.pairCount;
-    if (slot === this.pairs.length) {
-      this.pairs.push(new TreePair(a, b));
-    }
+  private addPair(a: number, b: number): void {
+    const pair = this.pairCount;
+    const at = pair * PAIR;
     this.pairCount += 1;
-    const pair = this.pairs[slot]!;
-    pair.a = a;
-    pair.b = b;
-    pair.slot = slot;
-    const at = slot * ENDS;
-    if (at === this.ends.length) {
-      const { ends } = this;
-      this.ends = new Int32Array(2 * at);
-      this.ends.set(ends);
+    if (at === this.pairs.length) {
+      this.pairs = widened(this.pairs, new Int32Array(2 * at));
+      this.next = widened(this.next, new Int32Array(4 * pair));
+      this.previous = widened(this.previous, new Int32Array(4 * pair));
     }
-    this.ends[at + END_A] = a.at;
-    this.ends[at + END_B] = b.at;
-    this.ends[at + NOTE] = 0;
-    pair.slotA = addTo(a, pair);
-    pair.slotB = addTo(b, pair);
+    this.pairs[at + END_A] = a;
+    this.pairs[at + END_B] = b;
+    this.pairs[at + NOTE] = 0;
+    this.link(a, 2 * pair);
+    this.link(b, 2 * pair + 1);
   }
 
-  private dropPair(pair: TreePair<T>): void {
+  private link(handle: number, link: number): void {
+    const at = handle * STATE + FIRST;
+    const first = this.states[at]!;
+    this.next[link] = first;
+    this.previous[link] = NONE;
+    if (first !== NONE) {
+      this.previous[first] = link;
+    }
+    this.states[at] = link;
+  }
+
+  private unlink(handle: number, link: number): void {
+    const next = this.next[link]!;
+    this.join(handle, this.previous[link]!, next);
+    if (next !== NONE) {
+      this.previous[next] = this.previous[link]!;
+    }
+  }
+
+  /** Makes a link the one that comes after another in the list of a handle, or the first. */
+  private join(handle: number, before: number, link: number): void {
+    if (before === NONE) {
+      this.states[handle * STATE + FIRST] = link;
+    } else {
+      this.next[before] = link;
+    }
+  }
+
+  /** Takes a pair out; the last one takes its place. */
+  private dropPair(pair: number): void {
+    const { pairs } = this;
+    this.unlink(pairs[pair * PAIR + END_A]!, 2 * pair);
+    this.unlink(pairs[pair * PAIR + END_B]!, 2 * pair + 1);
     this.pairCount -= 1;
-    const last = this.pairs[this.pairCount]!;
+    const last = this.pairCount;
     if (last !== pair) {
-      const { slot } = pair;
-      this.pairs[slot] = last;
-      this.pairs[this.pairCount] = pair;
-      this.ends.copyWithin(slot * ENDS, this.pairCount * ENDS, (this.pairCount + 1) * ENDS);
-      last.slot = slot;
+      pairs.copyWithin(pair * PAIR, last * PAIR, last * PAIR + PAIR);
+      this.relink(pairs[pair * PAIR + END_A]!, 2 * last, 2 * pair);
+      this.relink(pairs[pair * PAIR + END_B]!, 2 * last + 1, 2 * pair + 1);
     }
-    dropFrom(pair.a!, pair.slotA);
-    dropFrom(pair.b!, pair.slotB);
-    pair.a = null;
-    pair.b = null;
   }
 
-  private noteMoved(handle: TreeHandle<T>): void {
-    if (handle.movedSlot === NONE) {
-      handle.movedSlot = this.movedCount;
-      this.movedHandles[this.movedCount] = handle;
+  /** Another link takes the place of one in the list of a handle. */
+  private relink(handle: number, from: number, to: number): void {
+    const next = this.next[from]!;
+    const previous = this.previous[from]!;
+    this.next[to] = next;
+    this.previous[to] = previous;
+    this.join(handle, previous, to);
+    if (next !== NONE) {
+      this.previous[next] = to;
+    }
+  }
+
+  private noteMoved(number: number): void {
+    const at = number * STATE + MOVED;
+    if (this.states[at] === NONE) {
+      this.states[at] = this.movedCount;
+      this.moved[this.movedCount] = number;
       this.movedCount += 1;
     }
   }
 
   /** Takes a handle out of the list of `perform`; the last one takes its place. */
-  private forgetMoved(handle: TreeHandle<T>): void {
-    if (handle.movedSlot === NONE) {
-      return;
+  private forgetMoved(number: number): void {
+    const { states, moved } = this;
+    const slot = states[number * STATE + MOVED]!;
+    if (slot !== NONE) {
+      this.movedCount -= 1;
+      const last = moved[this.movedCount]!;
+      moved[slot] = last;
+      states[last * STATE + MOVED] = slot;
+      states[number * STATE + MOVED] = NONE;
     }
-    this.movedCount -= 1;
-    const last = this.movedHandles[this.movedCount]!;
-    this.movedHandles[handle.movedSlot] = last;
-    last.movedSlot = handle.movedSlot;
-    this.movedHandles[this.movedCount] = null;
-    handle.movedSlot = NONE;
+  }
+
+  private handleOf(number: number): TreeHandle<T> {
+    const at = number * STATE;
+    const tree = this.states[at + STATIC] === 1 ? this.still : this.moving;
+    return tree.items[this.states[at + LEAF]!]!;
   }
 
   private treeOf(handle: TreeHandle<T>): PackedTree<TreeHandle<T>> {
@@ -396,34 +443,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private owned(where: string, handle: BroadphaseHandle<T>): TreeHandle<T> {
     const own = handle as TreeHandle<T>;
-    if (!(own instanceof TreeHandle) || own.owner !== this || own.leaf < 0) {
+    if (!(own instanceof TreeHandle) || own.number < 0 || this.handleOf(own.number) !== own) {
       throw new TypeError(`${where}: handle must be one of this broadphase, and not removed`);
     }
     return own;
-  }
-}
-
-/** Adds a pair to a handle's list. @returns its place. */
-function addTo<T>(handle: TreeHandle<T>, pair: TreePair<T>): number {
-  handle.pairs ??= [];
-  const slot = handle.pairCount;
-  handle.pairs[slot] = pair;
-  handle.pairCount += 1;
-  return slot;
-}
-
-/** Takes the pair at `slot` out of a handle's list; the last one takes its place. */
-function dropFrom<T>(handle: TreeHandle<T>, slot: number): void {
-  const pairs = handle.pairs!;
-  handle.pairCount -= 1;
-  const last = pairs[handle.pairCount]!;
-  if (slot === handle.pairCount) {
-    return;
-  }
-  pairs[slot] = last;
-  if (last.a === handle) {
-    last.slotA = slot;
-  } else {
-    last.slotB = slot;
   }
 }

@@ -66,6 +66,8 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   }
 
   private readonly tree = new PackedTree<T>(0);
+  /** Leaves that a query found: scratch. */
+  private readonly met: number[] = [];
   private dirty = false;
   private nodes: BoxTreeNode<T>[] | null = null;
 
@@ -139,7 +141,12 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   getOverlappingNodes(queryExtents: RectLike, overlappingNodes: T[], startIndex?: number): number {
     checkExtents('BoxTree.getOverlappingNodes', 'queryExtents', queryExtents);
     const start = checkedStart('BoxTree.getOverlappingNodes', 'overlappingNodes', overlappingNodes, startIndex);
-    return this.tree.query(queryExtents, overlappingNodes, start) - start;
+    const { tree, met } = this;
+    const count = tree.query(queryExtents, met, 0);
+    for (let i = 0; i < count; i += 1) {
+      overlappingNodes[start + i] = tree.items[met[i]!]!;
+    }
+    return count;
   }
 
   /** Appends what lies within `radius` of `center`: boxes whose squared distance to it is at most radius². */
@@ -163,18 +170,18 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Writes each overlapping pair once, as two consecutive entries, from `startIndex` on. @returns the number of entries. */
   getOverlappingPairs(overlappingPairs: T[], startIndex?: number): number {
     const start = checkedStart('BoxTree.getOverlappingPairs', 'overlappingPairs', overlappingPairs, startIndex);
-    const found: T[] = [];
+    const { tree, met } = this;
     let end = start;
-    for (const item of this.tree.items) {
+    for (const item of tree.items) {
       if (item === null || item === undefined) {
         continue;
       }
       const own = item.boxTreeIndex!;
-      const count = this.tree.query(this.tree.boxOf(own), found, 0);
+      const count = tree.query(tree.boxOf(own), met, 0);
       for (let i = 0; i < count; i += 1) {
-        if (found[i]!.boxTreeIndex! > own) {
+        if (met[i]! > own) {
           overlappingPairs[end] = item;
-          overlappingPairs[end + 1] = found[i]!;
+          overlappingPairs[end + 1] = tree.items[met[i]!]!;
           end += 2;
         }
       }

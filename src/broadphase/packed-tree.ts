@@ -1,3 +1,5 @@
+import { widened } from '../math/doubles.js';
+
 /** No node. */
 export const NONE = -1;
 
@@ -24,7 +26,7 @@ const EARLY = 1 - 4 * Number.EPSILON;
 export class PackedTree<T> {
   /** minX, minY, maxX, maxY of each node. */
   boxes = new Float64Array(16 * BOX);
-  /** The two subtrees of an inner node; `left` is −1 in a leaf. */
+  /** The two subtrees of an inner node; in a leaf `left` is −1, and `right` the number that it was given. */
   left = new Int32Array(16);
   right = new Int32Array(16);
   root = NONE;
@@ -32,7 +34,7 @@ export class PackedTree<T> {
   readonly items: (T | null)[] = [];
 
   private parent = new Int32Array(16);
-  private level = new Int32Array(16);
+  private level = new Uint8Array(16);
   private used = 0;
   private free = NONE;
   private stack = new Int32Array(64);
@@ -52,10 +54,11 @@ export class PackedTree<T> {
     return this.root === NONE ? 0 : this.level[this.root]!;
   }
 
-  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides. @returns its number. */
-  insert(item: T, bounds: ArrayLike<number>): number {
+  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides, and a number for whoever looks no further. @returns the node. */
+  insert(item: T, bounds: ArrayLike<number>, tag = NONE): number {
     const leaf = this.allocate();
     this.items[leaf] = item;
+    this.right[leaf] = tag;
     this.setBox(leaf, bounds);
     this.attach(leaf);
     return leaf;
@@ -96,8 +99,8 @@ export class PackedTree<T> {
     return this.left[node] === NONE;
   }
 
-  /** Writes what the leaves hold whose boxes overlap `bounds` to `out` from `count` on. @returns the new count. */
-  query(bounds: ArrayLike<number>, out: (T | null)[], count: number): number {
+  /** Writes the leaves whose boxes overlap `bounds` to `out` from `count` on. @returns the new count. */
+  query(bounds: ArrayLike<number>, out: number[], count: number): number {
     if (this.root === NONE) {
       return count;
     }
@@ -117,7 +120,7 @@ export class PackedTree<T> {
         continue;
       }
       if (left[node] === NONE) {
-        out[found] = this.items[node]!;
+        out[found] = node;
         found += 1;
       } else {
         stack[top] = left[node]!;
@@ -283,18 +286,11 @@ export class PackedTree<T> {
 
   private grow(): void {
     const size = grown(this.left.length);
-    const wider = (from: Int32Array): Int32Array<ArrayBuffer> => {
-      const to = new Int32Array(size);
-      to.set(from);
-      return to;
-    };
-    const boxes = new Float64Array(size * BOX);
-    boxes.set(this.boxes);
-    this.boxes = boxes;
-    this.left = wider(this.left);
-    this.right = wider(this.right);
-    this.parent = wider(this.parent);
-    this.level = wider(this.level);
+    this.boxes = widened(this.boxes, new Float64Array(size * BOX));
+    this.left = widened(this.left, new Int32Array(size));
+    this.right = widened(this.right, new Int32Array(size));
+    this.parent = widened(this.parent, new Int32Array(size));
+    this.level = widened(this.level, new Uint8Array(size));
   }
 
   private attach(leaf: number): void {

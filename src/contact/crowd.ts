@@ -14,7 +14,9 @@ interface Noting {
  * any more. So it does not depend on the order in which they are reported which pairs are made, and what carries many things counts every one of them.
  */
 export class Crowd {
+  /** Those that have partners, and what they are put into: the lists are used again in the next step. */
   private readonly shapes = new List<Shape>();
+  private readonly lists: List<Shape>[] = [];
 
   /** Takes two shapes that may interact and have no pair yet. @returns `false` if they are no case for a crowd. */
   take(a: Shape, b: Shape): boolean {
@@ -30,31 +32,39 @@ export class Crowd {
     if (shape.arbiters.length >= CROWD) {
       return;
     }
-    shape.partners ??= [];
+    shape.partners ??= this.enter(shape);
     const { partners } = shape;
-    if (partners.length === 0) {
-      this.shapes.add(shape);
-    }
-    partners.push(partner);
-    if (partners.length >= 2 * CROWD) {
+    partners.add(partner);
+    if (partners.count >= 2 * CROWD) {
       keepFirst(partners, shape);
     }
+  }
+
+  private enter(shape: Shape): List<Shape> {
+    const at = this.shapes.count;
+    this.shapes.add(shape);
+    if (at === this.lists.length) {
+      this.lists.push(new List());
+    }
+    return this.lists[at]!;
   }
 
   /** Tells which pairs are to be made, some twice; of each the shape with the lower id comes first. */
   drainTo(pairs: Noting): void {
     for (let i = 0; i < this.shapes.count; i += 1) {
       const shape = this.shapes.items[i]!;
-      const partners = shape.partners!;
+      const partners = this.lists[i]!;
       keepFirst(partners, shape);
-      for (const partner of partners) {
+      for (let k = 0; k < partners.count; k += 1) {
+        const partner = partners.items[k]!;
         if (shape.id < partner.id) {
           pairs.note(shape, partner);
         } else {
           pairs.note(partner, shape);
         }
       }
-      partners.length = 0;
+      partners.clear();
+      shape.partners = null;
     }
     this.shapes.clear();
   }
@@ -79,9 +89,9 @@ function reaches({ numbers: a, at: i }: Shape, { numbers: b, at: j }: Shape): bo
   return a[i]! <= x && x <= a[i + 2]! && a[i + 1]! <= y && y <= a[i + 3]!;
 }
 
-function keepFirst(partners: Shape[], { arbiters }: Shape): void {
-  sortFirst(partners, partners.length, hasLowerId);
-  partners.length = Math.min(partners.length, CROWD - arbiters.length);
+function keepFirst(partners: List<Shape>, { arbiters }: Shape): void {
+  sortFirst(partners.items, partners.count, hasLowerId);
+  partners.count = Math.min(partners.count, CROWD - arbiters.length);
 }
 
 function hasLowerId(a: Shape, b: Shape): boolean {

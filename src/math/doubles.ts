@@ -32,3 +32,9 @@ export function doubles(count: number): Float64Array {
   const start = slab.take(count);
   return slab.numbers.subarray(start, start + count);
 }
+
+/** The contents of a typed array in a longer one. */
+export function widened<A extends Float64Array | Int32Array | Uint8Array>(from: A, to: A): A {
+  to.set(from);
+  return to;
+}

@@ -18,10 +18,13 @@ export interface PolygonParams extends ShapeParams {
   vertices: ArrayLike<Vec2Like>;
 }
 
-/** What equal polygons share: see the fields of {@link Polygon}. */
+/** What equal polygons share, and never write to. */
 interface Form {
+  /** Corners in body coordinates, [x, y] each, clockwise. */
   readonly vertices: Float64Array;
+  /** [x, y, nx, ny] per corner, body coordinates. */
   readonly localEdges: Float64Array;
+  /** n · p of each edge; a turn does not change it. */
   readonly offsets: Float64Array;
 }
 
@@ -80,12 +83,9 @@ export class Polygon extends BaseShape {
 
   /** @internal */
   readonly kind = 1;
-  /** @internal corners in body coordinates, [x, y] each, clockwise; as `localEdges` and `offsets` shared with equal polygons, and never written to */
-  vertices: Float64Array;
-  /** @internal [x, y, nx, ny] per corner, body coordinates */
-  localEdges: Float64Array;
-  /** @internal n · p of each edge; a turn does not change it */
+  /** @internal */
   offsets: Float64Array;
+  private form: Form;
 
   /** @internal grows with every change of the geometry */
   geometryStamp = 1;
@@ -98,10 +98,18 @@ export class Polygon extends BaseShape {
     const given = options(where, params, true);
     const vertices = convexVertices(where, 'vertices', given.vertices);
     super(where, given, EDGES + vertices.length * 2);
-    const form = formOf(vertices);
-    this.vertices = form.vertices;
-    this.localEdges = form.localEdges;
-    this.offsets = form.offsets;
+    this.form = formOf(vertices);
+    this.offsets = this.form.offsets;
+  }
+
+  /** @internal */
+  get vertices(): Float64Array {
+    return this.form.vertices;
+  }
+
+  /** @internal */
+  get localEdges(): Float64Array {
+    return this.form.localEdges;
   }
 
   /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
@@ -115,13 +123,12 @@ export class Polygon extends BaseShape {
 
   /** @internal */
   takeVertices(checked: ArrayLike<number>): void {
-    const { vertices, localEdges, offsets } = formOf(checked);
-    if (localEdges.length !== this.localEdges.length) {
-      this.resize(EDGES + localEdges.length);
+    const form = formOf(checked);
+    if (form.localEdges.length !== this.localEdges.length) {
+      this.resize(EDGES + form.localEdges.length);
     }
-    this.vertices = vertices;
-    this.localEdges = localEdges;
-    this.offsets = offsets;
+    this.form = form;
+    this.offsets = form.offsets;
     this.geometryStamp += 1;
     this.halfWidth = -1;
   }
@@ -153,7 +160,7 @@ export class Polygon extends BaseShape {
   /** @internal */
   override place(body: RigidBody): void {
     const { x, y, cos: c, sin: s } = body;
-    const local = this.localEdges;
+    const local = this.form.localEdges;
     const { numbers: n, at: o } = this;
     let minX = Infinity;
     let minY = Infinity;

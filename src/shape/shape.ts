@@ -7,6 +7,7 @@ import type { Outline } from '../geometry/outline.js';
 import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
 import { DEFAULT_MATERIAL, Material } from '../material.js';
 import { Slab } from '../math/doubles.js';
+import type { List } from '../math/list.js';
 import { cos, sin } from '../math/trig.js';
 import type { Matrix23Like, NumberSink, Vec2, Vec2Like } from '../math/vectors.js';
 import type { UserDataOf } from '../user-data.js';
@@ -92,7 +93,7 @@ export abstract class BaseShape {
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
   /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
-  partners: Shape[] | null = null;
+  partners: List<Shape> | null = null;
   /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
