@@ -3,17 +3,20 @@ import type { World } from './world.js';
 /** Milliseconds, or whatever the clock counts, since any moment. */
 export type Clock = () => number;
 
+const PHASES = [
+  'pairs',
+  'foresight',
+  'islands',
+  'prepare',
+  'velocities',
+  'positions',
+  'store',
+  'continuous',
+  'events',
+] as const;
+
 /** The parts of a step that are timed. */
-export type Phase =
-  | 'pairs'
-  | 'foresight'
-  | 'islands'
-  | 'prepare'
-  | 'velocities'
-  | 'positions'
-  | 'store'
-  | 'continuous'
-  | 'events';
+export type Phase = (typeof PHASES)[number];
 
 /**
  * Where the time of the latest step went, and how much there was to do: `world.profile`, while `world.clock` is set. Times are what the clock counts,
@@ -63,15 +66,9 @@ export class Profile {
 
   /** @internal starts a step */
   begin(): void {
-    this.pairs = 0;
-    this.foresight = 0;
-    this.islands = 0;
-    this.prepare = 0;
-    this.velocities = 0;
-    this.positions = 0;
-    this.store = 0;
-    this.continuous = 0;
-    this.events = 0;
+    for (const phase of PHASES) {
+      this[phase] = 0;
+    }
     this.impacts = 0;
     this.last = this.clock();
   }

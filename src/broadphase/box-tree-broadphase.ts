@@ -52,7 +52,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private readonly still = new PackedTree<TreeHandle<T>>(0);
   /** Bounds of all handles, and what else is known of them, by their numbers. Side by side, as `perform` goes through all of them. */
   private boxes = new Float64Array(16 * BOX);
-  private states = new Int32Array(16 * STATE);
+  private states = new Int32Array(16 * STATE).fill(NONE);
   private handleCount = 0;
   private readonly freeNumbers: number[] = [];
   /** The first `movedCount` are numbers of handles. As `met` and `samples` not shortened, which would cost the storage. */
@@ -78,17 +78,19 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
     }
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
-    const number = this.takeNumber();
-    const handle = new TreeHandle<T>(data, isStatic, number);
+    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber());
+    this.setBox(handle.number, bounds);
+    this.enter(handle, bounds);
+    return handle;
+  }
+
+  /** Puts a handle into the tree of its kind. */
+  private enter(handle: TreeHandle<T>, bounds: RectLike): void {
+    const { number, isStatic } = handle;
     const at = number * STATE;
-    this.setBox(number, bounds);
     this.states[at + LEAF] = this.treeOf(handle).insert(handle, bounds, number);
     this.states[at + STATIC] = isStatic ? 1 : 0;
-    this.states[at + FIRST] = NONE;
-    this.states[at + MARK] = 0;
-    this.states[at + MOVED] = NONE;
     this.noteMoved(number);
-    return handle;
   }
 
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
@@ -108,9 +110,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     if (becomesStatic !== own.isStatic) {
       this.treeOf(own).remove(states[leaf]!);
       own.isStatic = becomesStatic;
-      states[leaf] = this.treeOf(own).insert(own, bounds, number);
-      states[number * STATE + STATIC] = becomesStatic ? 1 : 0;
-      this.noteMoved(number);
+      this.enter(own, bounds);
     } else if (!this.treeOf(own).contains(states[leaf]!, bounds)) {
       // Not left for a while by what goes on as in the last step.
       const x = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dx));
@@ -193,11 +193,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
         boxes[a + 1]! <= boxes[b + 3]! &&
         boxes[a + 3]! >= boxes[b + 1]!
       ) {
-        if (isKnown === undefined) {
-          callback.call(thisObject, this.handleOf(pairs[at + END_A]!), this.handleOf(pairs[at + END_B]!));
-        } else if (note === 0 || !isKnown.call(thisObject, note)) {
+        if (note === 0 || isKnown === undefined || !isKnown.call(thisObject, note)) {
           const given = callback.call(thisObject, this.handleOf(pairs[at + END_A]!), this.handleOf(pairs[at + END_B]!));
-          pairs[at + NOTE] = given as number;
+          if (isKnown !== undefined) pairs[at + NOTE] = given as number;
         }
       } else if (note !== 0) {
         pairs[at + NOTE] = 0;
@@ -268,6 +266,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     this.moving.clear();
     this.still.clear();
+    this.states.fill(NONE);
     this.movedCount = 0;
     this.handleCount = 0;
     this.freeNumbers.length = 0;
@@ -283,7 +282,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.handleCount += 1;
     if (number * BOX === this.boxes.length) {
       this.boxes = widened(this.boxes, new Float64Array(BOX * grown(this.handleCount)));
-      this.states = widened(this.states, new Int32Array(STATE * grown(this.handleCount)));
+      this.states = widened(this.states, new Int32Array(STATE * grown(this.handleCount)).fill(NONE));
     }
     return number;
   }
@@ -307,7 +306,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     let link = states[handle * STATE + FIRST]!;
     while (link !== NONE) {
       const pair = link >> 1;
-      const other = this.pairs[pair * PAIR + 1 - (link & 1)]! * STATE;
+      const other = this.endOf(link ^ 1) * STATE;
       link = this.next[link]!;
       const isOtherStatic = states[other + STATIC] === 1;
       if ((isStatic && isOtherStatic) || !tree.overlaps(leaf, isOtherStatic ? still : moving, states[other + LEAF]!)) {
@@ -356,57 +355,49 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   private link(handle: number, link: number): void {
-    const at = handle * STATE + FIRST;
-    const first = this.states[at]!;
-    this.next[link] = first;
-    this.previous[link] = NONE;
-    if (first !== NONE) {
-      this.previous[first] = link;
-    }
-    this.states[at] = link;
+    this.join(handle, link, this.states[handle * STATE + FIRST]!);
+    this.join(handle, NONE, link);
   }
 
-  private unlink(handle: number, link: number): void {
-    const next = this.next[link]!;
-    this.join(handle, this.previous[link]!, next);
-    if (next !== NONE) {
-      this.previous[next] = this.previous[link]!;
-    }
-  }
-
-  /** Makes a link the one that comes after another in the list of a handle, or the first. */
-  private join(handle: number, before: number, link: number): void {
+  /** Makes one link follow another in the list of a handle; none before it: it is the first. */
+  private join(handle: number, before: number, after: number): void {
     if (before === NONE) {
-      this.states[handle * STATE + FIRST] = link;
+      this.states[handle * STATE + FIRST] = after;
     } else {
-      this.next[before] = link;
+      this.next[before] = after;
+    }
+    if (after !== NONE) {
+      this.previous[after] = before;
     }
   }
 
   /** Takes a pair out; the last one takes its place. */
   private dropPair(pair: number): void {
-    const { pairs } = this;
-    this.unlink(pairs[pair * PAIR + END_A]!, 2 * pair);
-    this.unlink(pairs[pair * PAIR + END_B]!, 2 * pair + 1);
+    this.unlink(2 * pair);
+    this.unlink(2 * pair + 1);
     this.pairCount -= 1;
     const last = this.pairCount;
     if (last !== pair) {
-      pairs.copyWithin(pair * PAIR, last * PAIR, last * PAIR + PAIR);
-      this.relink(pairs[pair * PAIR + END_A]!, 2 * last, 2 * pair);
-      this.relink(pairs[pair * PAIR + END_B]!, 2 * last + 1, 2 * pair + 1);
+      this.relink(2 * last, 2 * pair);
+      this.relink(2 * last + 1, 2 * pair + 1);
+      this.pairs.copyWithin(pair * PAIR, last * PAIR, last * PAIR + PAIR);
     }
   }
 
-  /** Another link takes the place of one in the list of a handle. */
-  private relink(handle: number, from: number, to: number): void {
-    const next = this.next[from]!;
-    const previous = this.previous[from]!;
-    this.next[to] = next;
-    this.previous[to] = previous;
-    this.join(handle, previous, to);
-    if (next !== NONE) {
-      this.previous[next] = to;
-    }
+  private unlink(link: number): void {
+    this.join(this.endOf(link), this.previous[link]!, this.next[link]!);
+  }
+
+  /** Another link takes the place of one. */
+  private relink(from: number, to: number): void {
+    const handle = this.endOf(from);
+    this.join(handle, this.previous[from]!, to);
+    this.join(handle, to, this.next[from]!);
+  }
+
+  /** The handle that a link is of. */
+  private endOf(link: number): number {
+    return this.pairs[(link >> 1) * PAIR + (link & 1)]!;
   }
 
   private noteMoved(number: number): void {

@@ -328,11 +328,7 @@ export class Arbiter {
     this.lastInteraction = -1;
     this.seen = -1;
     this.listed = false;
-    this.dead = false;
-    this.awake = false;
-    this.near = false;
-    this.foreseen = false;
-    this.before = null;
+    this.revive();
     this.forget();
   }
 

@@ -282,16 +282,13 @@ export class Pairs {
 
   /** For a world that is restored: nothing is listed, and pairs are dropped unless brought back. */
   reset(): void {
-    this.sightings.fill(NEVER);
     for (const list of [this.cut, this.cutBefore]) {
       for (const pair of list) {
         this.free(pair);
       }
       list.length = 0;
     }
-    this.sorted.length = 0;
-    this.arriving.length = 0;
-    this.arrivingCount = 0;
+    this.empty();
   }
 
   clear(): void {
@@ -299,6 +296,10 @@ export class Pairs {
       pair.awake = false;
     }
     this.table.clear();
+    this.empty();
+  }
+
+  private empty(): void {
     this.sightings.fill(NEVER);
     this.sorted.length = 0;
     this.arriving.length = 0;

@@ -29,7 +29,7 @@ const FIXED: Readonly<Record<string, readonly string[]>> = {
   shape: ['id', 'sensor', 'kind', 'at'],
   polygon: ['radius'],
   constraint: ['dimension', 'positional', 'bounded'],
-  arbiter: ['sensor', 'at'],
+  arbiter: ['sensor', 'at', 'number'],
 };
 
 /** Kept, but of no influence: lists without order, and by what objects are found. */
