@@ -180,6 +180,62 @@ describe('kinematic bodies', () => {
 });
 
 describe('falling asleep', () => {
+  it('an interaction does so in the step of its bodies, whose last progress tells', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [0, 1].map((i) => boxBody(1, 1, { position: [0, -i] }));
+    const sensor = disc(0.6, { sensor: true });
+    bodies[0]!.addShape(sensor);
+    add(world, ...bodies);
+    const log = bodies.map(({ shapes }) => listen(shapes[0]!));
+    log.push(listen(sensor));
+    while (!bodies[0]!.sleeping) {
+      log.forEach((events) => {
+        events.length = 0;
+      });
+      steps(world, 1);
+    }
+    expect(bodies[1]!.sleeping).toBe(true);
+    const pairs = new Set(bodies.flatMap(({ shapes }) => shapes.flatMap(({ arbiters }) => arbiters)));
+    expect([...pairs].map(({ sleeping, active }) => [sleeping, active])).toEqual(Array(4).fill([true, false]));
+    expect(counts(world)).toEqual([0, 0]);
+    // The lower box touches the floor and the other, the upper one that and the sensor, the sensor the upper one and the floor.
+    expect(log).toEqual([Array(2).fill('progressS'), Array(2).fill('progressS'), Array(2).fill('progressS')]);
+    steps(world, 3);
+    expect(log.flat()).toHaveLength(6);
+  });
+
+  it('an interaction with what goes on moving does not', () => {
+    for (const zoneFirst of [true, false]) {
+      const world = weightless();
+      const shapes = [0, 1].map((i) => disc(0.5, { sensor: (i === 0) === zoneFirst }));
+      const [zone, shape] = zoneFirst ? [shapes[0]!, shapes[1]!] : [shapes[1]!, shapes[0]!];
+      const still = plainBody({ shapes: [shape] });
+      const log = listen(zone);
+      add(world, still, plainBody({ type: 'kinematic', angularVelocity: 1, shapes: [zone] }));
+      while (!still.sleeping) {
+        steps(world, 1);
+      }
+      expect([zone.arbiters[0]!.sleeping, zone.arbiters[0]!.active]).toEqual([false, true]);
+      log.length = 0;
+      steps(world, 2);
+      expect(log).toEqual(['progressA', 'progressA']);
+    }
+  });
+
+  it('what parted slowly a moment before stays apart', () => {
+    const world = weightless();
+    const [still, leaving] = [plainBody(), plainBody({ position: [1 - 0.0015, 0], velocity: [0.002, 0] })];
+    const log = listen(leaving.shapes[0]!);
+    add(world, still, leaving);
+    while (!leaving.sleeping) {
+      steps(world, 1);
+    }
+    const { arbiters } = leaving.shapes[0]!;
+    expect(arbiters.map(({ sleeping, active }) => [sleeping, active])).toEqual([[false, false]]);
+    expect(log.at(-1)).toBe('end');
+  });
+
   it('in the step in which another body arrives loses no momentum', () => {
     for (let before = 58; before < 66; before += 1) {
       for (const gap of [0.003, 0.015, 0.03]) {
