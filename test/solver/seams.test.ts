@@ -41,6 +41,15 @@ function slider(world: World, shape: Shape, position: Vec2, velocity: Vec2, rota
   return body;
 }
 
+/** m/s. Along a floor, and towards it. */
+const LANDINGS = [
+  [5, 5],
+  [20, 5],
+  [40, 3],
+  [60, 20],
+  [30, 1],
+] as const;
+
 describe('joints of tiles', () => {
   for (const [what, shape] of [
     ['a box', () => box(0.4, 0.4)],
@@ -199,6 +208,43 @@ describe('joints of tiles', () => {
         expect(body.getVelocity()[1]).toBeCloseTo(-1, 1);
       }
     });
+  }
+
+  // At these speeds a joint is met in the course of a step, and as deep as a body goes in one.
+  for (const [how, width] of [
+    ['side by side', 1],
+    ['that overlap', 1.3],
+  ] as const) {
+    for (const type of ['static', 'kinematic'] as const) {
+      it(`what lands at speed on ${type} tiles ${how} slides on`, () => {
+        for (const [k, rotation] of [0, 0.7, 2, -2.5].entries()) {
+          const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+          for (const [speed, fall] of LANDINGS) {
+            for (const make of [() => box(0.4, 0.4), () => disc(0.2), () => box(1, 0.1)]) {
+              const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+              // Which shape was made first decides which way contacts point.
+              const shape = k % 2 === 0 ? make() : null;
+              for (let i = 0; i < 24; i += 1) {
+                const position: Vec2 = [7 + c * i - s * 0.5, -4 + s * i + c * 0.5];
+                world.addRigidBody(phys2D.createRigidBody({ type, position, rotation, shapes: [box(width, 1)] }));
+              }
+              const [x, y] = [2.1, -0.3 - fall / 100];
+              const position: Vec2 = [7 + c * x - s * y, -4 + s * x + c * y];
+              const velocity: Vec2 = [c * speed - s * fall, s * speed + c * fall];
+              const body = slider(world, shape ?? make(), position, velocity, rotation);
+              for (let i = 0; i < Math.min(60, 900 / speed); i += 1) {
+                world.step(DT);
+              }
+              const [vx, vy] = body.getVelocity();
+              const told = `${speed} and ${fall} m/s, turned by ${rotation}`;
+              expect(vx * c + vy * s, told).toBeCloseTo(speed, 2);
+              // Under gravity a hop of half a millimetre.
+              expect(Math.abs(vy * c - vx * s), told).toBeLessThan(0.1);
+            }
+          }
+        }
+      });
+    }
   }
 
   it('a box is stopped by a curb of 5 mm', () => {
