@@ -337,4 +337,90 @@ describe('waking', () => {
     steps(world, 1);
     expect(sleeper.getPosition()[1]).toBeCloseTo(-2 / 60, 9);
   });
+
+  it('does not spread to what else lies on the same floor, or no longer touches', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [-3, 0, 3].map((x) => boxBody(1, 1, { position: [x, 0] }));
+    add(world, ...bodies);
+    steps(world, 10);
+    for (const body of bodies) {
+      body.sleep();
+    }
+    steps(world, 1);
+    bodies[1]!.wake();
+    expect(bodies.map(({ sleeping }) => sleeping)).toEqual([true, false, true]);
+
+    const empty = weightless();
+    const [still, gone] = [plainBody(), plainBody({ position: [0.9, 0] })];
+    add(empty, still, gone);
+    steps(empty, 1);
+    gone.setPosition([2, 0]);
+    steps(empty, 1);
+    still.sleep();
+    gone.sleep();
+    expect(still.shapes[0]!.arbiters).toHaveLength(1);
+    still.wake();
+    expect([still.sleeping, gone.sleeping]).toEqual([false, true]);
+  });
+
+  it('of a constraint wakes dynamic bodies of its world alone', () => {
+    const [world, other] = [weightless(), weightless()];
+    const [body, lift, stranger] = [plainBody(), plainBody({ type: 'kinematic', position: [3, 0] }), plainBody()];
+    add(world, body, lift);
+    add(other, stranger);
+    const joints = [lift, stranger].map((bodyB) =>
+      phys2D.createDistanceConstraint({ bodyA: body, bodyB, upperBound: 5 }),
+    );
+    tie(world, ...joints);
+    const wake = vi.fn();
+    const all = [body, lift, stranger];
+    for (const each of all) {
+      each.addEventListener('wake', wake);
+    }
+    steps(world, 100);
+    steps(other, 100);
+    wake.mockClear();
+    expect(all.map(({ sleeping }) => sleeping)).toEqual([true, true, true]);
+    for (const joint of joints) {
+      joint.wake();
+    }
+    expect(all.map(({ sleeping }) => sleeping)).toEqual([false, true, true]);
+    steps(world, 1);
+    steps(other, 1);
+    expect(wake.mock.contexts).toEqual([body]);
+  });
+
+  it('by a hit makes what touched go on in that very step', () => {
+    const world = heavy();
+    const floor = addFloor(world);
+    const body = boxBody(1, 1);
+    add(world, body);
+    const log = listen(floor.shapes[0]!);
+    steps(world, 100);
+    expect(body.sleeping).toBe(true);
+    log.length = 0;
+    add(world, boxBody(0.5, 0.5, { position: [0, -0.9], velocity: [0, 2] }));
+    while (body.sleeping) {
+      expect(log).toEqual([]);
+      steps(world, 1);
+    }
+    expect(log).toEqual(['progressA']);
+    steps(world, 1);
+    expect(log).toEqual(['progressA', 'progressA']);
+  });
+
+  it('lists of arbiters keep the others when a body is removed', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [-3, 0, 3].map((x) => boxBody(1, 1, { position: [x, 0] }));
+    add(world, ...bodies);
+    for (const gone of [bodies[0]!, bodies[2]!]) {
+      steps(world, 2);
+      world.removeRigidBody(gone);
+      const left = bodies.filter((body) => body.world !== null);
+      expect(world.staticArbiters).toHaveLength(left.length);
+      expect(new Set(world.staticArbiters)).toEqual(new Set(left.flatMap(({ shapes }) => shapes[0]!.arbiters)));
+    }
+  });
 });
