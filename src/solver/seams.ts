@@ -1,4 +1,4 @@
-import { DYNAMIC, STATIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
@@ -80,10 +80,10 @@ function smooth(pair: Arbiter): boolean {
   return false;
 }
 
-/** The same for a contact that was just found where a body is in the course of the step, with all static shapes that are there. */
+/** The same for a contact that was just found where a body is in the course of the step, with all shapes there that stand still. */
 export function smoothMeeting(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
-  if (ground.kind !== POLYGON || pair.bodyA.kind === pair.bodyB.kind || ground.owner!.kind !== STATIC) {
+  if (ground.kind !== POLYGON || !standsStill(ground)) {
     return;
   }
   const { numbers: n, at: o } = pair;
@@ -93,10 +93,10 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   bounds[1] = y;
   bounds[2] = x;
   bounds[3] = y;
-  const size = findNearby(world, bounds, false);
+  const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = nearby[i]!;
-    if (other !== ground && other.owner!.kind === STATIC && isHidden(pair, ground as Polygon, other as Polygon)) {
+    if (other !== ground && standsStill(other) && isHidden(pair, ground as Polygon, other as Polygon)) {
       turn(pair);
       if (pair.count === 0) {
         touch(pair);
@@ -104,6 +104,12 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
       return;
     }
   }
+}
+
+/** Whether a shape is where the step began, all the time. */
+function standsStill({ owner }: Shape): boolean {
+  const { kind, vx, vy, w } = owner!;
+  return kind === STATIC || (kind === KINEMATIC && vx === 0 && vy === 0 && w === 0);
 }
 
 function dynamicOf(pair: Arbiter): Shape {
