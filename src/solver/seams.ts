@@ -22,6 +22,9 @@ const SAME_DIRECTION = 1 - 1e-10;
 /** m. How far an edge is followed to see whether it comes into the open. */
 const OPEN_WAY = 4 * FLUSH_TOLERANCE;
 
+/** m. And how far above it: faces that lie in each other carry as one. */
+const CLEAR = 2 * FLUSH_TOLERANCE;
+
 /** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
 class Spot {
   x = 0.5;
@@ -244,8 +247,8 @@ function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
   const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
   const way = isNext ? -OPEN_WAY : OPEN_WAY;
-  asked[0] = edges[from]! - way * up.y;
-  asked[1] = edges[from + 1]! + way * up.x;
+  asked[0] = edges[from]! - way * up.y + CLEAR * up.x;
+  asked[1] = edges[from + 1]! + way * up.x + CLEAR * up.y;
   return !isWithin(other, ground);
 }
 
