@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D, type RigidBody } from '../../src/index.js';
-import { add, heavy, near, plainBody, staticBody, steps, tie } from '../conformance/setting.js';
+import { add, heavy, near, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 
 // What a constraint may give at most is meant for the whole step, however many parts that is solved in.
 
@@ -73,4 +73,50 @@ it.each([1, 4])('a custom constraint of velocities gives its force and no more, 
   steps(world, 30);
   near(constraint.getImpulseForBody(body).slice(0, 2), [0, -4 / 60], 1e-9);
   near(body.getVelocity(), [0, (30 * (WEIGHT - 4)) / 60], 1e-9);
+});
+
+/** Constraints that keep two bodies of mass 1, at x = −1 and x = 1, together. */
+const PAIRS: Record<string, (bodyA: RigidBody, bodyB: RigidBody, limits: Partial<Limits>) => Constraint> = {
+  POINT: (bodyA, bodyB, limits) =>
+    phys2D.createPointConstraint({ bodyA, bodyB, anchorA: [1, 0], anchorB: [-1, 0], ...limits }),
+  WELD: (bodyA, bodyB, limits) =>
+    phys2D.createWeldConstraint({ bodyA, bodyB, anchorA: [1, 0], anchorB: [-1, 0], ...limits }),
+  DISTANCE: (bodyA, bodyB, limits) =>
+    phys2D.createDistanceConstraint({ bodyA, bodyB, lowerBound: 2, upperBound: 2, ...limits }),
+  LINE: (bodyA, bodyB, limits) =>
+    phys2D.createLineConstraint({ bodyA, bodyB, axis: [1, 0], lowerBound: 2, upperBound: 2, ...limits }),
+};
+
+describe.each(Object.keys(PAIRS))('%s between two free bodies', (kind) => {
+  it.each([1, 4])(
+    'that whirl breaks under the force that keeps them on their circle, with %d sub-steps',
+    (substeps) => {
+      const spin = 2;
+      for (const share of [0.8, 1.2]) {
+        const world = weightless({ substeps });
+        const [a, b] = [-1, 1].map((x) =>
+          plainBody({ position: [x, 0], velocity: [0, spin * x], angularVelocity: spin }),
+        );
+        add(world, a!, b!);
+        const constraint = PAIRS[kind]!(a!, b!, { maxForce: share * spin * spin, breakUnderForce: true });
+        tie(world, constraint);
+        steps(world, 40);
+        expect(constraint.world, `${share} of the force`).toBe(share > 1 ? world : null);
+      }
+    },
+  );
+
+  it.each([1, 4])(
+    'that are too far apart brings them together, and leaves them at rest, with %d sub-steps',
+    (substeps) => {
+      const world = weightless({ substeps, allowSleeping: false });
+      const [a, b] = [-1.1, 1.05].map((x) => plainBody({ position: [x, 0] }));
+      add(world, a!, b!);
+      tie(world, PAIRS[kind]!(a!, b!, {}));
+      steps(world, 20);
+      near(a!.getPosition(), [-1.025, 0], 1e-3);
+      near(b!.getPosition(), [0.975, 0], 1e-3);
+      near([...a!.getVelocity(), ...b!.getVelocity()], [0, 0, 0, 0], 0.02);
+    },
+  );
 });
