@@ -364,6 +364,40 @@ describe('waking', () => {
     expect([still.sleeping, gone.sleeping]).toEqual([false, true]);
   });
 
+  it('of what a body that goes touched comes with an event, and only of what it touched', () => {
+    for (const leave of [
+      (world: World, body: RigidBody) => world.removeRigidBody(body),
+      (_: World, body: RigidBody) => body.setAsKinematic(),
+    ]) {
+      const world = weightless();
+      const middle = plainBody();
+      const touching = plainBody({ position: [0.999, 0] });
+      const through = plainBody({ position: [0, 0.9], shapes: [disc(0.5)] });
+      const parted = plainBody({ position: [-0.9, 0] });
+      through.shapes[0]!.addEventListener('preSolve', (arbiter) => arbiter.setAcceptedState(false), undefined, true);
+      const all = [touching, through, parted];
+      const woken: RigidBody[] = [];
+      for (const body of all) {
+        body.addEventListener('wake', () => woken.push(body));
+      }
+      add(world, middle, ...all);
+      steps(world, 1);
+      parted.setPosition([-2, 0]);
+      steps(world, 1);
+      for (const body of [middle, ...all]) {
+        body.setVelocity([0, 0]);
+        body.sleep();
+      }
+      steps(world, 1);
+      expect(middle.shapes[0]!.arbiters).toHaveLength(3);
+      woken.length = 0;
+      leave(world, middle);
+      expect(all.map(({ sleeping }) => sleeping)).toEqual([false, true, true]);
+      steps(world, 1);
+      expect(woken).toEqual([touching]);
+    }
+  });
+
   it('of a constraint wakes dynamic bodies of its world alone', () => {
     const [world, other] = [weightless(), weightless()];
     const [body, lift, stranger] = [plainBody(), plainBody({ type: 'kinematic', position: [3, 0] }), plainBody()];

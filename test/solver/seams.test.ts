@@ -223,7 +223,6 @@ describe('joints of tiles', () => {
       for (const [rotation, madeFirst] of [
         [0, true],
         [0.7, false],
-        [-2.5, true],
       ] as const) {
         for (const [speed, fall] of LANDINGS) {
           for (let start = 2; start < 3; start += 0.125) {
