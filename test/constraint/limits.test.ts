@@ -83,6 +83,7 @@ const PAIRS: Record<string, (bodyA: RigidBody, bodyB: RigidBody, limits: Partial
     phys2D.createWeldConstraint({ bodyA, bodyB, anchorA: [1, 0], anchorB: [-1, 0], ...limits }),
   DISTANCE: (bodyA, bodyB, limits) =>
     phys2D.createDistanceConstraint({ bodyA, bodyB, lowerBound: 2, upperBound: 2, ...limits }),
+  'a rope': (bodyA, bodyB, limits) => phys2D.createDistanceConstraint({ bodyA, bodyB, upperBound: 2, ...limits }),
   LINE: (bodyA, bodyB, limits) =>
     phys2D.createLineConstraint({ bodyA, bodyB, axis: [1, 0], lowerBound: 2, upperBound: 2, ...limits }),
 };
@@ -109,14 +110,16 @@ describe.each(Object.keys(PAIRS))('%s between two free bodies', (kind) => {
   it.each([1, 4])(
     'that are too far apart brings them together, and leaves them at rest, with %d sub-steps',
     (substeps) => {
-      const world = weightless({ substeps, allowSleeping: false });
-      const [a, b] = [-1.1, 1.05].map((x) => plainBody({ position: [x, 0] }));
-      add(world, a!, b!);
-      tie(world, PAIRS[kind]!(a!, b!, {}));
-      steps(world, 20);
-      near(a!.getPosition(), [-1.025, 0], 1e-3);
-      near(b!.getPosition(), [0.975, 0], 1e-3);
-      near([...a!.getVelocity(), ...b!.getVelocity()], [0, 0, 0, 0], 0.02);
+      for (const gap of [0.15, 0.009]) {
+        const world = weightless({ substeps, allowSleeping: false });
+        const [a, b] = [-1 - gap, 1].map((x) => plainBody({ position: [x, 0] }));
+        add(world, a!, b!);
+        tie(world, PAIRS[kind]!(a!, b!, {}));
+        steps(world, 20);
+        near(a!.getPosition(), [-1 - gap / 2, 0], 1e-3);
+        near(b!.getPosition(), [1 - gap / 2, 0], 1e-3);
+        near([...a!.getVelocity(), ...b!.getVelocity()], [0, 0, 0, 0], 1e-3);
+      }
     },
   );
 });

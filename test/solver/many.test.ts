@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
+import { phys2D, type RigidBody, type Shape, type Vec2, type World } from '../../src/index.js';
 
 // Things that do not meet move as each would alone, however many there are: all that grows with their number keeps what is in it.
 
@@ -23,27 +23,27 @@ function addGround(world: World, x: number): RigidBody {
 
 type Build = (world: World, x: number) => RigidBody;
 
-function thing(shape: () => Shape, params: Parameters<typeof phys2D.createRigidBody>[0]): Build {
+function thing(shape: () => Shape, [dx, y]: Vec2, velocity: Vec2): Build {
   return (world, x) => {
     addGround(world, x);
-    const [dx, y] = params!.position!;
-    const body = phys2D.createRigidBody({ ...params, position: [x + dx!, y!], shapes: [shape()] });
+    const body = phys2D.createRigidBody({ position: [x + dx, y], velocity, shapes: [shape()] });
     world.addRigidBody(body);
     return body;
   };
 }
 
 const things: Record<string, Build> = {
-  'boxes that slide': thing(() => box(0.5, 0.5), { position: [-1, -0.25], velocity: [3, 0] }),
-  'discs that roll': thing(() => disc(0.25), { position: [-1, -0.25], velocity: [1, 0] }),
-  'balls that bounce': thing(() => disc(0.25, 0.8), { position: [0, -1], velocity: [0.1, 2] }),
+  'boxes that slide': thing(() => box(0.5, 0.5), [-1, -0.25], [3, 0]),
+  'discs that roll': thing(() => disc(0.25), [-1, -0.25], [1, 0]),
+  'balls that bounce': thing(() => disc(0.25, 0.8), [0, -1], [0.1, 2]),
   'bricks that bounce': thing(
     () =>
       phys2D.createPolygonShape({
         vertices: phys2D.createBoxVertices(1, 0.5),
         material: phys2D.createMaterial({ elasticity: 0.8 }),
       }),
-    { position: [0, -0.5], velocity: [0, 2] },
+    [0, -0.5],
+    [0, 2],
   ),
   'bullets that meet': (world, x) => {
     const [body] = [-1, 1].map((side) => {
