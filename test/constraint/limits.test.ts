@@ -123,3 +123,38 @@ describe.each(Object.keys(PAIRS))('%s between two free bodies', (kind) => {
     },
   );
 });
+
+describe('a chain that is built hanging, and falls into its joints', () => {
+  /** Bodies of mass 1, one below the other; one joint may break under so many times what it bears at rest. */
+  function makeChain(count: number, breakable = -1, share = 0) {
+    const world = heavy({ allowSleeping: false });
+    const joints: Constraint[] = [];
+    for (let i = 0, bodyA = staticBody({ position: [0, -1] }); i < count; i += 1) {
+      const bodyB = plainBody({ position: [0, i], shapes: [] });
+      add(world, bodyB);
+      const limits = i === breakable ? { breakUnderForce: true, maxForce: share * 10 * (count - i) } : {};
+      joints.push(phys2D.createPointConstraint({ bodyA, bodyB, anchorA: [0, 0.5], anchorB: [0, -0.5], ...limits }));
+      bodyA = bodyB;
+    }
+    tie(world, ...joints);
+    return { world, joints };
+  }
+
+  it('does not open', () => {
+    const { world } = makeChain(30);
+    for (let i = 0; i < 60; i += 1) {
+      steps(world, 1);
+      world.rigidBodies.forEach((body, k) => {
+        expect(body.getPosition()[1] - (world.rigidBodies[k - 1]?.getPosition()[1] ?? -1)).toBeLessThan(1.0015);
+      });
+    }
+  });
+
+  it.each([0, 5, 9])('does not break at joint %d, if that bears half as much again, but if it bears less', (k) => {
+    for (const share of [0.9, 1.5]) {
+      const { world, joints } = makeChain(10, k, share);
+      steps(world, 90);
+      expect(joints[k]!.world, `${share} of the weight`).toBe(share > 1 ? world : null);
+    }
+  });
+});
