@@ -1,5 +1,6 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { validate } from '../../src/audit/index.js';
+import { FAR } from '../../src/config.js';
 import {
   type Circle,
   type Polygon,
@@ -111,6 +112,30 @@ describe('what becomes not finite all the same is frozen, told, and touches noth
       const [x, y] = good.rigidBodies[i]!.getPosition();
       expect(Math.hypot(body.getPosition()[0] - x, body.getPosition()[1] - y)).toBeLessThan(0.005);
     });
+  });
+
+  /** What of it is as large as it may be as the step begins, and too large at its end. */
+  it.each<[string, (body: RigidBody) => void]>([
+    ['falls too fast', (body) => body.setForce([0, 3 * FAR * body.getMass()])],
+    ['flies too fast', (body) => body.setForce([-3 * FAR * body.getMass(), 0])],
+    ['spins too fast', (body) => body.setTorque(3 * FAR * body.getInertia())],
+    ['gets too far', (body) => body.setVelocity([0.9 * FAR, 0])],
+  ])('what %s in the course of the step', (_, disturb) => {
+    const world = phys2D.createWorld({ gravity: [0, 0], substeps: 4 });
+    const body = add(world, circle(1), { position: [0.5 * FAR, 3], velocity: [0, 1] });
+    const other = add(world, circle(1), { velocity: [0, 1] });
+    const told = vi.fn();
+    world.addEventListener('nonfinite', told);
+    // Steps are of a second, sub-steps of a quarter: what is gained in one is less than may be.
+    disturb(body);
+    world.step(1);
+    expect(told.mock.calls).toEqual([[body]]);
+    expect([...body.getPosition(), body.getRotation()]).toEqual([0.5 * FAR, 3, 0]);
+    expect([...body.getVelocity(), body.getAngularVelocity(), ...body.getForce(), body.getTorque()]).toEqual([
+      0, 0, 0, 0, 0, 0,
+    ]);
+    expect(other.getPosition()[1]).toBeGreaterThan(0.9);
+    validate(world);
   });
 
   it('a force that overflows in the middle of a jointed heap: joints and contacts go on', () => {
