@@ -28,6 +28,7 @@ const FOLDERS = {
   solver: [
     'state/golden',
     'solver/continuous',
+    'solver/directions',
     'solver/many',
     'solver/meeting-queue',
     'solver/rolling',
