@@ -171,3 +171,46 @@ describe('what becomes not finite all the same is frozen, told, and touches noth
     world.step(1 / 60);
   });
 });
+
+describe('a custom constraint that fails is left out, and told, and nothing else is touched', () => {
+  const fails = {
+    'writes NaN': (data: Record<number, number>, index: number) => {
+      data[index] = NaN;
+    },
+    throws: () => {
+      throw new Error('mine');
+    },
+  };
+  const names = ['jacobian', 'position', 'velocityClamp', 'positionClamp'] as const;
+
+  it.each(Object.entries(fails).flatMap(([how, fail]) => names.map((name) => [how, name, fail] as const)))(
+    'one that %s in %s',
+    (_, name, fail) => {
+      const [bad, good] = [phys2D.createWorld(), phys2D.createWorld()];
+      for (const world of [bad, good]) {
+        addFloor(world);
+        addTower(world, 3);
+      }
+      const bodies = [bad.rigidBodies[1]!, bad.rigidBodies[2]!];
+      const callbacks = {
+        jacobian(data: Record<number, number>, index: number) {
+          data[index + 1] = 1;
+        },
+        position(data: Record<number, number>, index: number) {
+          data[index] = 0.1;
+        },
+        [name]: fail,
+      };
+      bad.addConstraint(phys2D.createCustomConstraint({ dimension: 1, bodies, ...callbacks }));
+      for (let i = 0; i < 30; i += 1) {
+        expect(() => bad.step(1 / 60)).toThrow(
+          new RegExp(`mine|^CustomConstraint\\.${name} of world\\.constraints\\[0\\]: `),
+        );
+        good.step(1 / 60);
+        validate(bad);
+      }
+      const places = (world: World) => world.rigidBodies.map((body) => body.getPosition());
+      expect(places(bad)).toEqual(places(good));
+    },
+  );
+});
