@@ -181,7 +181,8 @@ describe('a custom constraint that fails is left out, and told, and nothing else
       throw new Error('mine');
     },
   };
-  const names = ['jacobian', 'position', 'velocityClamp', 'positionClamp'] as const;
+  // Before it could have any effect. One that fails later does nothing more in that step.
+  const names = ['jacobian', 'velocityClamp'] as const;
 
   it.each(Object.entries(fails).flatMap(([how, fail]) => names.map((name) => [how, name, fail] as const)))(
     'one that %s in %s',
