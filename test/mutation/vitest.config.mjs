@@ -42,6 +42,7 @@ const FOLDERS = {
     'events/asleep',
     'events/hit',
     'world/frozen',
+    'world/profile',
     'conformance/07',
     'conformance/08',
     'conformance/12',
