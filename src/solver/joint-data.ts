@@ -262,7 +262,7 @@ export function packHead(data: JointData, joint: Joint): void {
   r[at + LIMIT] = !breakUnderForce && (isElastic || !positional) ? maxForce * h : Infinity;
   r[at + BREAK] = breakUnderForce ? maxForce * h * parts : Infinity;
   r[at + MAX_ERROR] = breakUnderError && positional ? maxError : Infinity;
-  r[at + CARRY] = isElastic || constraint.fresh ? 0 : JOINT_MOMENTUM / h;
+  r[at + CARRY] = isElastic ? 0 : JOINT_MOMENTUM / h;
   r[at + PUSH] = stiff && positional ? 1 : 0;
   r[at + SNAPPED] = 0;
   r[at + TOUCHED] = 0;

@@ -289,11 +289,6 @@ export class Movers {
     return mover;
   }
 
-  /** Whether a body is swept by itself. */
-  sweeps({ mover }: RigidBody): boolean {
-    return mover >= 0 && this.all[mover]!.sweeps;
-  }
-
   clear(): void {
     for (let i = 0; i < this.count; i += 1) {
       this.all[i]!.body.mover = -1;

@@ -1,4 +1,4 @@
-import { DYNAMIC, STATIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
@@ -21,6 +21,9 @@ const SAME_DIRECTION = 1 - 1e-10;
 
 /** m. How far an edge is followed to see whether it comes into the open. */
 const OPEN_WAY = 4 * FLUSH_TOLERANCE;
+
+/** m. And how far above it: faces that lie in each other carry as one. */
+const CLEAR = 2 * FLUSH_TOLERANCE;
 
 /** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
 class Spot {
@@ -80,10 +83,10 @@ function smooth(pair: Arbiter): boolean {
   return false;
 }
 
-/** The same for a contact that was just found where a body is in the course of the step, with all static shapes that are there. */
+/** The same for a contact that was just found where a body is in the course of the step, with all shapes there that stand still. */
 export function smoothMeeting(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
-  if (ground.kind !== POLYGON || pair.bodyA.kind === pair.bodyB.kind || ground.owner!.kind !== STATIC) {
+  if (ground.kind !== POLYGON || !standsStill(ground)) {
     return;
   }
   const { numbers: n, at: o } = pair;
@@ -93,10 +96,10 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   bounds[1] = y;
   bounds[2] = x;
   bounds[3] = y;
-  const size = findNearby(world, bounds, false);
+  const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = nearby[i]!;
-    if (other !== ground && other.owner!.kind === STATIC && isHidden(pair, ground as Polygon, other as Polygon)) {
+    if (other !== ground && standsStill(other) && isHidden(pair, ground as Polygon, other as Polygon)) {
       turn(pair);
       if (pair.count === 0) {
         touch(pair);
@@ -104,6 +107,12 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
       return;
     }
   }
+}
+
+/** Whether a shape is where the step began, all the time. */
+function standsStill({ owner }: Shape): boolean {
+  const { kind, vx, vy, w } = owner!;
+  return kind === STATIC || (kind === KINEMATIC && vx === 0 && vy === 0 && w === 0);
 }
 
 function dynamicOf(pair: Arbiter): Shape {
@@ -238,8 +247,8 @@ function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
   const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
   const way = isNext ? -OPEN_WAY : OPEN_WAY;
-  asked[0] = edges[from]! - way * up.y;
-  asked[1] = edges[from + 1]! + way * up.x;
+  asked[0] = edges[from]! - way * up.y + CLEAR * up.x;
+  asked[1] = edges[from + 1]! + way * up.x + CLEAR * up.y;
   return !isWithin(other, ground);
 }
 

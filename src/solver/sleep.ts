@@ -93,8 +93,8 @@ export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
 export function wakeBoth(world: World, { bodyA, bodyB }: Arbiter): void {
   const { woken: wokenA } = bodyA;
   const { woken: wokenB } = bodyB;
-  wakeBody(world, bodyA, true);
-  wakeBody(world, bodyB, true);
+  spreadWake(world, bodyA);
+  spreadWake(world, bodyB);
   bodyA.woken = wokenA;
   bodyB.woken = wokenB;
 }

@@ -569,6 +569,32 @@ describe('17 Constraints: kinds', () => {
     }
   });
 
+  it('C-204 CUSTOM: is shown where all of its bodies are in the course of the step, and which way they look', () => {
+    const world = weightless({ substeps: 4, positionIterations: 4 });
+    const bodies = Array.from({ length: 6 }, (_, i) =>
+      addPlain(world, { position: [9 * i, i], velocity: [i, 1], angularVelocity: i, rotation: 0.1 * i }),
+    );
+    const times = new Set<number>();
+    const look = (): void => {
+      const time = bodies[0]!.getPosition()[1];
+      times.add(Math.round((time / DT) * 4));
+      bodies.forEach((body, i) => {
+        const [x, y, angle] = [(9 + time) * i, i + time, (0.1 + time) * i];
+        near([...body.getPosition(), body.getRotation()], [x, y, angle], 1e-12);
+        near(body.transformLocalPointToWorld([1, 0]), [x + Math.cos(angle), y + Math.sin(angle)], 1e-12);
+        near([...body.getVelocity(), body.getAngularVelocity()], [i, 1, i], 1e-12);
+      });
+    };
+    const callbacks = { position: look, jacobian: look, positionClamp: look, velocityClamp: look };
+    tie(world, phys2D.createCustomConstraint({ dimension: 1, bodies, ...callbacks }));
+    world.step(DT);
+    expect([...times]).toEqual([0, 1, 2, 3, 4]);
+    near(bodies[5]!.transformLocalPointToWorld([0, 1]), [
+      45 + 5 * DT - Math.sin(0.5 + 5 * DT),
+      5 + DT + Math.cos(0.5 + 5 * DT),
+    ]);
+  });
+
   it('C-206 CUSTOM: `this` is the constraint, and `bodies` a copy', () => {
     const world = weightless();
     const list = [addPlain(world)];

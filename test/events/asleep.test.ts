@@ -180,6 +180,62 @@ describe('kinematic bodies', () => {
 });
 
 describe('falling asleep', () => {
+  it('an interaction does so in the step of its bodies, whose last progress tells', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [0, 1].map((i) => boxBody(1, 1, { position: [0, -i] }));
+    const sensor = disc(0.6, { sensor: true });
+    bodies[0]!.addShape(sensor);
+    add(world, ...bodies);
+    const log = bodies.map(({ shapes }) => listen(shapes[0]!));
+    log.push(listen(sensor));
+    while (!bodies[0]!.sleeping) {
+      log.forEach((events) => {
+        events.length = 0;
+      });
+      steps(world, 1);
+    }
+    expect(bodies[1]!.sleeping).toBe(true);
+    const pairs = new Set(bodies.flatMap(({ shapes }) => shapes.flatMap(({ arbiters }) => arbiters)));
+    expect([...pairs].map(({ sleeping, active }) => [sleeping, active])).toEqual(Array(4).fill([true, false]));
+    expect(counts(world)).toEqual([0, 0]);
+    // The lower box touches the floor and the other, the upper one that and the sensor, the sensor the upper one and the floor.
+    expect(log).toEqual([Array(2).fill('progressS'), Array(2).fill('progressS'), Array(2).fill('progressS')]);
+    steps(world, 3);
+    expect(log.flat()).toHaveLength(6);
+  });
+
+  it('an interaction with what goes on moving does not', () => {
+    for (const zoneFirst of [true, false]) {
+      const world = weightless();
+      const shapes = [0, 1].map((i) => disc(0.5, { sensor: (i === 0) === zoneFirst }));
+      const [zone, shape] = zoneFirst ? [shapes[0]!, shapes[1]!] : [shapes[1]!, shapes[0]!];
+      const still = plainBody({ shapes: [shape] });
+      const log = listen(zone);
+      add(world, still, plainBody({ type: 'kinematic', angularVelocity: 1, shapes: [zone] }));
+      while (!still.sleeping) {
+        steps(world, 1);
+      }
+      expect([zone.arbiters[0]!.sleeping, zone.arbiters[0]!.active]).toEqual([false, true]);
+      log.length = 0;
+      steps(world, 2);
+      expect(log).toEqual(['progressA', 'progressA']);
+    }
+  });
+
+  it('what parted slowly a moment before stays apart', () => {
+    const world = weightless();
+    const [still, leaving] = [plainBody(), plainBody({ position: [1 - 0.0015, 0], velocity: [0.002, 0] })];
+    const log = listen(leaving.shapes[0]!);
+    add(world, still, leaving);
+    while (!leaving.sleeping) {
+      steps(world, 1);
+    }
+    const { arbiters } = leaving.shapes[0]!;
+    expect(arbiters.map(({ sleeping, active }) => [sleeping, active])).toEqual([[false, false]]);
+    expect(log.at(-1)).toBe('end');
+  });
+
   it('in the step in which another body arrives loses no momentum', () => {
     for (let before = 58; before < 66; before += 1) {
       for (const gap of [0.003, 0.015, 0.03]) {
@@ -280,5 +336,131 @@ describe('waking', () => {
     expect(world.staticArbiters).toEqual(sleeper.shapes[0]!.arbiters);
     steps(world, 1);
     expect(sleeper.getPosition()[1]).toBeCloseTo(-2 / 60, 9);
+  });
+
+  it('does not spread to what else lies on the same floor, or no longer touches', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [-3, 0, 3].map((x) => boxBody(1, 1, { position: [x, 0] }));
+    add(world, ...bodies);
+    steps(world, 10);
+    for (const body of bodies) {
+      body.sleep();
+    }
+    steps(world, 1);
+    bodies[1]!.wake();
+    expect(bodies.map(({ sleeping }) => sleeping)).toEqual([true, false, true]);
+
+    const empty = weightless();
+    const [still, gone] = [plainBody(), plainBody({ position: [0.9, 0] })];
+    add(empty, still, gone);
+    steps(empty, 1);
+    gone.setPosition([2, 0]);
+    steps(empty, 1);
+    still.sleep();
+    gone.sleep();
+    expect(still.shapes[0]!.arbiters).toHaveLength(1);
+    still.wake();
+    expect([still.sleeping, gone.sleeping]).toEqual([false, true]);
+  });
+
+  it('of what a body that goes touched comes with an event, and only of what it touched', () => {
+    const remove = (world: World, body: RigidBody) => world.removeRigidBody(body);
+    const hold = (_: World, body: RigidBody) => body.setAsKinematic();
+    for (const [leave, sleeps] of [
+      [remove, true],
+      [remove, false],
+      [hold, true],
+      [hold, false],
+    ] as const) {
+      const world = weightless();
+      const middle = plainBody();
+      const touching = plainBody({ position: [0.999, 0] });
+      const through = plainBody({ position: [0, 0.9], shapes: [disc(0.5)] });
+      const parted = plainBody({ position: [-0.9, 0] });
+      through.shapes[0]!.addEventListener('preSolve', (arbiter) => arbiter.setAcceptedState(false), undefined, true);
+      const all = [touching, through, parted];
+      const woken: RigidBody[] = [];
+      for (const body of all) {
+        body.addEventListener('wake', () => woken.push(body));
+      }
+      add(world, middle, ...all);
+      steps(world, 1);
+      parted.setPosition([-2, 0]);
+      steps(world, 1);
+      for (const body of all) {
+        body.sleep();
+      }
+      if (sleeps) {
+        middle.sleep();
+        steps(world, 1);
+      }
+      expect(middle.shapes[0]!.arbiters).toHaveLength(3);
+      woken.length = 0;
+      leave(world, middle);
+      expect(all.map(({ sleeping }) => sleeping)).toEqual([false, true, true]);
+      steps(world, 1);
+      expect(woken).toEqual([touching]);
+    }
+  });
+
+  it('of a constraint wakes dynamic bodies of its world alone', () => {
+    const [world, other] = [weightless(), weightless()];
+    const [body, lift, stranger] = [plainBody(), plainBody({ type: 'kinematic', position: [3, 0] }), plainBody()];
+    add(world, body, lift);
+    add(other, stranger);
+    const joints = [lift, stranger].map((bodyB) =>
+      phys2D.createDistanceConstraint({ bodyA: body, bodyB, upperBound: 5 }),
+    );
+    tie(world, ...joints);
+    const wake = vi.fn();
+    const all = [body, lift, stranger];
+    for (const each of all) {
+      each.addEventListener('wake', wake);
+    }
+    steps(world, 100);
+    steps(other, 100);
+    wake.mockClear();
+    expect(all.map(({ sleeping }) => sleeping)).toEqual([true, true, true]);
+    for (const joint of joints) {
+      joint.wake();
+    }
+    expect(all.map(({ sleeping }) => sleeping)).toEqual([false, true, true]);
+    steps(world, 1);
+    steps(other, 1);
+    expect(wake.mock.contexts).toEqual([body]);
+  });
+
+  it('by a hit makes what touched go on in that very step', () => {
+    const world = heavy();
+    const floor = addFloor(world);
+    const body = boxBody(1, 1);
+    add(world, body);
+    const log = listen(floor.shapes[0]!);
+    steps(world, 100);
+    expect(body.sleeping).toBe(true);
+    log.length = 0;
+    add(world, boxBody(0.5, 0.5, { position: [0, -0.9], velocity: [0, 2] }));
+    while (body.sleeping) {
+      expect(log).toEqual([]);
+      steps(world, 1);
+    }
+    expect(log).toEqual(['progressA']);
+    steps(world, 1);
+    expect(log).toEqual(['progressA', 'progressA']);
+  });
+
+  it('lists of arbiters keep the others when a body is removed', () => {
+    const world = heavy();
+    addFloor(world);
+    const bodies = [-3, 0, 3].map((x) => boxBody(1, 1, { position: [x, 0] }));
+    add(world, ...bodies);
+    for (const gone of [bodies[0]!, bodies[2]!]) {
+      steps(world, 2);
+      world.removeRigidBody(gone);
+      const left = bodies.filter((body) => body.world !== null);
+      expect(world.staticArbiters).toHaveLength(left.length);
+      expect(new Set(world.staticArbiters)).toEqual(new Set(left.flatMap(({ shapes }) => shapes[0]!.arbiters)));
+    }
   });
 });

@@ -41,6 +41,22 @@ function slider(world: World, shape: Shape, position: Vec2, velocity: Vec2, rota
   return body;
 }
 
+/** m/s. Along a floor, and towards it. */
+const LANDINGS = [
+  [5, 5],
+  [20, 5],
+  [40, 3],
+  [60, 20],
+  [30, 1],
+] as const;
+
+/** How to make them, and how high their middle is above what they lie on. */
+const SLIDERS: Record<string, [() => Shape, number]> = {
+  'a box': [() => box(0.4, 0.4), 0.2],
+  'a disc': [() => disc(0.2), 0.2],
+  'a plank': [() => box(1, 0.1), 0.05],
+};
+
 describe('joints of tiles', () => {
   for (const [what, shape] of [
     ['a box', () => box(0.4, 0.4)],
@@ -200,6 +216,93 @@ describe('joints of tiles', () => {
       }
     });
   }
+
+  // At these speeds a joint is met in the course of a step, and as deep as a body goes in one.
+  for (const type of ['static', 'kinematic'] as const) {
+    it(`what lands at speed on ${type} tiles slides on, wherever their joints are`, () => {
+      for (const [rotation, madeFirst] of [
+        [0, true],
+        [0.7, false],
+      ] as const) {
+        for (const [speed, fall] of LANDINGS) {
+          for (let start = 2; start < 3; start += 0.125) {
+            for (const [make, middle] of Object.values(SLIDERS)) {
+              const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+              // Which shape was made first decides which way contacts point.
+              const early = make();
+              const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+              tiles(world, 14, 7, -4, rotation, type);
+              const y = -middle - 4.5 * DT * fall;
+              const position: Vec2 = [7 + c * start - s * y, -4 + s * start + c * y];
+              const velocity: Vec2 = [c * speed - s * fall, s * speed + c * fall];
+              const body = slider(world, madeFirst ? early : make(), position, velocity, rotation);
+              for (let i = 0; i < 10; i += 1) {
+                world.step(DT);
+              }
+              const [vx, vy] = body.getVelocity();
+              const told = `${speed} and ${fall} m/s from ${start}, turned by ${rotation}`;
+              // Within a hundredth of the speed at which it came.
+              const off = Math.hypot(vx - c * speed, vy - s * speed);
+              expect(off, told).toBeLessThan(0.01 * (speed + fall));
+            }
+          }
+        }
+      }
+    });
+  }
+
+  it.each(Object.entries(SLIDERS))('%s that lands on tiles that overlap slides on', (_, [make, middle]) => {
+    for (const [speed, fall] of LANDINGS) {
+      for (let start = 2; start < 3; start += 0.125) {
+        const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+        for (let x = 0; x < 14; x += 1) {
+          const tile = phys2D.createRigidBody({ type: 'static', position: [x, 0.5], shapes: [box(1.3, 1)] });
+          world.addRigidBody(tile);
+        }
+        // It comes close in the sixth step, and touches in the seventh.
+        const body = slider(world, make(), [start, -middle - 6.6 * DT * fall], [speed, fall]);
+        for (let i = 0; i < 10; i += 1) {
+          world.step(DT);
+        }
+        const [vx, vy] = body.getVelocity();
+        const told = `${speed} and ${fall} m/s from ${start}`;
+        expect(Math.hypot(vx - speed, vy), told).toBeLessThan(0.01 * (speed + fall));
+        expect(Math.abs(body.getPosition()[1] + middle), told).toBeLessThan(0.05);
+      }
+    }
+  });
+
+  describe.each(Object.entries(SLIDERS))('%s is not caught', (_, [make]) => {
+    it.each<[string, (i: number) => number]>([
+      ['in a hollow', (i) => -0.05 * Math.abs(i - 15)],
+      ['on a ridge', (i) => 0.05 * Math.abs(i - 15)],
+      ['by waves', (i) => 0.3 * Math.sin(i / 3)],
+    ])('%s of adjoining pieces, at any speed', (_, height) => {
+      for (const speed of [6, 15, 30]) {
+        for (const madeFirst of [true, false]) {
+          const world = phys2D.createWorld({ allowSleeping: false });
+          const early = make();
+          for (let i = 0; i < 40; i += 1) {
+            const center = height(i) + 1;
+            const vertices: Vec2[] = [
+              [-0.25, height(i) - center],
+              [0.25, height(i + 1) - center],
+              [0.25, 2],
+              [-0.25, 2],
+            ];
+            const shapes = [phys2D.createPolygonShape({ vertices, material: phys2D.createMaterial(SMOOTH) })];
+            world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [5.25 + i / 2, center], shapes }));
+          }
+          const body = slider(world, madeFirst ? early : make(), [5.6, height(1) - 0.3], [speed, 0]);
+          while (body.getPosition()[0] < 18 && world.timeStamp < 240) {
+            world.step(DT);
+          }
+          // A kink takes from what it turns no more than the part of the speed that goes into the ground.
+          expect(body.getVelocity()[0], `${speed} m/s`).toBeGreaterThan(0.8 * speed);
+        }
+      }
+    });
+  });
 
   it('a box is stopped by a curb of 5 mm', () => {
     const world = phys2D.createWorld();

@@ -5,7 +5,7 @@ import { run } from './golden-run.js';
 
 // The start of each golden scene in the process of the tests, where coverage and mutations see it; engines.test.ts has all of it, in every engine.
 
-const STEPS = 50;
+const STEPS = 100;
 const golden = JSON.parse(readFileSync(join(import.meta.dirname, 'golden.json'), 'utf8')) as Record<string, string[]>;
 
 it.each(Object.entries(golden))(`the hashes of the first ${STEPS} steps of %s are golden`, (name, hashes) => {
