@@ -101,8 +101,9 @@ function internalNames() {
     readdirSync(folder, { recursive: true })
       .filter((name) => name.endsWith(ending))
       .map((name) => readFileSync(join(folder, name), 'utf8'));
-  const comments = /\/\*[\s\S]*?\*\//g;
-  const published = new Set(files(dist, '.d.ts').join('\n').replace(comments, '').match(/\w+/g));
+  // The declarations name private members too, and the files they are in.
+  const unpublished = /\/\*[\s\S]*?\*\/|^ *private .*|from '.*'/gm;
+  const published = new Set(files(dist, '.d.ts').join('\n').replace(unpublished, '').match(/\w+/g));
   const language = [Object, Function, Array, Float64Array, Int32Array, Map, Set, Math, Number, String, RegExp, DataView]
     .flatMap((type) => [type, type.prototype, Object.getPrototypeOf(type.prototype ?? {})])
     .flatMap((object) => (object ? Object.getOwnPropertyNames(object) : []));

@@ -94,10 +94,8 @@ export abstract class WorldState {
   gravityY: number;
   /** @internal from the first line of `step` until its events are delivered */
   stepping = false;
-  /** @internal bodies whose geometry has to be refreshed; what lies beyond the count is old */
-  readonly stale: RigidBody[] = [];
-  /** @internal */
-  staleCount = 0;
+  /** @internal bodies whose geometry has to be refreshed */
+  readonly stale = new List<RigidBody>();
   /** @internal sleeping bodies hit in this step */
   readonly hit = new List<RigidBody>();
   /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */

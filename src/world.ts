@@ -199,8 +199,8 @@ export class World extends WorldState {
     this.liveKinematics.length = 0;
     this.dynamicArbiters.length = 0;
     this.staticArbiters.length = 0;
-    this.stale.length = 0;
-    this.staleCount = 0;
+    this.stale.items.length = 0;
+    this.stale.clear();
     this.pairs.clear();
     this.events.clear();
   }
@@ -435,8 +435,7 @@ export class World extends WorldState {
 
   /** @internal */
   noteStale(body: RigidBody): void {
-    this.stale[this.staleCount] = body;
-    this.staleCount += 1;
+    this.stale.add(body);
   }
 
   /** @internal a shape was attached to a body of this world */

@@ -24,7 +24,7 @@ interface Bounded extends BroadphaseHandle {
 export function auditBodies(audit: Audit): void {
   const { world } = audit;
   const { rigidBodies, liveDynamics, liveKinematics } = world;
-  const stale = new Set(world.stale.slice(0, world.staleCount));
+  const stale = new Set(world.stale.items.slice(0, world.stale.count));
   audit.distinct(rigidBodies, world, 'rigidBodies');
   rigidBodies.forEach((body, i) => {
     audit.demand(body.owner === world, body, 'must know its world');

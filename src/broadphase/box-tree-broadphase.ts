@@ -11,13 +11,13 @@ const MARGIN = 0.1;
 const AHEAD = 4;
 const MAX_AHEAD = 1;
 
-/** Of a handle: its leaf in the tree of its kind, whether that is the static one, */
+/** Of a handle: its leaf in the tree of its kind, −1 once removed; whether that is the static one, */
 const LEAF = 0;
 const STATIC = 1;
 /** … the first link of its pairs, the last search in which it was met, */
 const FIRST = 2;
 const MARK = 3;
-/** … and if its pairs may have changed its place in the list of `perform`, else −1. */
+/** … and whether it is in the list of `perform`, as its pairs may have changed; else −1. */
 const MOVED = 4;
 const STATE = 5;
 
@@ -32,8 +32,8 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
   constructor(
     public data: T,
     public isStatic: boolean,
-    /** By which the broadphase has what it knows of it; −1 once removed. */
-    public number: number,
+    /** By which the broadphase has what it knows of it. */
+    readonly number: number,
   ) {}
 }
 
@@ -134,9 +134,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       this.dropPair(states[first]! >> 1);
     }
     this.treeOf(own).remove(states[number * STATE + LEAF]!);
-    this.forgetMoved(number);
+    states[number * STATE + LEAF] = NONE;
     this.freeNumbers.push(number);
-    own.number = NONE;
   }
 
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
@@ -170,8 +169,11 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private renewMoved(): void {
     const { moved, states } = this;
     for (let i = 0; i < this.movedCount; i += 1) {
-      states[moved[i]! * STATE + MOVED] = NONE;
-      this.renewPairs(moved[i]!);
+      const handle = moved[i]!;
+      states[handle * STATE + MOVED] = NONE;
+      if (states[handle * STATE + LEAF] !== NONE) {
+        this.renewPairs(handle);
+      }
     }
     this.movedCount = 0;
   }
@@ -261,9 +263,6 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   private empty(): void {
-    for (const handle of this.handles()) {
-      handle.number = NONE;
-    }
     this.moving.clear();
     this.still.clear();
     this.states.fill(NONE);
@@ -403,22 +402,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private noteMoved(number: number): void {
     const at = number * STATE + MOVED;
     if (this.states[at] === NONE) {
-      this.states[at] = this.movedCount;
+      this.states[at] = 1;
       this.moved[this.movedCount] = number;
       this.movedCount += 1;
-    }
-  }
-
-  /** Takes a handle out of the list of `perform`; the last one takes its place. */
-  private forgetMoved(number: number): void {
-    const { states, moved } = this;
-    const slot = states[number * STATE + MOVED]!;
-    if (slot !== NONE) {
-      this.movedCount -= 1;
-      const last = moved[this.movedCount]!;
-      moved[slot] = last;
-      states[last * STATE + MOVED] = slot;
-      states[number * STATE + MOVED] = NONE;
     }
   }
 
@@ -434,7 +420,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private owned(where: string, handle: BroadphaseHandle<T>): TreeHandle<T> {
     const own = handle as TreeHandle<T>;
-    if (!(own instanceof TreeHandle) || own.number < 0 || this.handleOf(own.number) !== own) {
+    if (!(own instanceof TreeHandle) || this.handleOf(own.number) !== own) {
       throw new TypeError(`${where}: handle must be one of this broadphase, and not removed`);
     }
     return own;

@@ -43,9 +43,7 @@ export class Crowd {
   private enter(shape: Shape): List<Shape> {
     const at = this.shapes.count;
     this.shapes.add(shape);
-    if (at === this.lists.length) {
-      this.lists.push(new List());
-    }
+    this.lists[at] ??= new List();
     return this.lists[at]!;
   }
 

@@ -268,14 +268,10 @@ export class Pairs {
 
   /** … and the pairs that were not brought back. */
   dropUnclaimed(): void {
-    const unclaimed: Arbiter[] = [];
-    for (const pair of this.table.arbiters) {
+    for (const pair of this.table.arbiters.slice()) {
       if (pair !== null && this.sightings[pair.number] === NEVER) {
-        unclaimed.push(pair);
+        this.retire(pair);
       }
-    }
-    for (const pair of unclaimed) {
-      this.retire(pair);
     }
     this.sightings.fill(NEVER);
   }

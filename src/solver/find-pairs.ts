@@ -76,10 +76,6 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   const stamp = world.timeStamp;
   pair.near = false;
   pair.foreseen = false;
-  if (pair.lastInteraction === stamp) {
-    // Woken by a handler a moment ago: it goes on with the manifold it fell asleep with.
-    return true;
-  }
   if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
     sleepPair(world, pair);
     return false;

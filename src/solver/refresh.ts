@@ -34,8 +34,8 @@ export function refreshPlaces(world: World): void {
 /** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped. */
 function refreshBodies(world: World): void {
   const { stale, broadphase } = world;
-  for (let i = 0; i < world.staleCount; i += 1) {
-    const body = stale[i]!;
+  for (let i = 0; i < stale.count; i += 1) {
+    const body = stale.items[i]!;
     if (body.owner !== world || !body.placeStale) {
       continue;
     }
@@ -47,5 +47,5 @@ function refreshBodies(world: World): void {
       broadphase.update(shape.handle!, widened(shape), body.asleep);
     }
   }
-  world.staleCount = 0;
+  stale.clear();
 }

@@ -253,7 +253,7 @@ function detach(world: World, shape: Shape): void {
 
 /** Shapes that are new to the broadphase go there; what moved is noted, for whoever asks next where it is. */
 function place(world: World, { bodies, inside }: Scene): void {
-  world.staleCount = 0;
+  world.stale.clear();
   for (let i = 0; i < inside; i += 1) {
     const body = bodies[i]!;
     for (const shape of body.shapes) {

@@ -76,7 +76,7 @@ const DAMAGES: readonly [damage: (scene: Scene) => unknown, message: RegExp][] =
   [({ sleeper }) => Object.assign(sleeper.body!, { island: null }), /left an island that sleeps on/],
   [({ sleeper }) => sleeper.body!.island!.bodies.splice(0, 2), /must be in its island/],
   [({ ball }) => Object.assign(ball.body!, { woken: true }), /waits for a wake event that is not noted/],
-  [({ world, ball }) => Object.assign(world, { staleCount: 0 }) && ball, /is not among those to be refreshed/],
+  [({ world, ball }) => Object.assign(world.stale, { count: 0 }) && ball, /is not among those to be refreshed/],
   [({ sleeper }) => sleeper.numbers.fill(1, sleeper.at, sleeper.at + 4), /bounds must be those of its placement/],
   [({ sleeper }) => Object.assign(sleeper.handle!, { minX: -1 }), /its handle must have its bounds/],
   [
