@@ -338,7 +338,9 @@ export class Arbiter {
     this.awake = false;
     this.near = false;
     this.foreseen = false;
-    this.before = null;
+    if (this.before !== null) {
+      this.before.step = NEVER;
+    }
   }
 
   /** @internal drops what is only kept while an interaction runs or is cached */
