@@ -144,8 +144,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     try {
       if (callback !== undefined) {
-        for (const handle of this.handles()) {
-          callback.call(thisObject, handle);
+        for (const handle of [...this.moving.items, ...this.still.items]) {
+          if (handle !== null) callback.call(thisObject, handle);
         }
       }
     } finally {
@@ -256,10 +256,6 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const from = [origin[0]!, origin[1]!];
     const along = [direction[0]!, direction[1]!];
     this.still.cast(from, along, this.moving.cast(from, along, limit, visit), visit);
-  }
-
-  private handles(): TreeHandle<T>[] {
-    return [...this.moving.items, ...this.still.items].filter((handle) => handle !== null);
   }
 
   private empty(): void {

@@ -357,14 +357,19 @@ export class Arbiter {
     this.sumImpulses(-1);
     const wA = sum[2]!;
     this.sumImpulses(1);
+    this.noteBefore(sum[0]!, sum[1]!, wA, sum[2]!);
+    this.dropPoints();
+  }
+
+  /** @internal of the latest step */
+  noteBefore(x: number, y: number, wA: number, wB: number): void {
     this.before ??= { step: 0, x: 0.5, y: 0.5, wA: 0.5, wB: 0.5 };
     const { before } = this;
     before.step = this.lastInteraction;
-    before.x = sum[0]!;
-    before.y = sum[1]!;
+    before.x = x;
+    before.y = y;
     before.wA = wA;
-    before.wB = sum[2]!;
-    this.dropPoints();
+    before.wB = wB;
   }
 
   /** @internal … which it did in the latest step */

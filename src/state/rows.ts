@@ -310,7 +310,7 @@ function keepMetAgain(tape: Tape, pair: Arbiter): void {
   }
   tape.pass(againRow);
   if (tape.takes) {
-    pair.before = { step: pair.lastInteraction, x: n[0]!, y: n[1]!, wA: n[2]!, wB: n[3]! };
+    pair.noteBefore(n[0]!, n[1]!, n[2]!, n[3]!);
   }
 }
 
