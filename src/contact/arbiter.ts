@@ -338,9 +338,8 @@ export class Arbiter {
     this.awake = false;
     this.near = false;
     this.foreseen = false;
-    if (this.before !== null) {
-      this.before.step = NEVER;
-    }
+    // Kept for the next pair it would be one more object in every arbiter, in the end.
+    this.before = null;
   }
 
   /** @internal drops what is only kept while an interaction runs or is cached */

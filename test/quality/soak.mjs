@@ -118,7 +118,7 @@ function dropWorld() {
 function poolsOf({ pairs, events, solver, stale, broadphase }) {
   const { pool, cut, cutBefore, table } = pairs;
   const notes = events.lists.concat(events.handed).reduce((sum, { all }) => sum + all.length, 0);
-  const places = table.arbiters.length + stale.length + (broadphase.freePairs?.length ?? 0);
+  const places = table.arbiters.length + stale.items.length + (broadphase.pairs?.length ?? 0);
   return pool.length + cut.length + cutBefore.length + notes + places + solver.two.records.length / 100;
 }
 
