@@ -1,22 +1,11 @@
-import { type Phase, phys2D, type World } from '../src/index.js';
+import { phys2D, type World } from '../src/index.js';
+import { PHASES } from '../src/profile.js';
 import { FixedStepRunner } from '../src/runner.js';
 import { type Controls, HANDS_OFF, type Play } from '../test/scenes/play.js';
 import { type Scene, sceneOf } from './scenes.js';
 import type { Settings } from './settings.js';
 
 const DT = 1 / 60;
-
-const PHASES: readonly Phase[] = [
-  'pairs',
-  'foresight',
-  'islands',
-  'prepare',
-  'velocities',
-  'positions',
-  'store',
-  'continuous',
-  'events',
-];
 
 /** ms of a part of a frame. */
 export type Times = Map<string, number>;

@@ -275,10 +275,19 @@ export const NEW_SPEED = 1;
 export const STRAIN_SHARE = 0.08;
 
 /**
- * m/s. A contact is strained if its impulse would give its bodies as much in a sub-step: if it carries about a hundred times their weight. With 4 the lower
- * half of a pyramid of base 100 was, with 10 that sinks into itself by 4 mm, and with 20 towers of 12 under heavy tops buckle.
+ * m/s. A contact is strained if its impulse would give its bodies as much in a sub-step: if it carries about a hundred times their weight. With 20 towers of
+ * 12 under heavy tops buckle.
  */
 export const STRAIN_SPEED = 8;
+
+/**
+ * Share. Between bodies that are alike it must also be more than this of what all contacts of one of them carry: half of it in a column, which buckles, but a quarter
+ * in a wide heap, where a load is only the number of rows. With 0.25 half of a pyramid of base 160 is strained, with 0.33 a column under a row of 50 boxes buckles.
+ */
+export const STRAIN_PART = 0.28;
+
+/** Share of the sum of their inverse masses by which bodies that are alike differ at most. With 0.2 mixed piles overlap deeper: 5.6 mm instead of 5.0 in the mean of 24. */
+export const STRAIN_UNLIKE = 0.05;
 
 /** Steps on end for which it does: an impact is over before. With 20 towers buckle. */
 export const STRAIN_DELAY = 8;

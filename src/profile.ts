@@ -3,7 +3,8 @@ import type { World } from './world.js';
 /** Milliseconds, or whatever the clock counts, since any moment. */
 export type Clock = () => number;
 
-const PHASES = [
+/** What the step is made of, in the order in which it comes first. */
+export const PHASES = [
   'pairs',
   'foresight',
   'islands',

@@ -11,6 +11,9 @@ const MARGIN = 0.1;
 const AHEAD = 4;
 const MAX_AHEAD = 1;
 
+/** m. How large the leaf of a faster thing may get to hold where it was before, too. */
+const MAX_STAY = 3;
+
 /** Of a handle: its leaf in the tree of its kind, −1 once removed; whether that is the static one, */
 const LEAF = 0;
 const STATIC = 1;
@@ -100,28 +103,39 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     const own = this.owned('BoxTreeBroadphase.update', handle);
     const becomesStatic =
       isStatic === undefined ? own.isStatic : boolean('BoxTreeBroadphase.update', 'isStatic', isStatic);
-    const { boxes, states } = this;
     const { number } = own;
-    const box = number * BOX;
-    const leaf = number * STATE + LEAF;
-    const dx = (bounds[0]! - boxes[box]! + bounds[2]! - boxes[box + 2]!) / 2;
-    const dy = (bounds[1]! - boxes[box + 1]! + bounds[3]! - boxes[box + 3]!) / 2;
-    this.setBox(number, bounds);
+    const leaf = this.states[number * STATE + LEAF]!;
+    const tree = this.treeOf(own);
     if (becomesStatic !== own.isStatic) {
-      this.treeOf(own).remove(states[leaf]!);
+      tree.remove(leaf);
       own.isStatic = becomesStatic;
       this.enter(own, bounds);
-    } else if (!this.treeOf(own).contains(states[leaf]!, bounds)) {
-      // Not left for a while by what goes on as in the last step.
-      const x = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dx));
-      const y = Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * dy));
-      const { reach } = this;
-      reach[0] = bounds[0]! + Math.min(x, 0);
-      reach[1] = bounds[1]! + Math.min(y, 0);
-      reach[2] = bounds[2]! + Math.max(x, 0);
-      reach[3] = bounds[3]! + Math.max(y, 0);
-      this.treeOf(own).move(states[leaf]!, becomesStatic ? bounds : reach);
+    } else if (!tree.contains(leaf, bounds)) {
+      this.foresee(number * BOX, bounds, tree.boxOf(leaf, this.reach));
+      tree.move(leaf, becomesStatic ? bounds : this.reach);
       this.noteMoved(number);
+    }
+    this.setBox(number, bounds);
+  }
+
+  /**
+   * Writes bounds to `reach` that will not be left for a while by what goes on as in the last step. What is too fast for that often turns back soon:
+   * what holds where it was of late, unless that is too much.
+   */
+  private foresee(box: number, bounds: RectLike, reach: Float64Array): void {
+    const { boxes } = this;
+    const isFast = Math.abs(bounds[0]! - boxes[box]!) + Math.abs(bounds[1]! - boxes[box + 1]!) > MAX_AHEAD;
+    for (let low = 0; low < 2; low += 1) {
+      const high = low + 2;
+      const way = bounds[low]! - boxes[box + low]!;
+      const ahead = isFast ? -way : Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * way));
+      const min = bounds[low]! + Math.min(ahead, 0);
+      const max = bounds[high]! + Math.max(ahead, 0);
+      const least = Math.min(min, reach[low]!);
+      const most = Math.max(max, reach[high]!);
+      const stays = isFast && most - least <= MAX_STAY;
+      reach[low] = stays ? least : min;
+      reach[high] = stays ? most : max;
     }
   }
 

@@ -94,9 +94,8 @@ export class Sweep {
   /** What is looked for, as `timeOfImpact` is told: from function to function numbers go through fields, as arguments and results would be boxed. */
   target = 0.5;
   tolerance = 0.5;
-  from = 0.5;
   most = 0.5;
-  /** The time last looked at, the longest that certainly is safe from there, and the curvature of both ways. */
+  /** The time from which to look, then that last looked at, the longest that certainly is safe from there, and the curvature of both ways. */
   time = 0.5;
   safe = 0.5;
   curvature = 0.5;
@@ -180,19 +179,17 @@ function latestRoot(gap: number, rate: number, curvature: number): number {
 export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, from: number, most: number): number {
   sweep.target = target;
   sweep.tolerance = tolerance;
-  sweep.from = from;
+  sweep.time = from;
   sweep.most = most;
   return findImpact(sweep) ? sweep.time : -1;
 }
 
 /** The same of what the fields of the sweep say; the time is left there too. @returns whether that comes. */
 export function findImpact(sweep: Sweep): boolean {
-  const { a, b, distance, most } = sweep;
+  const { a, b, cautious, distance, most } = sweep;
   const enough = sweep.target + sweep.tolerance;
-  let t = sweep.from;
-  let isFirst = true;
   for (let i = 0; i < sweep.patience; i += 1) {
-    sweep.time = t;
+    const { time: t } = sweep;
     a.at = t;
     b.at = t;
     a.place();
@@ -201,18 +198,17 @@ export function findImpact(sweep: Sweep): boolean {
     if (distance.value <= enough) {
       return true;
     }
-    if (isFirst) {
+    if (i === 0) {
       a.measureReach();
       b.measureReach();
       sweep.curvature = a.w * a.w * a.reach + b.w * b.w * b.reach;
-      isFirst = false;
     }
     findSafe(sweep);
     if (sweep.safe >= most - t) {
       return false;
     }
-    t += sweep.safe;
+    sweep.time = t + sweep.safe;
   }
-  sweep.time = t;
-  return sweep.cautious;
+  // Nothing is asked of an object here, where hardly any sweep gets: that would make compiled code bail out.
+  return cautious;
 }

@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { RayTest, rayShape } from '../collide/rays.js';
 import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
+import { crosses, crossing } from '../geometry/crossing.js';
 import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
 import { sortFirst } from '../math/sort.js';
@@ -177,24 +178,13 @@ function isOlder(a: Shape, b: Shape): boolean {
 /** For the next cast; one that is made within the callback of another takes a new one. */
 let spareSweep: Sweep | null = null;
 
-/**
- * Whether bounds that move as a body does may meet others within a time. Seen from the others, a point starts at 0 and goes along v; it
- * has to reach the rectangle of the differences of both. The axes that can separate them are x, y and across v.
- */
+/** Whether bounds that move as a body does may meet others within a time. */
 function mayMeet(start: RectLike, { vx, vy }: Travel, { numbers: n, at }: Shape, limit: number): boolean {
   // As for the bounds in the broadphase: more than shapes may be apart when a cast ends, and than rounding can make of it.
-  const slack = SPECULATIVE_MARGIN / 2;
-  const minX = n[at]! - start[2]! - slack;
-  const minY = n[at + 1]! - start[3]! - slack;
-  const maxX = n[at + 2]! - start[0]! + slack;
-  const maxY = n[at + 3]! - start[1]! + slack;
-  const x = vx * limit;
-  const y = vy * limit;
-  if (Math.min(x, 0) > maxX || Math.max(x, 0) < minX || Math.min(y, 0) > maxY || Math.max(y, 0) < minY) {
-    return false;
-  }
-  const across = (minX + maxX) * vy - (minY + maxY) * vx;
-  return !(Math.abs(across) > (maxX - minX) * Math.abs(vy) + (maxY - minY) * Math.abs(vx));
+  crossing[0] = vx * limit;
+  crossing[1] = vy * limit;
+  crossing[2] = SPECULATIVE_MARGIN / 2;
+  return crosses(start, 0, n, at);
 }
 
 function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor: number): CastResult {

@@ -396,8 +396,11 @@ export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boole
       r[at + layout.undone + n] = r[at + layout.undone + n]! + change;
     }
   }
+  const violated = violatedRows(r, joint, layout.left);
+  findLength(r, at + layout.left, violated);
+  worst[2] = Math.max(worst[2]!, length[0]! * length[0]!);
   if (isAfterContacts) {
-    findLength(r, at + layout.work, violatedRows(r, joint, layout.left));
+    findLength(r, at + layout.work, violated);
     worst[0] = Math.max(worst[0]!, length[0]! * length[0]!);
   }
 }

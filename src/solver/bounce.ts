@@ -1,12 +1,13 @@
 import { impactDepth } from '../collide/gap.js';
 import { BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
+import * as c from '../contact/layout.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
-function normalVelocity(data: SolverData, batch: ContactBatch, record: number, shift: number): number {
+function normalVelocity(data: SolverData, batch: ContactBatch, k: number, shift: number): number {
   const r = batch.records;
   const v = data.velocity;
-  const k = record / batch.stride;
+  const record = k * batch.stride;
   const a = batch.bodies[2 * k]!;
   const b = batch.bodies[2 * k + 1]!;
   const i = record + shift;
@@ -19,13 +20,13 @@ function normalVelocity(data: SolverData, batch: ContactBatch, record: number, s
 }
 
 /** What `planBounce` knows of a point: numbers that go from function to function would be boxed. */
-const plan = { comes: 0.5, gain: 0.5, separation: 0.5 };
+const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
 
 /** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
-function findSeparation(data: SolverData, batch: ContactBatch, record: number, shift: number): void {
+function findSeparation(data: SolverData, batch: ContactBatch, k: number, shift: number): void {
   const r = batch.records;
   const { velocity: v, motion: q } = data;
-  const k = record / batch.stride;
+  const record = k * batch.stride;
   const a = batch.bodies[2 * k]!;
   const b = batch.bodies[2 * k + 1]!;
   const i = record + shift;
@@ -50,9 +51,8 @@ export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: n
  * fell on below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
  * ahead of the true one by half of `gain`, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
  */
-function planSpeed({ elasticity: all, bias }: SolverData['bounces'], k: number, h: number): void {
-  const { comes, gain, separation } = plan;
-  const elasticity = all[k]!;
+function planSpeed({ bias }: SolverData['bounces'], k: number, h: number): void {
+  const { elasticity, comes, gain, separation } = plan;
   const lift = gain < 0 ? (2 * gain * separation) / h : 0;
   const speed = comes + 0.5 * gain;
   const onSurface = speed * speed - lift;
@@ -71,18 +71,20 @@ export function planBounces(data: SolverData, h: number): void {
 
 function planBounce(data: SolverData, k: number, h: number): void {
   const list = data.bounces;
-  const batch = list.twoPoint[k] === 1 ? data.two : data.one;
-  const record = list.record[k]!;
+  const batch = list.batches[k]!;
+  const index = list.index[k]!;
   const shift = list.shift[k]!;
-  const elasticity = list.elasticity[k]!;
-  const comes = normalVelocity(data, batch, record, shift);
+  const { numbers, at } = batch.arbiters[index]!;
+  const elasticity = numbers[at + c.ELASTICITY]!;
+  const comes = normalVelocity(data, batch, index, shift);
   list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
   if (elasticity * comes < -BOUNCE_THRESHOLD) {
-    findSeparation(data, batch, record, shift);
+    findSeparation(data, batch, index, shift);
     const { records: r, bodies, stride } = batch;
-    const n = (2 * record) / stride;
+    const record = index * stride;
+    plan.elasticity = elasticity;
     plan.comes = comes;
-    plan.gain = normalGain(data, bodies[n]!, bodies[n + 1]!, r[record + d.NX]!, r[record + d.NY]!);
+    plan.gain = normalGain(data, bodies[2 * index]!, bodies[2 * index + 1]!, r[record + d.NX]!, r[record + d.NY]!);
     if (plan.separation <= 0) {
       planSpeed(list, k, h);
     } else {
@@ -102,8 +104,8 @@ export function applyBounces(data: SolverData): void {
   for (let k = 0; k < list.count; k += 1) {
     const bias = list.bias[k]!;
     if (bias !== 0) {
-      const r = list.twoPoint[k] === 1 ? data.two.records : data.one.records;
-      const record = list.record[k]!;
+      const { records: r, stride } = list.batches[k]!;
+      const record = list.index[k]! * stride;
       const at = record + list.shift[k]! + d.BIAS1;
       r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
@@ -117,12 +119,12 @@ export function applyBounces(data: SolverData): void {
 export function releaseBounces(data: SolverData): void {
   const list = data.bounces;
   for (let k = 0; k < list.count; k += 1) {
-    const batch = list.twoPoint[k] === 1 ? data.two : data.one;
-    const record = list.record[k]!;
+    const batch = list.batches[k]!;
+    const index = list.index[k]!;
     const shift = list.shift[k]!;
-    if (normalVelocity(data, batch, record, shift) > BOUNCE_THRESHOLD) {
-      const at = record + shift + d.SEPARATION1;
-      const { shapeA, shapeB } = batch.arbiters[record / batch.stride]!;
+    if (normalVelocity(data, batch, index, shift) > BOUNCE_THRESHOLD) {
+      const at = index * batch.stride + shift + d.SEPARATION1;
+      const { shapeA, shapeB } = batch.arbiters[index]!;
       const s = batch.records[at]!;
       batch.records[at] = s < -FORESIGHT_DEPTH ? s + impactDepth(shapeA, shapeB, IMPACT_DEPTH) : d.NEVER;
     }

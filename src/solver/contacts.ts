@@ -10,17 +10,25 @@ export function warmStartContacts(data: SolverData, h: number, isFirst: boolean)
   inPieces(data, 0, data.one.count, warmStartOne, h, isFirst);
 }
 
+/** A loop over contacts of one or of two points from one index to another. */
+type Loop = (data: SolverData, from: number, to: number) => unknown;
+
+/** The further sweeps over contacts that are hard to solve. */
+function sweepHard(data: SolverData, loopTwo: Loop, loopOne: Loop): void {
+  const { hard, hardCount } = data;
+  for (let i = 0; i < hardCount; i += 4) {
+    for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
+      loopTwo(data, hard[i]!, hard[i + 1]!);
+      loopOne(data, hard[i + 2]!, hard[i + 3]!);
+    }
+  }
+}
+
 /** One sweep over all contacts; over those that are hard to solve some more. */
 export function solveVelocityContacts(data: SolverData): void {
   inPieces(data, 0, data.two.count, solveVelocityTwo);
   inPieces(data, 0, data.one.count, solveVelocityOne);
-  const { hard, hardCount } = data;
-  for (let i = 0; i < hardCount; i += 4) {
-    for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
-      solveVelocityTwo(data, hard[i]!, hard[i + 1]!);
-      solveVelocityOne(data, hard[i + 2]!, hard[i + 3]!);
-    }
-  }
+  sweepHard(data, solveVelocityTwo, solveVelocityOne);
 }
 
 /** One position iteration, likewise. @returns whether anything was pushed. */
@@ -28,14 +36,11 @@ export function solvePositionContacts(data: SolverData): boolean {
   data.crowded = false;
   const pushedTwo = inPieces(data, 0, data.two.count, solvePositionTwo);
   const pushedOne = inPieces(data, 0, data.one.count, solvePositionOne);
-  const { hard, hardCount } = data;
-  for (let i = 0; i < hardCount && (pushedTwo || pushedOne); i += 4) {
-    for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
-      solvePositionTwo(data, hard[i]!, hard[i + 1]!);
-      solvePositionOne(data, hard[i + 2]!, hard[i + 3]!);
-    }
+  const pushed = pushedTwo || pushedOne;
+  if (pushed) {
+    sweepHard(data, solvePositionTwo, solvePositionOne);
   }
-  return pushedTwo || pushedOne;
+  return pushed;
 }
 
 /** Some more position iterations where circles crowd each other; what rests never does. */

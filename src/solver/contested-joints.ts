@@ -5,8 +5,9 @@ import type { Constraint } from '../constraint/constraint.js';
 import { isOpenBlock, lineariseBlock, noteBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
-import { CARRY, CUSTOM, IMPULSE_X, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED } from './joint-layout.js';
+import { CARRY, CUSTOM, IMPULSE_X, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED, TURN } from './joint-layout.js';
 import { isOpenPoint, notePoints, pushPoints } from './point-joints.js';
+import { isOpenTurn, noteTurns, pushTurns } from './turn-joints.js';
 
 /**
  * Where joints and contacts want different things. Contacts push without momentum, so joints that correct what they did must make none either; and as
@@ -14,21 +15,25 @@ import { isOpenPoint, notePoints, pushPoints } from './point-joints.js';
  */
 
 /** Of joints in contact: notes their errors and, after contacts were solved, what these made of them. */
-export function noteErrors(data: SolverData, { runs }: Group, isAfterContacts: boolean): void {
-  const { joints, isTouched } = data.joints;
+export function noteErrors(data: SolverData, group: Group, isAfterContacts: boolean): void {
+  const { joints, isTouched, worst } = data.joints;
   if (!isTouched) {
     return;
   }
-  for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
+  worst[2] = 0;
+  for (let i = 0; i < group.runs.length; i += 1) {
+    const { kernel, start, end } = group.runs[i]!;
     if (kernel === POINT) {
       notePoints(data, start, end, isAfterContacts);
+    } else if (kernel === TURN) {
+      noteTurns(data, start, end, isAfterContacts);
     } else {
       for (let k = start; k < end; k += 1) {
         noteBlock(data, joints[k]!, isAfterContacts);
       }
     }
   }
+  group.left = worst[2];
 }
 
 /**
@@ -70,10 +75,10 @@ export function closeOpen(data: SolverData, group: Group): void {
 }
 
 /** @returns whether there was something to close. */
-function closeOnce(data: SolverData, { start, end }: Group): boolean {
+function closeOnce(data: SolverData, { start, end, left }: Group): boolean {
   const { joints } = data.joints;
   let found = false;
-  for (let k = start; k < end; k += 1) {
+  for (let k = start; k < end && left > JOINT_OPEN * JOINT_OPEN; k += 1) {
     const joint = joints[k]!;
     if (!isOpen(data, joint)) {
       continue;
@@ -81,6 +86,8 @@ function closeOnce(data: SolverData, { start, end }: Group): boolean {
     found = true;
     if (joint.kernel === POINT) {
       pushPoints(data, k, k + 1);
+    } else if (joint.kernel === TURN) {
+      pushTurns(data, k, k + 1);
     } else {
       lineariseBlock(data, joint);
       pushBlock(data, joint);
@@ -94,9 +101,16 @@ function closeOnce(data: SolverData, { start, end }: Group): boolean {
  * are those whose own bodies lie in each other's way.
  */
 function isOpen({ joints: { records } }: SolverData, joint: Joint): boolean {
-  const { kernel, at, constraint } = joint;
-  const isFar = kernel === POINT ? isOpenPoint(records, at) : kernel !== CUSTOM && isOpenBlock(records, joint);
-  return isFar && constraint.members.every(canBeMoved) && !hasContact(constraint);
+  const { members } = joint.constraint;
+  return isFar(records, joint) && members.every(canBeMoved) && !hasContact(joint.constraint);
+}
+
+function isFar(r: Float64Array, joint: Joint): boolean {
+  const { kernel } = joint;
+  if (kernel === POINT) {
+    return isOpenPoint(r, joint.at);
+  }
+  return kernel === TURN ? isOpenTurn(r, joint) : kernel !== CUSTOM && isOpenBlock(r, joint);
 }
 
 function canBeMoved(body: RigidBody): boolean {

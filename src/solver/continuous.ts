@@ -7,8 +7,9 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import { beginSensing, strike } from './impact.js';
-import { findMeetings, isSensed, meets } from './meetings.js';
-import type { Mover, Movers } from './movers.js';
+import type { Meeting } from './meeting-queue.js';
+import { findMeetings, findTime, isSensed, meets } from './meetings.js';
+import type { Mover } from './movers.js';
 import { findNearby, nearby } from './nearby.js';
 
 const bounds = new Float64Array(4);
@@ -45,12 +46,16 @@ function comesTo(world: World, shape: Shape, time: number): boolean {
 function settle(world: World, dt: number): void {
   const { movers } = world;
   const { meetings } = movers;
-  for (let next = meetings.takeFirst(); next !== null; next = meetings.takeFirst()) {
-    movers.now = next.time;
+  for (let next = meetings.first(); next !== null; next = meetings.first()) {
+    if (next.isOpen) {
+      findTime(world, next);
+      continue;
+    }
+    meetings.remove(next);
     const one = movers.of(next.a.owner!);
     const two = movers.of(next.b.owner!);
-    come(one, movers);
-    come(two, movers);
+    come(one, next);
+    come(two, next);
     const pair = strike(world, next);
     if (pair !== null) {
       halt(world, one, two, pair, dt);
@@ -66,12 +71,10 @@ function settle(world: World, dt: number): void {
   }
 }
 
-/** Puts a body, unless it is static, to where it is when something meets it. */
-function come(mover: Mover, { now }: Movers): void {
-  if (mover.body.kind !== STATIC) {
-    mover.putAt(now);
-    mover.met = true;
-  }
+/** Puts a body to where it is when something meets it. */
+function come(mover: Mover, { time }: Meeting): void {
+  mover.putAt(time);
+  mover.met = mover.body.kind !== STATIC;
 }
 
 /** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along. */
@@ -147,15 +150,9 @@ function timeToMeet(world: World, one: Shape, two: Shape): number {
 
 /** Of the meetings of a body that has stopped some come at another time now, and some not at all. */
 function lookAgain(world: World, mover: Mover): void {
-  const { meetings } = world.movers;
   for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
-    if (meeting.slot < 0) {
-      continue;
-    }
-    if (meets(world, meeting, IMPACT_DEPTH)) {
-      meetings.move(meeting);
-    } else {
-      meetings.remove(meeting);
+    if (meeting.slot >= 0) {
+      findTime(world, meeting);
     }
   }
 }

@@ -42,6 +42,8 @@ export const KEEP_ANGULAR = 4;
 export const REST_RADIUS = 5;
 /** … as it does with those that have no contact: 1 if the body has one. */
 export const TOUCHED = 6;
+/** N·s. The normal impulses that all contacts of the body together start the step with. */
+export const LOAD = 7;
 
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
@@ -167,35 +169,30 @@ function widened<T extends { set(from: T): void }>(from: T, to: T): T {
   return to;
 }
 
-/** Points of bouncing materials: which record, which of its points (`shift` 0 or SECOND), and what is planned for it. */
+/** Points of bouncing materials: which contact of its batch, which of its points (`shift` 0 or SECOND), and what is planned for it. */
 export class BounceList {
   count = 0;
-  twoPoint = new Uint8Array(16);
-  record = new Int32Array(16);
+  readonly batches: ContactBatch[] = [];
+  index = new Int32Array(16);
   shift = new Int32Array(16);
-  elasticity = new Float64Array(16);
   bias = new Float64Array(16);
 
-  /** Adds a point, whose elasticity is to be set. @returns its index. */
-  add(twoPoint: boolean, record: number, shift: number): number {
+  add(batch: ContactBatch, index: number, shift: number): void {
     const i = this.count;
-    if (i === this.record.length) {
+    if (i === this.index.length) {
       this.grow();
     }
-    this.twoPoint[i] = twoPoint ? 1 : 0;
-    this.record[i] = record;
+    this.batches[i] = batch;
+    this.index[i] = index;
     this.shift[i] = shift;
     this.bias[i] = 0;
     this.count += 1;
-    return i;
   }
 
   private grow(): void {
-    const size = this.record.length * 2;
-    this.twoPoint = widened(this.twoPoint, new Uint8Array(size));
-    this.record = widened(this.record, new Int32Array(size));
+    const size = this.index.length * 2;
+    this.index = widened(this.index, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
-    this.elasticity = widened(this.elasticity, new Float64Array(size));
     this.bias = widened(this.bias, new Float64Array(size));
   }
 }

@@ -15,7 +15,7 @@ import type { World } from '../world.js';
 import { canGiveWay } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings } from './meetings.js';
-import { goesFar, type Mover } from './movers.js';
+import { goesFar, type Mover, type Movers } from './movers.js';
 import { smoothMeeting } from './seams.js';
 
 /**
@@ -27,6 +27,7 @@ export function foresee(world: World, dt: number): void {
   const { movers } = world;
   const average = (world.substeps + 1) / (2 * world.substeps);
   movers.ahead = dt;
+  movers.bouncy = true;
   movers.gain = average * dt;
   movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
@@ -36,7 +37,8 @@ export function foresee(world: World, dt: number): void {
   if (movers.count > 0) {
     findMeetings(world, FORESIGHT_DEPTH);
     const { meetings } = movers;
-    for (let next = meetings.takeFirst(); next !== null; next = meetings.takeFirst()) {
+    for (let next = meetings.first(); next !== null; next = meetings.first()) {
+      meetings.remove(next);
       if (isFirst(world, next)) {
         open(world, next);
       }
@@ -87,17 +89,19 @@ function foreseeFalling(world: World, body: RigidBody): void {
     mover.dx = vx;
     mover.dy = vy;
     mover.turn = w;
-    goAlongContacts(mover, body);
+    goAlongContacts(movers, mover, body);
     mover.foresee(body, movers);
   }
 }
 
-/** Takes from the velocity of a mover what goes into the static bodies that it touches. */
-function goAlongContacts(mover: Mover, { shapes }: RigidBody): void {
+/** Takes from the velocity of a mover what goes into the static bodies that it touches; and notes if it may not bounce. */
+function goAlongContacts(movers: Movers, mover: Mover, { shapes, bullet }: RigidBody): void {
   for (let i = 0; i < shapes.length; i += 1) {
     const shape = shapes[i]!;
+    movers.bouncy &&= shape.material.elasticity > 0;
     for (let k = 0; k < shape.arbiters.length; k += 1) {
       const pair = shape.arbiters[k]!;
+      movers.bouncy &&= !bullet || pair.fixed === 0;
       const isFirst = pair.shapeA === shape;
       if (pair.isSolid() && (isFirst ? pair.bodyB : pair.bodyA).kind === STATIC) {
         const { numbers: n, at: o } = pair;
@@ -155,8 +159,8 @@ function openAtEnd(world: World, pair: Arbiter): void {
 
 function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: number): void {
   const { shapeA: a, shapeB: b } = pair;
-  putAt(one, time);
-  putAt(two, time);
+  one.putAt(time);
+  two.putAt(time);
   a.place(one.body);
   b.place(two.body);
   if (!touch(pair) && time < 1) {
@@ -167,20 +171,14 @@ function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: numbe
     noteApproach(pair);
   }
   moveBack(pair, one, two, time);
-  putAt(one, 0);
-  putAt(two, 0);
+  one.putAt(0);
+  two.putAt(0);
   a.place(one.body);
   b.place(two.body);
   pair.near = pair.count > 0;
   pair.foreseen = pair.near;
   one.body.turnAhead = one.turn;
   two.body.turnAhead = two.turn;
-}
-
-function putAt(mover: Mover, time: number): void {
-  if (mover.body.kind !== STATIC) {
-    mover.putAt(time);
-  }
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */

@@ -248,11 +248,13 @@ function solvePoint(pair: Arbiter, point: Point): boolean {
   const limit = point.friction * point.normal;
   const slide = nx * relative.y - ny * relative.x - (a.surfaceX + b.surfaceX);
   const tangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
-  impulse.x = -ny * (tangent - point.tangent);
-  impulse.y = nx * (tangent - point.tangent);
-  push(pair, point);
-  point.tangent = tangent;
-  measureRelative(pair, point);
+  if (tangent !== before) {
+    impulse.x = -ny * (tangent - before);
+    impulse.y = nx * (tangent - before);
+    push(pair, point);
+    point.tangent = tangent;
+    measureRelative(pair, point);
+  }
   const approach = nx * relative.x + ny * relative.y + point.leave;
   const normal = Math.max(0, point.normal - approach * point.normalMass);
   const hasChanged = tangent !== before || normal !== point.normal;

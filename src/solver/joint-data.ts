@@ -32,6 +32,7 @@ import {
   SUM_X,
   SUM_Y,
   TOUCHED,
+  TURN,
   UNDONE_X,
   UNDONE_Y,
 } from './joint-layout.js';
@@ -77,10 +78,35 @@ export interface Group {
   to: number;
   /** Contacts undid much of the corrections, and the errors are not small since. */
   contested: boolean;
-  /** The square of the largest error at the start of the sub-step … */
+  /** The square of the largest error at the start of the sub-step, of the largest noted last of joints in contact … */
   error: number;
+  left: number;
   /** … and of the largest that the first position iteration found. */
   pushed: number;
+}
+
+/** Without joints, the first of which will be at `start`. */
+export function newGroup(start: number): Group {
+  return {
+    start,
+    end: start,
+    runs: [],
+    tolerance: 0,
+    fresh: false,
+    settling: 0,
+    sweeps: 1,
+    pushed: 0,
+    contested: false,
+    error: 0,
+    left: 0,
+    from: 0,
+    to: 0,
+  };
+}
+
+/** Whether the numbers of a joint stay in its record from step to step, and are only fetched when somebody asks. */
+export function keepsNumbers(kernel: number): boolean {
+  return kernel === POINT || kernel === TURN;
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
@@ -98,9 +124,12 @@ export class JointData implements Keeper {
   parts = 1;
   /** Some joint's body is in contact. */
   isTouched = false;
-  /** Of a group: the square of the worst error so far in this sweep or at the start of the sub-step, and of the error from which on a joint is strained … */
-  readonly worst = new Float64Array(2);
-  /** … and which are: the first, and the one after the last. */
+  /**
+   * Of a group, squares: the worst error so far in this sweep or at the start of the sub-step, the error from which on a joint is strained, the worst so far of
+   * those noted of joints in contact …
+   */
+  readonly worst = new Float64Array(3);
+  /** … and which are strained: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);
@@ -123,32 +152,13 @@ export class JointData implements Keeper {
     this.members = 0;
   }
 
-  /** Starts a group. */
-  begin(): void {
-    const { length } = this.joints;
-    this.groups.push({
-      start: length,
-      end: length,
-      runs: [],
-      tolerance: 0,
-      fresh: false,
-      settling: 0,
-      sweeps: 1,
-      pushed: 0,
-      contested: false,
-      error: 0,
-      from: 0,
-      to: 0,
-    });
-  }
-
   /** Appends a constraint to the last group. */
   add(constraint: Constraint, kernel: number, layout: BlockLayout): void {
     const { joints } = this;
     const group = this.groups[this.groups.length - 1]!;
     const twins = twinsOf(constraint.members);
-    if (kernel === POINT) {
-      constraint.keepAt(this, this.size);
+    if (keepsNumbers(kernel)) {
+      constraint.keepAt(this, joints.length);
     }
     joints.push({ constraint, kernel, layout, at: this.size, first: this.members, twins });
     this.size += kernel === POINT ? POINT_STRIDE : layout.size;
@@ -196,9 +206,17 @@ export class JointData implements Keeper {
     return 2 * count > end - start;
   }
 
-  /** What a rigid point joint has in its record. */
-  fetch(at: number, { impulse, undone, given }: Numbers): void {
+  /** What a joint that keeps its numbers here has in its record. */
+  fetch(index: number, { impulse, undone, given }: Numbers): void {
     const { records: r } = this;
+    const { kernel, at, layout } = this.joints[index]!;
+    if (kernel === TURN) {
+      impulse[0] = r[at + layout.impulse]!;
+      undone[0] = r[at + layout.undone]!;
+      given[2] = r[at + layout.given + 2]!;
+      given[5] = r[at + layout.given + 5]!;
+      return;
+    }
     impulse[0] = r[at + IMPULSE_X]!;
     impulse[1] = r[at + IMPULSE_Y]!;
     undone[0] = r[at + UNDONE_X]!;

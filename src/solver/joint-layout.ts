@@ -75,12 +75,25 @@ export const POINT_STRIDE = 35;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
+/** … angles and motors that do not break … */
+export const TURN = 1;
 /** … one row between two bodies … */
-export const ROW = 1;
+export const ROW = 2;
 /** … any number of rows and bodies … */
-export const BLOCK = 2;
+export const BLOCK = 3;
 /** … and the same by callbacks. */
-export const CUSTOM = 3;
+export const CUSTOM = 4;
+
+/**
+ * What angles and motors have in place of the Jacobian of position iterations: the ratio; 1 if they have bounds; these; what of the value is due to bodies that
+ * cannot move; the value at the start of the sub-step.
+ */
+export const TURN_RATIO = 0;
+export const TURN_BOUNDED = 1;
+export const TURN_LOWER = 2;
+export const TURN_UPPER = 3;
+export const TURN_STILL = 4;
+export const TURN_VALUE = 5;
 
 /** Where things are in the record of a joint of D rows and N members. */
 export class BlockLayout {

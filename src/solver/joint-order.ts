@@ -1,7 +1,8 @@
 import { DYNAMIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
-import { BLOCK, BlockLayout, CUSTOM, POINT, ROW } from './joint-layout.js';
+import { newGroup } from './joint-data.js';
+import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
 
 /**
  * Lists the live constraints, those that hang together next to each other, breadth-first from what cannot move, equals as they were
@@ -22,7 +23,7 @@ export function orderJoints(world: World): void {
   const left = new Set(acting);
   for (const constraint of acting) {
     if (left.has(constraint)) {
-      joints.begin();
+      joints.groups.push(newGroup(joints.joints.length));
       for (const next of breadthFirst(hangingTogether(constraint, left))) {
         joints.add(next, kernelFor(next), new BlockLayout(next.dimension, next.members.length));
       }
@@ -32,8 +33,12 @@ export function orderJoints(world: World): void {
 }
 
 function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError }: Constraint): number {
-  if (type === 'POINT' && stiff && !breakUnderForce && !breakUnderError) {
+  const canBreak = breakUnderForce || breakUnderError;
+  if (type === 'POINT' && stiff && !canBreak) {
     return POINT;
+  }
+  if ((type === 'ANGLE' || type === 'MOTOR') && !canBreak) {
+    return TURN;
   }
   if (type === 'CUSTOM') {
     return CUSTOM;

@@ -95,12 +95,11 @@ function cut(numbers: Float64Array, i: number, most: number): void {
   }
 }
 
-/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it; of some kinds the angles alone. */
+/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
 function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose: to } = data.joints;
   const { motion: q, pose } = data;
   const { layout, first, constraint } = joint;
-  const looksAtPlaces = constraint.type !== 'ANGLE' && constraint.type !== 'MOTOR';
   for (let k = 0; k < layout.members; k += 1) {
     const b = bodies[first + k]!;
     const at = k * POSE;
@@ -113,7 +112,7 @@ function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
     around[0] = turn;
     around[1] = 1;
     around[2] = 0;
-    if (turn !== 0 && looksAtPlaces) {
+    if (turn !== 0) {
       cosSin(around);
     }
     const c = around[1]!;

@@ -20,8 +20,8 @@ import {
 } from './block-joints.js';
 import { closeOpen, dropMomentum, noteErrors } from './contested-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, type Joint, type JointData, packHead, type Run } from './joint-data.js';
-import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED } from './joint-layout.js';
+import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run } from './joint-data.js';
+import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED, TURN } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
@@ -36,12 +36,13 @@ import {
   warmStartPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
+import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
 
-/** Packs the live constraints for sub-steps of length h. Of rigid point joints, the many, what did not change is still there. */
+/** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
-  const isTouched = world.jointsTouched || world.jointsStale;
+  const isTouched = world.jointsTouched || world.jointsStale || joints.h !== h || joints.parts !== world.substeps;
   if (world.jointsStale) {
     orderJoints(world);
   }
@@ -59,11 +60,13 @@ function packJoints(world: World, h: number): void {
   }
   for (let i = 0; i < joints.runs.length; i += 1) {
     const { kernel, start, end } = joints.runs[i]!;
-    for (let k = start; k < end && (isTouched || kernel !== POINT); k += 1) {
+    for (let k = start; k < end && (isTouched || !keepsNumbers(kernel)); k += 1) {
       packJoint(data, joints.joints[k]!);
     }
     if (kernel === POINT) {
       beginPoints(data, start, end);
+    } else if (kernel === TURN) {
+      beginTurns(data, start, end);
     }
   }
   if (isTouched) {
@@ -78,6 +81,8 @@ function isCustom({ kernel }: Run): boolean {
 function packJoint(data: SolverData, joint: Joint): void {
   if (joint.kernel === POINT) {
     packPoint(data, joint);
+  } else if (joint.kernel === TURN) {
+    packTurn(data, joint);
   } else {
     packHead(data.joints, joint);
     packBlock(data, joint);
@@ -141,6 +146,8 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
       const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
         warmStartPoints(data, start, end);
+      } else if (kernel === TURN) {
+        warmStartTurns(data, start, end);
       } else {
         for (let k = start; k < end; k += 1) {
           warmStartBlock(data, k, isFirst);
@@ -208,6 +215,8 @@ function solveVelocityJoints(data: SolverData, i: number, count: number): void {
 function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): boolean {
   if (kernel === POINT) {
     solveVelocityPoints(data, start, end);
+  } else if (kernel === TURN) {
+    solveVelocityTurns(data, start, end);
   } else if (kernel === ROW) {
     solveVelocityRows(data, start, end);
   } else if (kernel === BLOCK) {
@@ -272,6 +281,9 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
   if (kernel === POINT) {
     return pushPoints(data, start, end);
   }
+  if (kernel === TURN) {
+    return pushTurns(data, start, end);
+  }
   if (kernel === ROW) {
     pushRows(data, start, end);
   } else if (kernel === BLOCK) {
@@ -327,6 +339,8 @@ function finishJoints(data: SolverData): void {
     const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
       finishPoints(data, start, end);
+    } else if (kernel === TURN) {
+      finishTurns(data, start, end);
     } else {
       for (let k = start; k < end; k += 1) {
         finishBlock(data, joints[k]!);
@@ -349,7 +363,7 @@ function storeJoints(world: World): void {
   joints.solved += 1;
   for (let i = 0; i < joints.runs.length; i += 1) {
     const { kernel, start, end } = joints.runs[i]!;
-    for (let k = start; k < end && kernel !== POINT; k += 1) {
+    for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
       storeBlock(data, joints.joints[k]!);
     }
   }

@@ -6,6 +6,8 @@ import type { Mover } from './movers.js';
 export class Meeting {
   /** 0 where the step began, 1 where it ended. */
   time = 0.5;
+  /** The time is not yet known, only that it is no earlier. */
+  isOpen = false;
   /** Place in the heap, −1 while it is not in it. */
   slot = -1;
   /** The next meeting of each of the two bodies. */
@@ -71,6 +73,7 @@ export class MeetingQueue {
     meeting.a = a;
     meeting.b = b;
     meeting.slot = -1;
+    meeting.isOpen = false;
     return meeting;
   }
 
@@ -92,17 +95,12 @@ export class MeetingQueue {
     this.rise(meeting, this.size - 1);
   }
 
-  /** Takes out the meeting that comes first; `null` if there is none. */
-  takeFirst(): Meeting | null {
-    if (this.size === 0) {
-      return null;
-    }
-    const first = this.heap[0]!;
-    this.remove(first);
-    return first;
+  /** The meeting that comes first; `null` if there is none. */
+  first(): Meeting | null {
+    return this.size > 0 ? this.heap[0]! : null;
   }
 
-  /** Takes out a meeting that will not be. */
+  /** Takes out a meeting that comes now, or will not be. */
   remove(meeting: Meeting): void {
     const { slot } = meeting;
     meeting.slot = -1;
@@ -118,11 +116,8 @@ export class MeetingQueue {
   }
 
   private put(meeting: Meeting, slot: number): void {
-    if (slot > 0 && comesBefore(meeting, this.heap[(slot - 1) >> 1]!)) {
-      this.rise(meeting, slot);
-    } else {
-      this.sink(meeting, slot);
-    }
+    this.rise(meeting, slot);
+    this.sink(meeting, meeting.slot);
   }
 
   private rise(meeting: Meeting, from: number): void {

@@ -1,8 +1,17 @@
-import { DYNAMIC, KINEMATIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { impactDepth } from '../collide/gap.js';
-import { CLEARANCE, DEEPER_SHARE, JOINT_PATIENCE, SWEEP_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import {
+  CLEARANCE,
+  DEEPER_SHARE,
+  IMPACT_DEPTH,
+  JOINT_PATIENCE,
+  SPECULATIVE_MARGIN,
+  SWEEP_TOLERANCE,
+  TOUCH_DEPTH,
+} from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import { crossing, REACHED } from '../geometry/crossing.js';
 import { findImpact, Sweep } from '../geometry/sweep.js';
 import { mixElasticity } from '../material.js';
 import type { Shape } from '../shape/shape.js';
@@ -35,7 +44,6 @@ export function findMeetings(world: World, depth: number): void {
     movers.of(world.liveKinematics[i]!);
   }
   const count = movers.count;
-  movers.now = 0;
   movers.meetings.clear();
   const alone = listWays(movers);
   for (let i = 0; i < sweeping; i += 1) {
@@ -45,7 +53,9 @@ export function findMeetings(world: World, depth: number): void {
       meetStill(world, mover, count, depth);
     }
   }
-  for (let i = 0; i < count && movers.ways.count > 0; i += 1) {
+  // What bounces only matters where something else is foreseen.
+  const isIdle = movers.bouncy && movers.meetings.count === 0 && world.liveKinematics.length === 0;
+  for (let i = 0; i < count && movers.ways.count > 0 && !isIdle; i += 1) {
     if (!movers.all[i]!.clear) {
       meetWays(world, i, sweeping, depth);
     }
@@ -110,10 +120,11 @@ function comesNear({ all, ways }: Movers): boolean {
 /** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
 function meetStill(world: World, mover: Mover, count: number, depth: number): void {
   const { shapes, kind } = mover.body;
+  const areAllMovers = count === world.liveDynamics.length + world.liveKinematics.length;
   for (let i = 0; i < shapes.length; i += 1) {
     const shape = shapes[i]!;
     sweepBounds(mover, shape, bounds);
-    const size = findNearby(world, bounds, meetsMovers(mover) || shape.sensor);
+    const size = findNearby(world, bounds, !areAllMovers && (meetsMovers(mover) || shape.sensor));
     for (let k = 0; k < size; k += 1) {
       const other = nearby[k]!;
       const { mover: index } = other.owner!;
@@ -185,14 +196,42 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
   }
 }
 
+/** At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. */
 function look(world: World, a: Shape, b: Shape, depth: number): void {
   const { movers } = world;
   if (mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b)) {
     const meeting = movers.meetings.draft(a, b);
-    if (meets(world, meeting, depth)) {
+    meeting.isOpen = movers.ahead === 0 && !isSensed(a, b);
+    meeting.time = crossing[REACHED]!;
+    if (meeting.isOpen || meets(world, meeting, depth)) {
       add(world, meeting);
     }
   }
+}
+
+/** Finds the time of a meeting that waits for its turn; what has none is taken out. */
+export function findTime(world: World, meeting: Meeting): void {
+  const { movers } = world;
+  const { a, b } = meeting;
+  const one = movers.of(a.owner!);
+  const two = movers.of(b.owner!);
+  meeting.isOpen = false;
+  if (isElsewhere(one, a, two) || isElsewhere(two, b, one) || !meets(world, meeting, IMPACT_DEPTH)) {
+    movers.meetings.remove(meeting);
+  } else {
+    movers.meetings.move(meeting);
+  }
+}
+
+/** Whether a shape, if nothing met it, does not come to where another body may be, from where it was stopped on; that of a static one has no radius. */
+function isElsewhere(mover: Mover, shape: Shape, { x, y, dx, dy, body }: Mover): boolean {
+  const reach = Math.abs(dx) + Math.abs(dy) + body.radius + SPECULATIVE_MARGIN / 2;
+  sweepBounds(mover, shape, around);
+  return (
+    !mover.met &&
+    body.kind !== STATIC &&
+    (around[0]! > x + reach || around[1]! > y + reach || around[2]! < x - reach || around[3]! < y - reach)
+  );
 }
 
 function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
@@ -267,19 +306,19 @@ function findLeast(a: Shape, b: Shape, depth: number): void {
 }
 
 /**
- * Finds when two shapes first touch, not before now, if they do, and will get deeper than contacts leave: what slides over the joint of
+ * Finds when two shapes first touch, not before they were last stopped, if they do, and will get deeper than contacts leave: what slides over the joint of
  * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
  * are put back: when they are that deep.
  */
 export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const { a, b } = meeting;
-  const { now } = world.movers;
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
   const { x, y } = one;
   one.follow(sweep.a, a, x, y);
   two.follow(sweep.b, b, x, y);
-  sweep.from = now;
+  const from = Math.max(one.from, two.from);
+  sweep.time = from;
   if (isSensed(a, b)) {
     sweep.target = 0;
     const isMet = findImpact(sweep);
@@ -294,8 +333,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const { time } = sweep;
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
   sweep.target = Math.min(-least[0]!, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least[0]!));
-  sweep.from = time;
   const isDeep = findImpact(sweep);
-  meeting.time = time > now && !isJointed(a, b) ? time : sweep.time;
+  meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;
   return isDeep;
 }

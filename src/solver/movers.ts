@@ -1,5 +1,5 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC } from '../body-kind.js';
+import { DYNAMIC, STATIC } from '../body-kind.js';
 import { SAME_TIME, SPECULATIVE_MARGIN } from '../config.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
@@ -16,7 +16,10 @@ const SUDDEN = 2;
 /** … and of what it adds, more than this share is left when it is over. */
 const TURNED_BACK = 0.01;
 
-/** A body on its way through the step that was just solved, seen from its end: time runs from 0 to 1. */
+/**
+ * A body on its way through the step that was just solved, seen from its end: time runs from 0 to 1. Its numbers are fractions before they are set: where the
+ * first one comes late, all that was compiled for integers would be thrown away.
+ */
 export class Mover {
   body!: RigidBody;
   /** Moved so far that it may have passed something. */
@@ -28,30 +31,30 @@ export class Mover {
   /** An impact ended its way. */
   stopped = false;
   /** Velocities at the start of the step. */
-  vx = 0;
-  vy = 0;
-  w = 0;
+  vx = 0.5;
+  vy = 0.5;
+  w = 0.5;
   /** The time for which the body was put somewhere last. */
   at = 0.5;
   /** Where the body was at time `from`, and how it goes on from there to time 1. */
-  from = 0;
-  x = 0;
-  y = 0;
-  angle = 0;
-  dx = 0;
-  dy = 0;
-  turn = 0;
+  from = 0.5;
+  x = 0.5;
+  y = 0.5;
+  angle = 0.5;
+  dx = 0.5;
+  dy = 0.5;
+  turn = 0.5;
   /** How far it turns in the step, with whole turns. */
-  spin = 0;
+  spin = 0.5;
   /** By how much it turned more than foreseen. */
-  added = 0;
+  added = 0.5;
   /** Where it was at time 0. */
-  startX = 0;
-  startY = 0;
-  startAngle = 0;
-  endX = 0;
-  endY = 0;
-  endAngle = 0;
+  startX = 0.5;
+  startY = 0.5;
+  startAngle = 0.5;
+  endX = 0.5;
+  endY = 0.5;
+  endAngle = 0.5;
   /** What it meets, if it is dynamic: the first of a list. */
   meetings: Meeting | null = null;
   /** When it first met something. */
@@ -184,10 +187,12 @@ export class Mover {
     }
   }
 
-  /** Puts the body to where it is at a time, not before `from`. */
+  /** Puts the body, unless it is static, to where it is at a time, not before `from`. */
   putAt(time: number): void {
-    this.at = time;
-    this.put();
+    if (this.body.kind !== STATIC) {
+      this.at = time;
+      this.put();
+    }
   }
 
   private put(): void {
@@ -258,12 +263,12 @@ export class Movers {
   readonly ways = new Ways();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
+  /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */
+  bouncy = false;
   /** s. So long what forces give a body acts on the average of that step. */
   gain = 0;
   /** m/s. What gravity may add to a velocity, on that average. */
   pull = 0;
-  /** The meetings that are looked for do not come before this time. */
-  now = 0;
 
   /** A mover for a body, whose way is to be set. */
   add(body: RigidBody): Mover {
@@ -295,5 +300,6 @@ export class Movers {
     }
     this.count = 0;
     this.ahead = 0;
+    this.bouncy = false;
   }
 }

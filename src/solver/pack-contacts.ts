@@ -92,17 +92,13 @@ function packWindow(data: SolverData, count: number, stamp: number): void {
     }
   }
   if (isHard(window, count, stamp)) {
-    noteHard(data, fromTwo, fromOne);
-    data.hardCount += 4;
+    const { hard, hardCount } = data;
+    hard[hardCount] = fromTwo;
+    hard[hardCount + 1] = data.two.count;
+    hard[hardCount + 2] = fromOne;
+    hard[hardCount + 3] = data.one.count;
+    data.hardCount = hardCount + 4;
   }
-}
-
-/** Of the contacts so far, all of two points and of one from these on. */
-function noteHard({ hard, hardCount, two, one }: SolverData, fromTwo: number, fromOne: number): void {
-  hard[hardCount] = fromTwo;
-  hard[hardCount + 1] = two.count;
-  hard[hardCount + 2] = fromOne;
-  hard[hardCount + 3] = one.count;
 }
 
 /**
@@ -225,12 +221,9 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.TANGENT_SUM1] = 0;
   r[at + d.NORMAL_SUM2] = 0;
   r[at + d.TANGENT_SUM2] = 0;
-  const elasticity = n[o + c.ELASTICITY]!;
-  if (elasticity > 0) {
-    const first = data.bounces.add(true, at, 0);
-    const second = data.bounces.add(true, at, d.SECOND);
-    data.bounces.elasticity[first] = elasticity;
-    data.bounces.elasticity[second] = elasticity;
+  if (n[o + c.ELASTICITY]! > 0) {
+    data.bounces.add(batch, index, 0);
+    data.bounces.add(batch, index, d.SECOND);
   }
 }
 
@@ -297,10 +290,8 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.NORMAL_SUM1] = 0;
   r[at + d.TANGENT_SUM1] = 0;
   r[at + d.ROLL_SUM] = 0;
-  const elasticity = n[o + c.ELASTICITY]!;
-  if (elasticity > 0) {
-    const bounce = data.bounces.add(false, at, 0);
-    data.bounces.elasticity[bounce] = elasticity;
+  if (n[o + c.ELASTICITY]! > 0) {
+    data.bounces.add(batch, index, 0);
   }
 }
 
@@ -314,6 +305,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   const b = bodyB.slot * d.BODY_STRIDE;
   batch.bodies[2 * index] = a;
   batch.bodies[2 * index + 1] = b;
+  const { drive } = data;
   const { numbers: n } = pair;
   const o = pair.at & d.OFFSET;
   records[at + d.NX] = n[o + g.NX]!;
@@ -323,14 +315,17 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.SHARE] = !bothMove ? PUSH_SHARE_STATIC : areRound ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
   records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
-  data.drive[a + d.TOUCHED] = 1;
-  data.drive[b + d.TOUCHED] = 1;
+  const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;
+  drive[a + d.TOUCHED] = 1;
+  drive[b + d.TOUCHED] = 1;
+  drive[a + d.LOAD]! += load;
+  drive[b + d.LOAD]! += load;
   // What is carried or driven along, however slowly, is not to be brought to rest.
   if (bodyA.kind !== DYNAMIC && isMoving(bodyA)) {
-    data.drive[b + d.REST_RADIUS] = -1;
+    drive[b + d.REST_RADIUS] = -1;
   }
   if (bodyB.kind !== DYNAMIC && isMoving(bodyB)) {
-    data.drive[a + d.REST_RADIUS] = -1;
+    drive[a + d.REST_RADIUS] = -1;
   }
 }
 

@@ -210,29 +210,25 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
   }
 }
 
-/** Of joints in contact: notes the error that is left and, if contacts were solved since the last note, what they made of it. */
+/**
+ * Of joints in contact: notes the error that is left, as linear in the motion since the last exact sweep, and, if contacts were solved since the last note, what
+ * they made of it.
+ */
 export function notePoints(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
   const { records: r, bodies, joints, worst } = data.joints;
   const { motion: q } = data;
-  for (let k = start; k < end; k += 1) {
-    const { at: i, first } = joints[k]!;
+  let i = joints[start]!.at;
+  let n = joints[start]!.first;
+  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     if (r[i + j.POINT_TOUCHED] !== 0) {
-      const a = bodies[first]!;
-      const b = bodies[first + 1]!;
-      turn[0] = q[a + d.QW]!;
-      cosSin(turn);
-      const ca = turn[1]! - 1;
-      const sa = turn[2]!;
-      turn[0] = q[b + d.QW]!;
-      cosSin(turn);
-      const cb = turn[1]! - 1;
-      const sb = turn[2]!;
-      const ax = r[i + j.ARM_AX]!;
-      const ay = r[i + j.ARM_AY]!;
-      const bx = r[i + j.ARM_BX]!;
-      const by = r[i + j.ARM_BY]!;
-      const cx = r[i + j.ERROR_X]! + q[b + d.QX]! - q[a + d.QX]! + (cb * bx - sb * by) - (ca * ax - sa * ay);
-      const cy = r[i + j.ERROR_Y]! + q[b + d.QY]! - q[a + d.QY]! + (sb * bx + cb * by) - (sa * ax + ca * ay);
+      const a = bodies[n]! & d.OFFSET;
+      const b = bodies[n + 1]! & d.OFFSET;
+      const wA = q[a + d.QW]!;
+      const wB = q[b + d.QW]!;
+      const turnedX = wA * r[i + j.PLACED_AY]! - wB * r[i + j.PLACED_BY]!;
+      const turnedY = wB * r[i + j.PLACED_BX]! - wA * r[i + j.PLACED_AX]!;
+      const cx = r[i + j.OFFSET_X]! + (q[b + d.QX]! - q[a + d.QX]! + turnedX);
+      const cy = r[i + j.OFFSET_Y]! + (q[b + d.QY]! - q[a + d.QY]! + turnedY);
       if (isAfterContacts) {
         const x = cx - r[i + j.LEFT_X]!;
         const y = cy - r[i + j.LEFT_Y]!;
@@ -242,6 +238,7 @@ export function notePoints(data: SolverData, start: number, end: number, isAfter
       }
       r[i + j.LEFT_X] = cx;
       r[i + j.LEFT_Y] = cy;
+      worst[2] = Math.max(worst[2]!, cx * cx + cy * cy);
     }
   }
 }

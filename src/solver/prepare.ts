@@ -97,4 +97,5 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   motion[at + d.INV_MASS] = invMass;
   motion[at + d.INV_INERTIA] = invInertia;
   data.drive[at + d.TOUCHED] = 0;
+  data.drive[at + d.LOAD] = 0;
 }

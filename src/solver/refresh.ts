@@ -17,11 +17,12 @@ export function widened(shape: Shape): Float64Array {
 /** The beginning of a step: everything is where it is, and what woke since the last one is told. */
 export function refreshMoved(world: World): void {
   refreshBodies(world);
+  world.events.noteWoken(world);
+  // At the end: where more follows a loop that was compiled while it ran, that code is left by a bailout in every step.
   const { liveDynamics } = world;
   for (let i = 0; i < liveDynamics.length; i += 1) {
     liveDynamics[i]!.refreshMass();
   }
-  world.events.noteWoken(world);
 }
 
 /** For queries: within a step placements are those that it began with. */

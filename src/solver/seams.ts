@@ -29,6 +29,8 @@ const CLEAR = 2 * FLUSH_TOLERANCE;
 class Spot {
   x = 0.5;
   y = 0.5;
+  /** m. How deep below a face around it may lie. */
+  depth = 0.5;
 }
 
 /** The direction that was found for a contact, from the ground to the body: scratch. */
@@ -187,7 +189,7 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
     return false;
   }
   const shape = dynamicOf(pair);
-  const depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
+  point.depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
   const { x, y } = point;
   const { numbers: n, at: o } = pair;
   const nx = signOf(pair) * n[o + g.NX]!;
@@ -195,16 +197,16 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
   let side = 0;
   point.x += ground.owner!.x - other.owner!.x;
   point.y += ground.owner!.y - other.owner!.y;
-  if (findOpenFace(shape, depth, other, ground)) {
+  if (findOpenFace(shape, other, ground)) {
     side = up.x * ny - up.y * nx;
   }
   point.x = x;
   point.y = y;
-  return findOpenFace(shape, depth, ground, other) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
+  return findOpenFace(shape, ground, other) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
 }
 
-/** Finds a face of a ground that a shape reaches no deeper below than that, and that near `point` is not within another ground. */
-function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polygon): boolean {
+/** Finds a face of a ground that a shape reaches no deeper below than `point` says, and that near that is not within another ground. */
+function findOpenFace(shape: Shape, ground: Polygon, other: Polygon): boolean {
   const { numbers: edges, at } = ground;
   const end = endOfEdges(ground);
   up.dx = shape.owner!.x - ground.owner!.x;
@@ -213,7 +215,7 @@ function findOpenFace(shape: Shape, depth: number, ground: Polygon, other: Polyg
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
     separationAlong(ground, shape, up);
-    if (up.found > -depth && up.found < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
+    if (up.found > -point.depth && up.found < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
       return true;
     }
   }
@@ -246,7 +248,7 @@ function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
   const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
   const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
-  const way = isNext ? -OPEN_WAY : OPEN_WAY;
+  const way = (isNext ? -1 : 1) * OPEN_WAY;
   asked[0] = edges[from]! - way * up.y + CLEAR * up.x;
   asked[1] = edges[from + 1]! + way * up.x + CLEAR * up.y;
   return !isWithin(other, ground);

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { FAR, SPECULATIVE_MARGIN, STRAIN_DELAY, STRAIN_SPEED } from '../config.js';
+import { FAR, SPECULATIVE_MARGIN, STRAIN_DELAY, STRAIN_PART, STRAIN_SPEED, STRAIN_UNLIKE } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -81,7 +81,7 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     if (two) {
       storePoint(batch, k, 0, 0);
       storePoint(batch, k, d.SECOND, 1);
-      pair.strain = isStrained(batch.records, k * d.TWO_STRIDE) ? pair.strain + 1 : 0;
+      pair.strain = isStrained(data, k) ? pair.strain + 1 : 0;
       if (pair.strain >= STRAIN_DELAY) {
         pair.strained = world.timeStamp;
       }
@@ -95,9 +95,19 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
   }
 }
 
-/** Whether the contact whose record begins at `i` bears far more than its bodies weigh. */
-function isStrained(r: Float64Array, i: number): boolean {
-  return r[i + d.NORMAL1]! * r[i + d.K11]! + r[i + d.NORMAL2]! * r[i + d.K22]! > STRAIN_SPEED;
+/** Whether a contact of two points bears far more than its bodies weigh, and they are unlike or it bears much of what either of them does. */
+function isStrained({ two, velocity: v, drive }: SolverData, index: number): boolean {
+  const { records: r, bodies } = two;
+  const i = index * d.TWO_STRIDE;
+  const a = bodies[2 * index]!;
+  const b = bodies[2 * index + 1]!;
+  const p1 = r[i + d.NORMAL1]!;
+  const p2 = r[i + d.NORMAL2]!;
+  return (
+    p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
+    (Math.abs(v[a + d.INV_MASS]! - v[b + d.INV_MASS]!) > STRAIN_UNLIKE * (v[a + d.INV_MASS]! + v[b + d.INV_MASS]!) ||
+      p1 + p2 > STRAIN_PART * Math.min(drive[a + d.LOAD]!, drive[b + d.LOAD]!))
+  );
 }
 
 /** A contact of one point; a second point that the solver did not see has no impulse. */

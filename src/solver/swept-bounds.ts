@@ -1,6 +1,7 @@
 import { endOfEdges } from '../collide/polygons.js';
 import { POLYGON } from '../collide/table.js';
 import { SPECULATIVE_MARGIN } from '../config.js';
+import { crosses, crossing } from '../geometry/crossing.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Shape } from '../shape/shape.js';
 import type { Mover } from './movers.js';
@@ -16,24 +17,13 @@ export function sweepBounds({ body, dx, dy, turn }: Mover, { numbers: n, at }: S
   out[3] = n[at + 3]! + Math.max(dy, 0) + swing;
 }
 
-/**
- * Whether the bounds of two shapes may meet at one time. Seen from B, a point starts at 0 and goes along v; it has to reach the rectangle of the
- * differences of both. The axes that can separate them are x, y and across v.
- */
+/** Whether the bounds of two shapes may meet at one time, and when at the earliest: seen from B, A's go along the way of both. */
 export function mayMeet(one: Mover, { numbers: a, at: i }: Shape, two: Mover, { numbers: b, at: j }: Shape): boolean {
   // As for the bounds in the broadphase: more than shapes may be apart when they meet, and than rounding can make of it.
-  const slack = Math.abs(one.turn) * one.body.radius + Math.abs(two.turn) * two.body.radius + SPECULATIVE_MARGIN / 2;
-  const minX = b[j]! - a[i + 2]! - slack;
-  const minY = b[j + 1]! - a[i + 3]! - slack;
-  const maxX = b[j + 2]! - a[i]! + slack;
-  const maxY = b[j + 3]! - a[i + 1]! + slack;
-  const x = one.dx - two.dx;
-  const y = one.dy - two.dy;
-  if (Math.min(x, 0) > maxX || Math.max(x, 0) < minX || Math.min(y, 0) > maxY || Math.max(y, 0) < minY) {
-    return false;
-  }
-  const across = (minX + maxX) * y - (minY + maxY) * x;
-  return !(Math.abs(across) > (maxX - minX) * Math.abs(y) + (maxY - minY) * Math.abs(x));
+  crossing[0] = one.dx - two.dx;
+  crossing[1] = one.dy - two.dy;
+  crossing[2] = Math.abs(one.turn) * one.body.radius + Math.abs(two.turn) * two.body.radius + SPECULATIVE_MARGIN / 2;
+  return crosses(a, i, b, j);
 }
 
 /** Writes the bounds of all places that a shape without a mover can have in this step, also if contacts that were foreseen had not turned it. */

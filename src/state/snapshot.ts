@@ -1,7 +1,7 @@
 import { RigidBody } from '../body.js';
 import { Constraint } from '../constraint/constraint.js';
 import { Shape } from '../shape/shape.js';
-import type { Group } from '../solver/joint-data.js';
+import { newGroup } from '../solver/joint-data.js';
 import { orderJoints } from '../solver/joint-order.js';
 import { widened } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
@@ -127,14 +127,9 @@ function walkGroups(on: Tape, world: World): void {
     world.jointsTouched = true;
   }
   for (let i = 0; i < count; i += 1) {
-    keepGroup(on, on.checks || groups[i] === undefined ? scratchGroup() : groups[i]!);
+    keepGroup(on, on.checks || groups[i] === undefined ? newGroup(0) : groups[i]!);
   }
   on.checksOnto(false);
-}
-
-function scratchGroup(): Group {
-  const links = { start: 0, end: 0, runs: [], from: 0, to: 0 };
-  return { ...links, tolerance: 0, fresh: false, contested: false, settling: 0, sweeps: 1, error: 0, pushed: 0 };
 }
 
 /** Takes everything out of the world that is not to stay, and all that is between objects. */

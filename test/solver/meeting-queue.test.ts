@@ -37,7 +37,8 @@ it('gives the first of the meetings that are left, those of equal times with kin
     );
   };
   let taken = 0;
-  for (let next = queue.takeFirst(); next !== null; next = queue.takeFirst()) {
+  for (let next = queue.first(); next !== null; next = queue.first()) {
+    queue.remove(next);
     expect(next).toBe([...left].sort(compare)[0]);
     left.delete(next);
     taken += 1;

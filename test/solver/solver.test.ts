@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { WINDOW } from '../../src/solver/data.js';
 import {
   add,
   addFloor,
@@ -169,6 +170,28 @@ describe('stacks', () => {
     const move = worstMove(bodies, world, 600);
     console.log(`tower of 10, top 100 times as dense, 10 s: worst move ${move.toFixed(4)} m`);
     expect(move).toBeLessThan(0.12);
+  });
+
+  it('a column of ten under a row of fifty boxes stands', () => {
+    const world = phys2D.createWorld({ allowSleeping: false });
+    addFloor(world);
+    const bodies = Array.from({ length: 10 }, (_, i) => boxBody(1, 1, { position: [0, -i] }));
+    bodies.push(boxBody(5, 0.5, { position: [0, -9.75] }));
+    for (let i = 0; i < 50; i += 1) {
+      bodies.push(boxBody(0.98, 1, { position: [(i % 5) - 2, -10.5 - Math.floor(i / 5)] }));
+    }
+    add(world, ...bodies);
+    const move = worstMove(bodies, world, 900);
+    console.log(`column of ten under fifty boxes, 15 s: worst move ${move.toFixed(4)} m`);
+    expect(move).toBeLessThan(0.12);
+  });
+
+  it('a wide heap of equal boxes is not hard to solve, however heavy they are, but for the row on the ground', () => {
+    const world = phys2D.createWorld({ allowSleeping: false, gravity: [0, 60] });
+    buildPyramid(phys2D, world, 30);
+    world.clock = () => 0;
+    steps(world, 240);
+    expect(world.profile!.hardContacts).toBeLessThanOrEqual(WINDOW);
   });
 
   it('a mixed pile falls asleep', () => {

@@ -19,7 +19,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
-  group: ['start', 'end', 'tolerance', 'error', 'pushed'],
+  group: ['start', 'end', 'tolerance', 'error', 'pushed', 'left'],
   record: [APPROACH, FORESIGHT, FORESIGHT + 1].map(String),
 };
 

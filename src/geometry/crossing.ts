@@ -1,0 +1,26 @@
+/** What `crosses` is asked: the x and y of a way, and how much more than the bounds may be apart. It writes the share of the way after that, … */
+export const crossing = new Float64Array(4);
+/** … here. */
+export const REACHED = 3;
+
+/**
+ * Whether bounds in `a` from `i` on that go along the way may meet those in `b` from `j` on, and where on the way: along each axis they overlap for a while
+ * (slabs; Kay & Kajiya 1986).
+ */
+export function crosses(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): boolean {
+  let from = 0;
+  let to = 1;
+  for (let axis = 0; axis < 2; axis += 1) {
+    const min = b[j + axis]! - a[i + axis + 2]! - crossing[2]!;
+    const max = b[j + axis + 2]! - a[i + axis]! + crossing[2]!;
+    const way = crossing[axis]!;
+    if (way !== 0) {
+      from = Math.max(from, Math.min(min / way, max / way));
+      to = Math.min(to, Math.max(min / way, max / way));
+    } else if (min > 0 || max < 0) {
+      return false;
+    }
+  }
+  crossing[REACHED] = from;
+  return from <= to;
+}
