@@ -74,9 +74,9 @@ export const SEPARATION1 = 15;
 /** Impulses of the whole step, without this sub-step's. */
 export const NORMAL_SUM1 = 16;
 export const TANGENT_SUM1 = 17;
-/** Inverse effective mass along the normal; in a two-point record K of both points. */
-export const K11 = 18;
 
+/** One-point records only: effective mass along the normal. */
+export const NORMAL_MASS = 18;
 /** One-point records only: rolling. */
 export const ROLL_MASS = 19;
 export const ROLL_FRICTION = 20;
@@ -87,7 +87,7 @@ export const PIVOT_A = 23;
 export const PIVOT_B = 24;
 export const ONE_STRIDE = 26;
 
-/** Two-point records only: the second point at the offsets of the first plus SECOND, and the rest of K. */
+/** Two-point records only: the second point at the offsets of the first plus SECOND, and K of both points. */
 export const SECOND = 14;
 export const RN_A2 = RN_A1 + SECOND;
 export const RN_B2 = RN_B1 + SECOND;
@@ -102,6 +102,7 @@ export const START2 = START1 + SECOND;
 export const SEPARATION2 = SEPARATION1 + SECOND;
 export const NORMAL_SUM2 = NORMAL_SUM1 + SECOND;
 export const TANGENT_SUM2 = TANGENT_SUM1 + SECOND;
+export const K11 = 18;
 export const K22 = K11 + SECOND;
 export const K12 = 33;
 /** K⁻¹. */

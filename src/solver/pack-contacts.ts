@@ -272,7 +272,7 @@ function packOne(data: SolverData, index: number): void {
   const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
   const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
   const rolls = count === 1 && iA + iB > MIN_INVERSE_MASS;
-  r[at + d.K11] = kn > MIN_INVERSE_MASS ? kn : d.IMMOVABLE;
+  r[at + d.NORMAL_MASS] = kn > MIN_INVERSE_MASS ? 1 / kn : 0;
   r[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
   r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
