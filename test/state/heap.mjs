@@ -4,7 +4,7 @@ import { text } from 'node:stream/consumers';
 import { getHeapSnapshot } from 'node:v8';
 import { phys2D } from '../../dist/phys2d.js';
 
-const RUNS = 5;
+const RUNS = 8;
 const FRAMES = 2500;
 
 const world = phys2D.createWorld();
