@@ -448,7 +448,7 @@ export class World extends WorldState {
     shape.order = this.nextOrder;
     shape.entered = this.stamp;
     this.nextOrder += 1;
-    shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep);
+    shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep, shape.owner!);
   }
 
   /** @internal a shape is about to be detached from a body of this world */

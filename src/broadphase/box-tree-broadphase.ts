@@ -37,6 +37,7 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
     public isStatic: boolean,
     /** By which the broadphase has what it knows of it. */
     readonly number: number,
+    readonly group: unknown,
   ) {}
 }
 
@@ -76,12 +77,12 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private readonly samples: number[][] = [];
   private depth = 0;
 
-  insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
+  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
       throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
     }
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
-    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber());
+    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group);
     this.setBox(handle.number, bounds);
     this.enter(handle, bounds);
     return handle;
@@ -329,19 +330,21 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       }
     }
     states[handle * STATE + MARK] = this.search;
+    const { group } = tree.items[leaf]!;
     const box = tree.boxOf(leaf, this.box);
-    this.addPairs(handle, moving, moving.query(box, this.met, 0));
+    this.addPairs(handle, group, moving, moving.query(box, this.met, 0));
     if (!isStatic) {
-      this.addPairs(handle, still, still.query(box, this.met, 0));
+      this.addPairs(handle, group, still, still.query(box, this.met, 0));
     }
   }
 
-  /** Adds the pairs of a handle with the leaves that were met, unless they are marked. */
-  private addPairs(handle: number, tree: PackedTree<TreeHandle<T>>, count: number): void {
+  /** Adds the pairs of a handle with the leaves that were met, unless they are marked, or of its group. */
+  private addPairs(handle: number, group: unknown, tree: PackedTree<TreeHandle<T>>, count: number): void {
     const { met, states, search } = this;
     for (let i = 0; i < count; i += 1) {
-      const other = tree.right[met[i]!]!;
-      if (states[other * STATE + MARK] !== search) {
+      const leaf = met[i]!;
+      const other = tree.right[leaf]!;
+      if (states[other * STATE + MARK] !== search && (group === undefined || tree.items[leaf]!.group !== group)) {
         this.addPair(handle, other);
       }
     }

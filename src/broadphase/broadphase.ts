@@ -17,8 +17,11 @@ export interface BroadphaseHandle<T = unknown> {
  * Callbacks of `perform` and `sample` may query, but must not modify.
  */
 export interface Broadphase<T = unknown> {
-  /** Adds a thing. @throws TypeError or RangeError unless `bounds` is a rectangle. */
-  insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T>;
+  /**
+   * Adds a thing. Things of the same `group`, whatever that is, never make a pair: the world gives shapes their body as theirs.
+   * @throws TypeError or RangeError unless `bounds` is a rectangle.
+   */
+  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown): BroadphaseHandle<T>;
 
   /** Gives a handle new bounds, and another kind if `isStatic` is given. */
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void;
@@ -30,9 +33,9 @@ export interface Broadphase<T = unknown> {
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
 
   /**
-   * Reports each pair of overlapping handles once, in any order, except pairs of static ones. Given `isKnown`, a broadphase may keep the integer that
-   * `callback` returns for a pair, other than 0, as long as the pair is reported in every call, and then ask `isKnown(integer)` first: if that is
-   * `true` the pair is not reported.
+   * Reports each pair of overlapping handles once, in any order, except pairs of static ones and of one group. Given `isKnown`, a broadphase may
+   * keep the integer that `callback` returns for a pair, other than 0, as long as the pair is reported in every call, and then ask
+   * `isKnown(integer)` first: if that is `true` the pair is not reported.
    */
   perform(
     callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown,

@@ -14,7 +14,15 @@ class SweepHandle<T> implements BroadphaseHandle<T> {
   constructor(
     public data: T,
     public isStatic: boolean,
+    private readonly group: unknown,
   ) {}
+
+  /** Whether a pair of both is worth a report, if they overlap along x. */
+  pairs(other: SweepHandle<T>): boolean {
+    return (
+      this.minY <= other.maxY && this.maxY >= other.minY && (this.group === undefined || this.group !== other.group)
+    );
+  }
 
   set(bounds: RectLike): void {
     this.minX = bounds[0]!;
@@ -115,12 +123,12 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   private readonly moving = new SweepList<T>();
   private readonly still = new SweepList<T>();
 
-  insert(data: T, bounds: RectLike, isStatic: boolean): BroadphaseHandle<T> {
+  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
       throw badBounds('SweepAndPrune.insert', 'bounds', bounds);
     }
     boolean('SweepAndPrune.insert', 'isStatic', isStatic);
-    const handle = new SweepHandle(data, isStatic);
+    const handle = new SweepHandle(data, isStatic, group);
     handle.set(bounds);
     this.listOf(handle).add(handle);
     return handle;
@@ -174,7 +182,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
       for (let j = i + 1; j < list.length; j += 1) {
         const b = list[j]!;
         if (b.minX > a.maxX) break;
-        if (b.minY <= a.maxY && b.maxY >= a.minY) {
+        if (a.pairs(b)) {
           callback.call(thisObject, a, b);
         }
       }
@@ -218,7 +226,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     for (let i = this.still.firstThatReaches(a.minX); i < list.length; i += 1) {
       const b = list[i]!;
       if (b.minX > a.maxX) break;
-      if (b.maxX >= a.minX && b.minY <= a.maxY && b.maxY >= a.minY) {
+      if (b.maxX >= a.minX && a.pairs(b)) {
         callback.call(thisObject, a, b);
       }
     }

@@ -8,6 +8,7 @@ describe.each(BROADPHASES)('%s', (name, create) => {
     for (let seed = 1; seed <= 8; seed += 1) {
       const random = generator(seed);
       const model = new Model(create());
+      const groups = [undefined, {}, {}];
       const box = (): Rect => {
         const [x, y] = [20 * random(), 20 * random()];
         const size = random() < 0.05 ? 15 : 2;
@@ -18,7 +19,7 @@ describe.each(BROADPHASES)('%s', (name, create) => {
         const id = ids[Math.floor(random() * ids.length)];
         const choice = random();
         if (id === undefined || (choice < 0.3 && ids.length < 60)) {
-          model.insert(box(), random() < 0.4);
+          model.insert(box(), random() < 0.4, groups[Math.floor(3 * random())]);
         } else if (choice < 0.6) {
           const [x0, y0, x1, y1] = model.entries.get(id)!.bounds;
           const [dx, dy] = [random() - 0.5, 0.2 * (random() - 0.5)];

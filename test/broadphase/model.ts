@@ -69,15 +69,15 @@ export function sampleOf(broadphase: Broadphase, bounds: Rect): number[] {
 
 /** A broadphase beside the plainest possible one: a list. */
 export class Model {
-  readonly entries = new Map<number, { handle: BroadphaseHandle; bounds: Rect; isStatic: boolean }>();
+  readonly entries = new Map<number, { handle: BroadphaseHandle; bounds: Rect; isStatic: boolean; group: unknown }>();
   private next = 0;
 
   constructor(readonly broadphase: Broadphase) {}
 
-  insert(bounds: Rect, isStatic: boolean): number {
+  insert(bounds: Rect, isStatic: boolean, group?: unknown): number {
     const id = this.next;
     this.next += 1;
-    this.entries.set(id, { handle: this.broadphase.insert(id, bounds, isStatic), bounds, isStatic });
+    this.entries.set(id, { handle: this.broadphase.insert(id, bounds, isStatic, group), bounds, isStatic, group });
     return id;
   }
 
@@ -98,7 +98,8 @@ export class Model {
     const found: string[] = [];
     list.forEach(([i, a], index) => {
       for (const [j, b] of list.slice(index + 1)) {
-        if (!(a.isStatic && b.isStatic) && overlap(a.bounds, b.bounds)) {
+        const areApart = (a.isStatic && b.isStatic) || (a.group !== undefined && a.group === b.group);
+        if (!areApart && overlap(a.bounds, b.bounds)) {
           found.push([i, j].sort((x, y) => x - y).join('-'));
         }
       }
