@@ -77,7 +77,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private readonly samples: number[][] = [];
   private depth = 0;
 
-  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown): BroadphaseHandle<T> {
+  insert(data: T, bounds: RectLike, isStatic: boolean, group: unknown = {}): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
       throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
     }
@@ -331,20 +331,21 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     states[handle * STATE + MARK] = this.search;
     const { group } = tree.items[leaf]!;
-    const box = tree.boxOf(leaf, this.box);
-    this.addPairs(handle, group, moving, moving.query(box, this.met, 0));
+    tree.boxOf(leaf, this.box);
+    this.addPairs(handle, group, moving);
     if (!isStatic) {
-      this.addPairs(handle, group, still, still.query(box, this.met, 0));
+      this.addPairs(handle, group, still);
     }
   }
 
-  /** Adds the pairs of a handle with the leaves that were met, unless they are marked, or of its group. */
-  private addPairs(handle: number, group: unknown, tree: PackedTree<TreeHandle<T>>, count: number): void {
-    const { met, states, search } = this;
+  /** Adds the pairs of a handle with the leaves that overlap `box`, unless they are marked, or of its group. */
+  private addPairs(handle: number, group: unknown, tree: PackedTree<TreeHandle<T>>): void {
+    const { met, states, search, box } = this;
+    const count = tree.query(box, met, 0);
     for (let i = 0; i < count; i += 1) {
       const leaf = met[i]!;
       const other = tree.right[leaf]!;
-      if (states[other * STATE + MARK] !== search && (group === undefined || tree.items[leaf]!.group !== group)) {
+      if (states[other * STATE + MARK] !== search && tree.items[leaf]!.group !== group) {
         this.addPair(handle, other);
       }
     }

@@ -14,15 +14,8 @@ class SweepHandle<T> implements BroadphaseHandle<T> {
   constructor(
     public data: T,
     public isStatic: boolean,
-    private readonly group: unknown,
+    readonly group: unknown,
   ) {}
-
-  /** Whether a pair of both is worth a report, if they overlap along x. */
-  pairs(other: SweepHandle<T>): boolean {
-    return (
-      this.minY <= other.maxY && this.maxY >= other.minY && (this.group === undefined || this.group !== other.group)
-    );
-  }
 
   set(bounds: RectLike): void {
     this.minX = bounds[0]!;
@@ -123,7 +116,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   private readonly moving = new SweepList<T>();
   private readonly still = new SweepList<T>();
 
-  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown): BroadphaseHandle<T> {
+  insert(data: T, bounds: RectLike, isStatic: boolean, group: unknown = {}): BroadphaseHandle<T> {
     if (!isRect(bounds)) {
       throw badBounds('SweepAndPrune.insert', 'bounds', bounds);
     }
@@ -179,14 +172,8 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     const list = this.moving.handles;
     for (let i = 0; i < list.length; i += 1) {
       const a = list[i]!;
-      for (let j = i + 1; j < list.length; j += 1) {
-        const b = list[j]!;
-        if (b.minX > a.maxX) break;
-        if (a.pairs(b)) {
-          callback.call(thisObject, a, b);
-        }
-      }
-      this.performStill(a, callback, thisObject);
+      this.report(a, list, i + 1, callback, thisObject);
+      this.report(a, this.still.handles, this.still.firstThatReaches(a.minX), callback, thisObject);
     }
   }
 
@@ -217,16 +204,18 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     }
   }
 
-  private performStill(
+  /** Reports a handle with those of a sorted list, from an index on, that overlap it. */
+  private report(
     a: SweepHandle<T>,
-    callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => void,
+    list: readonly SweepHandle<T>[],
+    from: number,
+    callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown,
     thisObject: unknown,
   ): void {
-    const list = this.still.handles;
-    for (let i = this.still.firstThatReaches(a.minX); i < list.length; i += 1) {
+    for (let i = from; i < list.length; i += 1) {
       const b = list[i]!;
       if (b.minX > a.maxX) break;
-      if (b.maxX >= a.minX && a.pairs(b)) {
+      if (b.maxX >= a.minX && b.minY <= a.maxY && b.maxY >= a.minY && b.group !== a.group) {
         callback.call(thisObject, a, b);
       }
     }
