@@ -104,13 +104,15 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
     n[5] = circle === null ? 0 : circle.originY;
   }
   tape.pass(shapeRow);
-  const [stamp, group, mask, entered] = [integers[0]!, n[0]!, n[1]!, n[2]!];
-  const [radius, x, y] = [n[3]!, n[4]!, n[5]!];
+  const stamp = integers[0]!;
+  const radius = n[3]!;
+  const x = n[4]!;
+  const y = n[5]!;
   tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && Math.max(radius, Math.abs(x), Math.abs(y)) <= MAX_SIZE);
   if (tape.takes) {
-    shape.group = group | 0;
-    shape.mask = mask | 0;
-    shape.entered = entered;
+    shape.group = n[0]! | 0;
+    shape.mask = n[1]! | 0;
+    shape.entered = n[2]!;
   }
   if (polygon !== null) {
     return keepVertices(tape, polygon, stamp);
@@ -178,7 +180,13 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
     tape.block(n, o + g.FACE_DX, o + g.FACE_ANGLE_B + 1);
   }
   const isKnown = pair.listed || pair.dead;
-  keepUsual(tape, pair, isKnown ? usual : usualNear, (flags & USUAL) !== 0);
+  const as = isKnown ? usual : usualNear;
+  if ((flags & USUAL) === 0) {
+    passUsual(tape, pair, as);
+  }
+  if (tape.takes) {
+    takeUsual(tape, pair, as);
+  }
   if (isKnown) {
     tape.block(n, o + (pair.count > 0 ? g.DX : g.NX), o + g.X0 + g.POINT * pair.count);
   }
@@ -301,34 +309,33 @@ function isSame(a: number, b: number): boolean {
 }
 
 /** In what steps the shapes met, for which shapes the edges were chosen and, if they did meet, the combined material. */
-function keepUsual(tape: Tape, pair: Arbiter, as: Float64Array, isAsLast: boolean): void {
+function passUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   const { numbers: n, at: o } = pair;
-  if (!isAsLast) {
-    if (tape.writes) {
-      as[0] = pair.seen;
-      as[1] = pair.began;
-      as[2] = pair.strained;
-      as[3] = pair.lastInteraction;
-      as[4] = pair.strain;
-      as[5] = n[o + g.FACE_STAMP]!;
-      for (let i = 6; i < as.length; i += 1) {
-        as[i] = n[o + c.ELASTICITY - 6 + i]!;
-      }
-    }
-    tape.block(as, 0, as.length);
-  }
-  const [strain, stamp] = [as[4]!, as[5]!];
-  tape.require(strain >= 0 && strain <= MOST && stamp >= 0 && stamp <= MOST);
-  if (tape.takes) {
-    pair.seen = as[0]!;
-    pair.began = as[1]!;
-    pair.strained = as[2]!;
-    pair.lastInteraction = as[3]!;
-    pair.strain = strain;
-    n[o + g.FACE_STAMP] = stamp;
+  if (tape.writes) {
+    as[0] = pair.seen;
+    as[1] = pair.began;
+    as[2] = pair.strained;
+    as[3] = pair.lastInteraction;
+    as[4] = pair.strain;
+    as[5] = n[o + g.FACE_STAMP]!;
     for (let i = 6; i < as.length; i += 1) {
-      n[o + c.ELASTICITY - 6 + i] = as[i]!;
+      as[i] = n[o + c.ELASTICITY - 6 + i]!;
     }
+  }
+  tape.block(as, 0, as.length);
+}
+
+function takeUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
+  const { numbers: n, at: o } = pair;
+  tape.require(as[4]! >= 0 && as[4]! <= MOST && as[5]! >= 0 && as[5]! <= MOST);
+  pair.seen = as[0]!;
+  pair.began = as[1]!;
+  pair.strained = as[2]!;
+  pair.lastInteraction = as[3]!;
+  pair.strain = as[4]!;
+  n[o + g.FACE_STAMP] = as[5]!;
+  for (let i = 6; i < as.length; i += 1) {
+    n[o + c.ELASTICITY - 6 + i] = as[i]!;
   }
 }
 
