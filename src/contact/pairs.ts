@@ -250,11 +250,6 @@ export class Pairs {
       pair.awake = false;
     }
     this.table.clear();
-    this.empty();
-  }
-
-  /** @internal nothing is listed */
-  empty(): void {
     this.sightings.fill(NEVER);
     this.sorted.length = 0;
     this.arriving.length = 0;

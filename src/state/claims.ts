@@ -29,7 +29,9 @@ export function beginClaims(pairs: Pairs): void {
     }
     list.length = 0;
   }
-  pairs.empty();
+  pairs.sightings.fill(NEVER);
+  drop(pairs.sorted);
+  pairs.arrivingCount = 0;
 }
 
 /** A pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
