@@ -1,15 +1,20 @@
 import { Slab } from './math/doubles.js';
 
 const COUNT = 25;
+/** How many come first that tell where a body is and how it moves, with its velocity last. */
+export const MOTION = 8;
+/** The motion of the last step, and the clearance after it. */
+export const LAST_MOTION = 18;
+export const LAST_MOTION_END = 22;
 
 const slab = /* @__PURE__ */ new Slab();
 
 /** The numbers of a body, in a slab: each step walks through those of all bodies, and as fields each would be a box of its own somewhere in memory. */
 export abstract class BodyNumbers {
   /** @internal */
-  private readonly at = slab.take(COUNT);
+  readonly at = slab.take(COUNT);
   /** @internal */
-  private readonly numbers = slab.numbers;
+  readonly numbers = slab.numbers;
 
   /** @internal m. Keeps its name. */
   get x(): number {

@@ -357,9 +357,9 @@ export abstract class BaseConstraint {
     this.maxForce = tape.number(this.maxForce);
     this.maxError = tape.number(this.maxError);
     this.lower = tape.number(this.lower);
-    const lower = tape.latest;
+    const lower = tape.latest();
     this.upper = tape.number(this.upper);
-    tape.require(!tape.checks || lower <= tape.latest);
+    tape.require(!tape.checks || lower <= tape.latest());
     tape.list(this.impulse);
     tape.list(this.undone);
     tape.list(this.given);

@@ -9,10 +9,8 @@ function before(a: Report, b: Report): boolean {
   return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
 }
 
-/** In place of a step in which the broadphase reported a pair: it never did … */
-const NEVER = -1;
-/** … and it is one that was brought back with its world. */
-const CLAIMED = -2;
+/** In place of a step in which the broadphase reported a pair: it never did. */
+export const NEVER = -1;
 
 /** Two shapes that the broadphase reported for the first time. Used again and again. */
 interface Report {
@@ -44,8 +42,9 @@ export class Pairs {
   /**
    * By the numbers of pairs: the last step in which the broadphase reported it. It does so in an order of its own, and would have to wait for each arbiter
    * otherwise.
+   * @internal
    */
-  private sightings = new Int32Array(64).fill(NEVER);
+  sightings = new Int32Array(64).fill(NEVER);
   /** How many arbiters were made: their numbers begin with 1. */
   private made = 0;
   /** @internal */
@@ -71,7 +70,8 @@ export class Pairs {
     return pair;
   }
 
-  private make(shapeA: Shape, shapeB: Shape): Arbiter {
+  /** @internal */
+  make(shapeA: Shape, shapeB: Shape): Arbiter {
     const pair = this.pool.pop() ?? this.makeNew(shapeA, shapeB);
     pair.reuse(shapeA, shapeB);
     this.sightings[pair.number] = NEVER;
@@ -86,28 +86,6 @@ export class Pairs {
       this.sightings.set(sightings);
     }
     return new Arbiter(shapeA, shapeB, this.made);
-  }
-
-  /** For a world that is restored: a pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
-  restore(shapeA: Shape, shapeB: Shape): Arbiter {
-    const there = this.table.find(shapeA, shapeB);
-    if (there !== null && this.sightings[there.number] === NEVER) {
-      this.sightings[there.number] = CLAIMED;
-      there.revive();
-      return there;
-    }
-    const pair = this.make(shapeA, shapeB);
-    this.table.add(pair);
-    this.sightings[pair.number] = CLAIMED;
-    return pair;
-  }
-
-  /** … and one that was cut off, and is named by an `end` event. */
-  restoreCut(shapeA: Shape, shapeB: Shape): Arbiter {
-    const pair = this.make(shapeA, shapeB);
-    pair.dead = true;
-    this.cut.push(pair);
-    return pair;
   }
 
   /** The broadphase reports a pair by its number. @returns whether it did in the last step too; if not, the number may be that of another pair by now. */
@@ -245,7 +223,8 @@ export class Pairs {
     this.sightings[pair.number] = NEVER;
   }
 
-  private free(pair: Arbiter): void {
+  /** @internal */
+  free(pair: Arbiter): void {
     pair.awake = false;
     this.pool.push(pair);
   }
@@ -266,36 +245,11 @@ export class Pairs {
     this.cut = free;
   }
 
-  /** … and the pairs that were not brought back. */
-  dropUnclaimed(): void {
-    for (const pair of this.table.arbiters.slice()) {
-      if (pair !== null && this.sightings[pair.number] === NEVER) {
-        this.retire(pair);
-      }
-    }
-    this.sightings.fill(NEVER);
-  }
-
-  /** For a world that is restored: nothing is listed, and pairs are dropped unless brought back. */
-  reset(): void {
-    for (const list of [this.cut, this.cutBefore]) {
-      for (const pair of list) {
-        this.free(pair);
-      }
-      list.length = 0;
-    }
-    this.empty();
-  }
-
   clear(): void {
     for (const pair of [...this.sorted, ...this.arriving.slice(0, this.arrivingCount)]) {
       pair.awake = false;
     }
     this.table.clear();
-    this.empty();
-  }
-
-  private empty(): void {
     this.sightings.fill(NEVER);
     this.sorted.length = 0;
     this.arriving.length = 0;

@@ -1,29 +1,45 @@
-/** A digest of 64 bits of what is given to it, 64 bits at a time; mixed as by MurmurHash3 (Appleby 2011). */
+/** A digest of 64 bits of words of 32; mixed as by MurmurHash3 (Appleby 2011). */
 export class Digest {
+  private a = 0;
+  private b = 0;
+  private c = 0;
+  private d = 0;
   low = 0;
   high = 0;
 
   begin(): void {
-    this.low = 0x2f0b4a27;
-    this.high = 0x51ed270b;
+    this.a = 0x2f0b4a27;
+    this.b = 0x51ed270b;
+    this.c = 0x3c6ef372;
+    this.d = 0x1f83d9ab;
   }
 
-  /** Words from one index up to another, two at a time. */
+  /**
+   * Words from one index up to another, four at a time: in lanes that do not wait for each other. Each step can be undone, so one wrong word is sure to be
+   * noticed.
+   */
   add(words: Int32Array, from: number, to: number): void {
-    let { low, high } = this;
-    for (let i = from; i < to; i += 2) {
-      const a = low ^ Math.imul(words[i]!, 0xcc9e2d51);
-      const b = high ^ Math.imul((i + 1 < to ? words[i + 1]! : 0) ^ (a >>> 15), 0x1b873593);
-      low = (Math.imul((a << 13) | (a >>> 19), 5) + b) | 0;
-      high = (Math.imul((b << 17) | (b >>> 15), 5) + 0x38b34ae5) | 0;
+    let { a, b, c, d } = this;
+    for (let i = from; i < to; i += 4) {
+      a = Math.imul(a ^ words[i]!, 0xcc9e2d51);
+      b = Math.imul(b ^ words[i + 1]!, 0xcc9e2d51);
+      c = Math.imul(c ^ words[i + 2]!, 0xcc9e2d51);
+      d = Math.imul(d ^ words[i + 3]!, 0xcc9e2d51);
+      a = (a << 15) | (a >>> 17);
+      b = (b << 15) | (b >>> 17);
+      c = (c << 15) | (c >>> 17);
+      d = (d << 15) | (d >>> 17);
     }
-    this.low = low;
-    this.high = high;
+    this.a = a;
+    this.b = b;
+    this.c = c;
+    this.d = d;
   }
 
   end(): void {
-    this.low = finish(this.low ^ this.high);
-    this.high = finish(this.high ^ this.low);
+    const { a, b, c, d } = this;
+    this.low = finish(a ^ finish(b ^ finish(c ^ finish(d))));
+    this.high = finish(d ^ finish(c ^ finish(b ^ finish(a))));
   }
 }
 

@@ -5,15 +5,15 @@ import { Digest } from './digest.js';
 /** Words of the header. */
 const HEADER = 8;
 const MAGIC = 0x32643270;
-export const VERSION = 1;
+export const VERSION = 2;
 const LENGTH = 2;
 const NUMBERS = 3;
 const WORDS = 4;
 const CHECKSUM = 6;
 
-/** Bytes of a snapshot of so many numbers and words. */
+/** Bytes of a snapshot of so many numbers and words: a multiple of 16, as a digest takes four words at a time. */
 function lengthOf(numbers: number, words: number): number {
-  return 4 * HEADER + 8 * numbers + 8 * Math.ceil(words / 2);
+  return 4 * HEADER + 16 * Math.ceil((2 * numbers + words) / 4);
 }
 
 /** A snapshot, in `target` if that is large enough, else in a new buffer. */
@@ -35,9 +35,9 @@ export function packed(
   all[NUMBERS] = numbers.length;
   all[WORDS] = words.length;
   all[5] = 0;
-  all[all.length - 1] = 0;
   new Float64Array(buffer, 4 * HEADER, numbers.length).set(numbers);
   all.set(words, HEADER + 2 * numbers.length);
+  all.fill(0, HEADER + 2 * numbers.length + words.length);
   seal(buffer, digest);
   return buffer;
 }
@@ -79,11 +79,11 @@ export function seal(buffer: ArrayBuffer, digest: Digest = new Digest()): void {
   header[CHECKSUM + 1] = digest.high;
 }
 
-/** The checksum of a snapshot: of all but itself. */
+/** The checksum of a snapshot: of all but itself, and the first two words, which have to be as they are. */
 function sum(buffer: ArrayBuffer, length: number, digest: Digest): void {
   const all = new Int32Array(buffer, 0, length >> 2);
   digest.begin();
-  digest.add(all, 0, CHECKSUM);
+  digest.add(all, LENGTH, CHECKSUM);
   digest.add(all, HEADER, all.length);
   digest.end();
 }

@@ -1,31 +1,33 @@
 import { RigidBody } from '../body.js';
 import { Constraint } from '../constraint/constraint.js';
 import { createBoxVertices } from '../geometry/vertices.js';
+import { drop } from '../math/list.js';
 import { Circle } from '../shape/circle.js';
 import { Polygon } from '../shape/polygon.js';
 import { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { emptyScene, type Objects, type Scene } from './scene.js';
+import { clear, copyObjects, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
 /** How many integers come first. */
 const HEAD = 6;
 
 /**
- * Which objects a snapshot is of, as integers: `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,
- * constraints; then `order` and number of shapes of each body; `order`, kind and rank among the ids of each shape; `order` of each constraint;
+ * Puts into `ids` which objects a snapshot is of, as integers: `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,
+ * constraints; then `order` and number of shapes of each body; `order` of each shape, and kind plus twice its rank among their ids; `order` of each constraint;
  * and for each body outside a constraint and which of its members it is.
  */
-export function describe(world: World, scene: Scene): number[] {
+export function describe(world: World, scene: Scene, ids: number[]): void {
   const { bodies, inside, shapes, attached, counts, constraints } = scene;
-  const ids = [world.nextOrder, inside, bodies.length - inside, attached, shapes.length - attached, constraints.length];
+  drop(ids);
+  ids.push(world.nextOrder, inside, bodies.length - inside, attached, shapes.length - attached, constraints.length);
   for (let i = 0; i < inside; i += 1) {
     ids.push(bodies[i]!.order, counts[i]!);
   }
   const ranks = ranksOf(shapes);
-  shapes.forEach((shape, i) => {
-    ids.push(shape.order, shape.kind, ranks[i]!);
-  });
+  for (let i = 0; i < shapes.length; i += 1) {
+    ids.push(shapes[i]!.order, shapes[i]!.kind + 2 * ranks[i]!);
+  }
   for (const { order } of constraints) {
     ids.push(order);
   }
@@ -33,7 +35,6 @@ export function describe(world: World, scene: Scene): number[] {
     const which = constraints.findIndex(({ members }) => members.includes(body));
     ids.push(which, constraints[which]!.members.indexOf(body));
   }
-  return ids;
 }
 
 /** The place of each shape if they were sorted by their ids, as which decides in what order pairs are solved. */
@@ -50,51 +51,74 @@ export function ranksOf(shapes: readonly { readonly id: number }[]): number[] {
   return ranks;
 }
 
-/** The objects that `ids` describe: those that are known to be meant or, of a copy of a snapshot, those of the same `order` in the world or in `held`. */
+/** Puts into `scene` the objects that `ids` describe: those that are known to be meant or, of a copy of a snapshot, those of the same `order` in the world or in `held`. */
 export function resolve(
   tape: Tape,
   world: World,
-  ids: number[],
+  ids: readonly number[],
   known: Objects | null,
   held: Iterable<unknown>,
-): Scene {
+  scene: Scene,
+): void {
   const [, inside = -1, outside = -1, attached = -1, loose = -1, ties = -1] = ids;
   const isWhole =
     Math.min(inside, outside, attached, loose, ties) >= 0 &&
-    ids.length === HEAD + 2 * inside + 3 * (attached + loose) + ties + 2 * outside;
+    ids.length === HEAD + 2 * inside + 2 * (attached + loose) + ties + 2 * outside;
   tape.require(isWhole);
-  const finder = new Finder(tape, world, held, known === null);
-  const scene: Scene = { ...emptyScene(), inside, attached, isCopy: known === null };
+  clear(scene);
+  scene.inside = inside;
+  scene.attached = attached;
+  scene.isCopy = known === null;
+  for (let i = 0; i < inside; i += 1) {
+    scene.counts.push(ids[HEAD + 2 * i + 1]!);
+  }
+  if (known === null) {
+    find(tape, ids, scene, new Finder(tape, world, held));
+  } else {
+    copyObjects(known, scene);
+  }
+  refuseOthers(tape, world, scene);
+}
+
+function find(tape: Tape, ids: readonly number[], scene: Scene, finder: Finder): void {
+  const [, inside, outside, attached, loose, ties] = ids as [number, number, number, number, number, number];
   const { bodies, shapes, counts, constraints } = scene;
   let at = HEAD;
   for (let i = 0; i < inside; i += 1, at += 2) {
-    bodies.push(known?.bodies[i] ?? finder.find(ids[at]!, RigidBody, 'a body'));
-    counts.push(ids[at + 1]!);
+    bodies.push(finder.find(ids[at]!, RigidBody, 'a body'));
   }
-  const count = counts.reduce((sum, own) => sum + Math.max(0, own), 0);
-  tape.require(count === attached);
+  tape.require(counts.reduce((sum, own) => sum + Math.max(0, own), 0) === attached);
   const ranked: Shape[] = [];
-  for (let i = 0; i < attached + loose; i += 1, at += 3) {
-    const isGone = known === null && i >= attached;
-    const shape = isGone ? standIn(ids[at + 1]!) : (known?.shapes[i] ?? finder.find(ids[at]!, Shape, 'a shape'));
-    demand(tape, shape.kind === ids[at + 1], 'a shape of it is of another kind');
+  for (let i = 0; i < attached + loose; i += 1, at += 2) {
+    const kind = ids[at + 1]! & 1;
+    const shape = i < attached ? finder.find(ids[at]!, Shape, 'a shape') : standIn(kind);
+    demand(tape, shape.kind === kind, 'a shape of it is of another kind');
     shapes.push(shape);
     if (i < attached) {
-      ranked[ids[at + 2]!] = shape;
+      ranked[ids[at + 1]! >> 1] = shape;
     }
   }
   for (let i = 0; i < ties; i += 1, at += 1) {
-    constraints.push(known?.constraints[i] ?? finder.find(ids[at]!, Constraint, 'a constraint'));
+    constraints.push(finder.find(ids[at]!, Constraint, 'a constraint'));
   }
   for (let i = 0; i < outside; i += 1, at += 2) {
-    const body = known?.bodies[inside + i] ?? constraints[ids[at]!]?.members[ids[at + 1]!];
+    const body = constraints[ids[at]!]?.members[ids[at + 1]!];
     demand(tape, body !== undefined, 'a constraint of it has other bodies');
     bodies.push(body!);
   }
   demand(tape, areAscending(ranked, attached), 'its shapes were created in another order');
-  scene.materials.push(...(known?.materials ?? []));
-  finder.refuseOthers(scene);
-  return scene;
+}
+
+/** What is in another world cannot come back; a shape that only an event names need not. */
+function refuseOthers(tape: Tape, world: World, { bodies, shapes, constraints, inside, attached }: Scene): void {
+  let isRefused = constraints.some(({ owner }) => isOther(world, owner));
+  for (let i = 0; i < bodies.length; i += 1) {
+    isRefused ||= i < inside ? isOther(world, bodies[i]!.owner) : bodies[i]!.owner !== null;
+  }
+  for (let i = 0; i < attached; i += 1) {
+    isRefused ||= isElsewhere(world, shapes[i]!);
+  }
+  demand(tape, !isRefused, 'an object of it is in another world now');
 }
 
 /** A right snapshot may be of another world than this. */
@@ -131,11 +155,10 @@ class Finder {
 
   constructor(
     private readonly tape: Tape,
-    private readonly world: World,
+    world: World,
     held: Iterable<unknown>,
-    isNeeded: boolean,
   ) {
-    for (const list of isNeeded ? [held, world.rigidBodies, world.constraints] : []) {
+    for (const list of [held, world.rigidBodies, world.constraints]) {
       for (const object of list) {
         this.add(object);
       }
@@ -158,18 +181,5 @@ class Finder {
     }
     this.found.delete(order);
     return object;
-  }
-
-  /** What is in another world cannot come back; a shape that only an event names need not. */
-  refuseOthers({ bodies, shapes, constraints, inside, attached }: Scene): void {
-    const { world } = this;
-    if (
-      bodies.slice(0, inside).some(({ owner }) => isOther(world, owner)) ||
-      bodies.slice(inside).some(({ owner }) => owner !== null) ||
-      shapes.slice(0, attached).some((shape) => isElsewhere(world, shape)) ||
-      constraints.some(({ owner }) => isOther(world, owner))
-    ) {
-      throw this.tape.refusal('an object of it is in another world now');
-    }
   }
 }

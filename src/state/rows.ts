@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
 import { FAR, MAX_JOINT_SWEEPS, MAX_SIZE, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -17,21 +18,15 @@ const MOST = 0x3fffffff;
 /** Numbers that name features of shapes. */
 const FEATURES = 0xffffff;
 
-/** How many numbers of a manifold lie before the impulses, and how many impulses there are. */
-const BEFORE = c.NORMAL;
-const IMPULSES = c.ELASTICITY - c.NORMAL;
-const MATERIAL = 4;
-
-const bodyRow = /* @__PURE__ */ new Row(1, 23);
+const bodyRow = /* @__PURE__ */ new Row(1, 11);
 const shapeRow = /* @__PURE__ */ new Row(1, 6);
-const pairRow = /* @__PURE__ */ new Row(8, 8);
-/** … for those that have not met yet: rows of either kind are like others of that. */
-const nearRow = /* @__PURE__ */ new Row(8, 8);
-const contactRow = /* @__PURE__ */ new Row(0, g.FACE_DX + IMPULSES + MATERIAL);
-const againRow = /* @__PURE__ */ new Row(0, 4);
 
 /** All there are, for a tape. */
-export const ROWS: readonly Row[] = [bodyRow, shapeRow, pairRow, nearRow, contactRow, againRow];
+export const ROWS: readonly Row[] = [bodyRow, shapeRow];
+
+/** What the last pair had that most have in common, see `takeUsual`; and of those that have not met yet, without a material, which are like others of that kind. */
+const usual = /* @__PURE__ */ new Float64Array(10);
+const usualNear = /* @__PURE__ */ new Float64Array(6);
 
 /** The numbers of a material, which cannot change. */
 export function materialNumbers(material: Material): Float64Array {
@@ -39,81 +34,59 @@ export function materialNumbers(material: Material): Float64Array {
   return Float64Array.of(elasticity, staticFriction, dynamicFriction, rollingFriction, density);
 }
 
-function isUnit(x: number, y: number): boolean {
-  return Math.abs(x * x + y * y - 1) <= 1e-9;
-}
-
-/** Distances and angles are not beyond all bounds. */
-function isNear(...values: number[]): boolean {
-  return values.every((value) => Math.abs(value) <= FAR);
-}
-
 /** @returns whether its mass has to be worked out anew. */
 export function keepBody(tape: Tape, b: RigidBody): boolean {
-  const { fixedMass, fixedInertia } = b;
+  const { fixedMass, fixedInertia, numbers, at } = b;
+  tape.block(numbers, at, at + MOTION);
+  if (tape.checks) {
+    checkPlace(tape);
+  }
+  tape.block(numbers, at + LAST_MOTION, at + LAST_MOTION_END);
   const { numbers: n, integers } = bodyRow;
   if (tape.writes) {
     integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.bullet ? 4 : 0) | (b.kind << 3);
-    n[0] = b.x;
-    n[1] = b.y;
-    n[2] = b.angle;
-    n[3] = b.cos;
-    n[4] = b.sin;
-    n[5] = b.vx;
-    n[6] = b.vy;
-    n[7] = b.w;
-    n[8] = b.lastDx;
-    n[9] = b.lastDy;
-    n[10] = b.lastTurn;
-    n[11] = b.fx;
-    n[12] = b.fy;
-    n[13] = b.appliedTorque;
-    n[14] = b.surfaceX;
-    n[15] = b.surfaceY;
-    n[16] = b.clearance;
-    n[17] = b.linearDrag;
-    n[18] = b.angularDrag;
-    n[19] = fixedMass;
-    n[20] = fixedInertia;
-    n[21] = b.wakeTime;
-    n[22] = b.unloaded;
+    n[0] = b.fx;
+    n[1] = b.fy;
+    n[2] = b.appliedTorque;
+    n[3] = b.surfaceX;
+    n[4] = b.surfaceY;
+    n[5] = b.linearDrag;
+    n[6] = b.angularDrag;
+    n[7] = fixedMass;
+    n[8] = fixedInertia;
+    n[9] = b.wakeTime;
+    n[10] = b.unloaded;
   }
   tape.pass(bodyRow);
   const flags = integers[0]!;
-  if (tape.checks) {
-    tape.require(flags >= 0 && flags >> 3 <= 2);
-    tape.require(isNear(n[0]!, n[1]!, n[2]!) && isUnit(n[3]!, n[4]!));
-  }
+  tape.require(flags >= 0 && flags >> 3 <= 2);
   if (tape.takes) {
     b.asleep = (flags & 1) !== 0;
     b.woken = (flags & 2) !== 0;
     b.bullet = (flags & 4) !== 0;
     b.kind = flags >> 3;
-    b.x = n[0]!;
-    b.y = n[1]!;
-    b.angle = n[2]!;
-    b.cos = n[3]!;
-    b.sin = n[4]!;
-    b.vx = n[5]!;
-    b.vy = n[6]!;
-    b.w = n[7]!;
-    b.lastDx = n[8]!;
-    b.lastDy = n[9]!;
-    b.lastTurn = n[10]!;
-    b.fx = n[11]!;
-    b.fy = n[12]!;
-    b.appliedTorque = n[13]!;
-    b.surfaceX = n[14]!;
-    b.surfaceY = n[15]!;
-    b.clearance = n[16]!;
-    b.linearDrag = n[17]!;
-    b.angularDrag = n[18]!;
-    b.fixedMass = n[19]!;
-    b.fixedInertia = n[20]!;
-    b.wakeTime = n[21]!;
-    b.unloaded = n[22]!;
+    b.fx = n[0]!;
+    b.fy = n[1]!;
+    b.appliedTorque = n[2]!;
+    b.surfaceX = n[3]!;
+    b.surfaceY = n[4]!;
+    b.linearDrag = n[5]!;
+    b.angularDrag = n[6]!;
+    b.fixedMass = n[7]!;
+    b.fixedInertia = n[8]!;
+    b.wakeTime = n[9]!;
+    b.unloaded = n[10]!;
   }
   return fixedMass !== b.fixedMass || fixedInertia !== b.fixedInertia;
+}
+
+/** x, y, angle, cosine, sine and the three of the velocity were passed last: the first are not beyond all bounds, and the turn is one. */
+function checkPlace(tape: Tape): void {
+  const [cos, sin] = [tape.latest(4), tape.latest(3)];
+  for (let i = 5; i < MOTION; i += 1) {
+    tape.require(Math.abs(tape.latest(i)) <= FAR);
+  }
+  tape.require(Math.abs(cos * cos + sin * sin - 1) <= 1e-9);
 }
 
 /** @returns whether it is another shape now. */
@@ -131,13 +104,15 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
     n[5] = circle === null ? 0 : circle.originY;
   }
   tape.pass(shapeRow);
-  const [stamp, group, mask, entered] = [integers[0]!, n[0]!, n[1]!, n[2]!];
-  const [radius, x, y] = [n[3]!, n[4]!, n[5]!];
+  const stamp = integers[0]!;
+  const radius = n[3]!;
+  const x = n[4]!;
+  const y = n[5]!;
   tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && Math.max(radius, Math.abs(x), Math.abs(y)) <= MAX_SIZE);
   if (tape.takes) {
-    shape.group = group | 0;
-    shape.mask = mask | 0;
-    shape.entered = entered;
+    shape.group = n[0]! | 0;
+    shape.mask = n[1]! | 0;
+    shape.entered = n[2]!;
   }
   if (polygon !== null) {
     return keepVertices(tape, polygon, stamp);
@@ -165,152 +140,214 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   return stored !== vertices;
 }
 
-/** Bits of the first integer of a pair. */
+/** Bits of the first word of a pair. */
 const ACTIVE = 1;
 const SLEEPING = 2;
 const ACCEPTED = 4;
 const PERSISTENT = 8;
 const AGAIN = 16;
-/** There is more than where to look first. */
+/** There are impulses. */
 const SOLVED = 32;
-const COUNT = 6;
-const FACE = 8;
-const FIXED = 10;
-const USED = 14;
-const FRESH = 16;
-const SHOWN = 18;
-const FLAGS_END = 20;
+const LISTED = 64;
+/** As the last pair of its kind. */
+const USUAL = 128;
+const COUNT = 8;
+const FACE = 10;
+const FIXED = 12;
+const USED = 16;
+const FRESH = 18;
+const SHOWN = 20;
+const FLAGS_END = 22;
+
+/** Before the first pair. */
+export function beginPairs(): void {
+  usual.fill(NaN);
+  usualNear.fill(NaN);
+}
 
 /** What the solver and whoever asks know of two shapes. The numbers of points that are not there mean nothing. */
 export function keepPair(tape: Tape, pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
-  const isKnown = pair.listed || pair.dead;
-  const row = isKnown ? pairRow : nearRow;
-  const { numbers, integers } = row;
-  if (tape.writes) {
-    integers[0] =
-      (pair.active ? ACTIVE : 0) |
-      (pair.sleeping ? SLEEPING : 0) |
-      (pair.accepted ? ACCEPTED : 0) |
-      (pair.persistent ? PERSISTENT : 0) |
-      (pair.metAgain() ? AGAIN : 0) |
-      (isKnown || hasImpulse(n, o) ? SOLVED : 0) |
-      (pair.count << COUNT) |
-      ((n[o + g.FACE]! + 1) << FACE) |
-      (pair.fixed << FIXED) |
-      (pair.usedPoints << USED) |
-      (pair.freshPoints << FRESH) |
-      (pair.shown << SHOWN);
-    integers[1] = n[o + g.ID0]!;
-    integers[2] = n[o + g.ID1]!;
-    integers[3] = n[o + g.EDGE_A]!;
-    integers[4] = n[o + g.EDGE_B]!;
-    integers[5] = n[o + g.AXIS]!;
-    integers[6] = n[o + g.FACE_STAMP]!;
-    integers[7] = pair.strain;
-    numbers[0] = pair.seen;
-    numbers[1] = pair.began;
-    numbers[2] = pair.strained;
-    numbers[3] = pair.lastInteraction;
-    for (let i = 0; i < 4 && n[o + g.FACE]! >= 0; i += 1) {
-      numbers[4 + i] = n[o + g.FACE_DX + i]!;
-    }
-  }
-  tape.pass(row);
-  const flags = integers[0]!;
+  const flags = tape.word(tape.writes ? flagsOf(pair) : 0);
   if (tape.checks) {
-    checkPair(tape, flags, integers);
+    checkFlags(tape, flags, pair);
   }
   if (tape.takes) {
-    pair.active = (flags & ACTIVE) !== 0;
-    pair.sleeping = (flags & SLEEPING) !== 0;
-    pair.accepted = (flags & ACCEPTED) !== 0;
-    pair.persistent = (flags & PERSISTENT) !== 0;
-    n[o + g.COUNT] = (flags >> COUNT) & 3;
-    n[o + g.FACE] = ((flags >> FACE) & 3) - 1;
-    pair.fixed = (flags >> FIXED) & 15;
-    pair.usedPoints = (flags >> USED) & 3;
-    pair.freshPoints = (flags >> FRESH) & 3;
-    pair.shown = (flags >> SHOWN) & 3;
-    n[o + g.ID0] = integers[1]!;
-    n[o + g.ID1] = integers[2]!;
-    n[o + g.EDGE_A] = integers[3]!;
-    n[o + g.EDGE_B] = integers[4]!;
-    n[o + g.AXIS] = integers[5]!;
-    n[o + g.FACE_STAMP] = integers[6]!;
-    pair.strain = integers[7]!;
-    pair.seen = numbers[0]!;
-    pair.began = numbers[1]!;
-    pair.strained = numbers[2]!;
-    pair.lastInteraction = numbers[3]!;
-    for (let i = 0; i < 4; i += 1) {
-      n[o + g.FACE_DX + i] = numbers[4 + i]!;
-    }
+    takeFlags(pair, flags);
+  }
+  keepFeatures(tape, n, o);
+  if (n[o + g.FACE]! >= 0) {
+    tape.block(n, o + g.FACE_DX, o + g.FACE_ANGLE_B + 1);
+  }
+  const isKnown = pair.listed || pair.dead;
+  const as = isKnown ? usual : usualNear;
+  if ((flags & USUAL) === 0) {
+    passUsual(tape, pair, as);
+  }
+  if (tape.takes) {
+    takeUsual(tape, pair, as);
+  }
+  if (isKnown) {
+    tape.block(n, o + (pair.count > 0 ? g.DX : g.NX), o + g.X0 + g.POINT * pair.count);
   }
   if ((flags & AGAIN) !== 0) {
     keepMetAgain(tape, pair);
   }
   if ((flags & SOLVED) !== 0) {
-    keepContacts(tape, pair, isKnown);
+    tape.block(n, o + c.NORMAL, o + c.ELASTICITY);
   } else if (tape.takes && hasImpulse(n, o)) {
-    pair.dropPoints();
+    n.fill(0, o + c.NORMAL, o + c.ELASTICITY);
   }
 }
 
-function checkPair(tape: Tape, flags: number, integers: Int32Array): void {
+function flagsOf(pair: Arbiter): number {
+  const { numbers: n, at: o } = pair;
+  const isKnown = pair.listed || pair.dead;
+  return (
+    (pair.active ? ACTIVE : 0) |
+    (pair.sleeping ? SLEEPING : 0) |
+    (pair.accepted ? ACCEPTED : 0) |
+    (pair.persistent ? PERSISTENT : 0) |
+    (pair.metAgain() ? AGAIN : 0) |
+    (hasImpulse(n, o) ? SOLVED : 0) |
+    (pair.listed ? LISTED : 0) |
+    (isUsual(pair, isKnown ? usual : usualNear) ? USUAL : 0) |
+    (pair.count << COUNT) |
+    ((n[o + g.FACE]! + 1) << FACE) |
+    (pair.fixed << FIXED) |
+    (pair.usedPoints << USED) |
+    (pair.freshPoints << FRESH) |
+    (pair.shown << SHOWN)
+  );
+}
+
+function checkFlags(tape: Tape, flags: number, { dead }: Arbiter): void {
   const isRight =
     flags >> FLAGS_END === 0 && ((flags >> COUNT) & 3) < 3 && ((flags >> FACE) & 3) < 3 && ((flags >> SHOWN) & 3) < 3;
-  tape.require(isRight);
-  for (let i = 1; i < integers.length; i += 1) {
-    tape.require(integers[i]! >= -1 && integers[i]! <= (i < 6 ? FEATURES : MOST));
-  }
+  tape.require(isRight && !(dead && (flags & LISTED) !== 0));
 }
 
+function takeFlags(pair: Arbiter, flags: number): void {
+  const { numbers: n, at: o } = pair;
+  pair.active = (flags & ACTIVE) !== 0;
+  pair.sleeping = (flags & SLEEPING) !== 0;
+  pair.accepted = (flags & ACCEPTED) !== 0;
+  pair.persistent = (flags & PERSISTENT) !== 0;
+  pair.listed = (flags & LISTED) !== 0;
+  n[o + g.COUNT] = (flags >> COUNT) & 3;
+  n[o + g.FACE] = ((flags >> FACE) & 3) - 1;
+  pair.fixed = (flags >> FIXED) & 15;
+  pair.usedPoints = (flags >> USED) & 3;
+  pair.freshPoints = (flags >> FRESH) & 3;
+  pair.shown = (flags >> SHOWN) & 3;
+}
+
+/** Spelled out, as of most pairs all of them have to be looked at. */
 function hasImpulse(n: Float64Array, o: number): boolean {
-  let isSolved = false;
-  for (let i = o + c.NORMAL; i < o + c.ELASTICITY && !isSolved; i += 1) {
-    isSolved = n[i] !== 0;
-  }
-  return isSolved;
+  return (
+    n[o + c.NORMAL] !== 0 ||
+    n[o + c.TANGENT] !== 0 ||
+    n[o + c.STEP_NORMAL] !== 0 ||
+    n[o + c.STEP_TANGENT] !== 0 ||
+    n[o + c.NORMAL + c.IMPULSES] !== 0 ||
+    n[o + c.TANGENT + c.IMPULSES] !== 0 ||
+    n[o + c.STEP_NORMAL + c.IMPULSES] !== 0 ||
+    n[o + c.STEP_TANGENT + c.IMPULSES] !== 0 ||
+    n[o + c.ROLL] !== 0 ||
+    n[o + c.STEP_ROLL] !== 0
+  );
 }
 
-/** Where the points are, if it is known, impulses, and the combined material. */
-function keepContacts(tape: Tape, { count, numbers: n, at: o }: Arbiter, isKnown: boolean): void {
-  const { numbers } = contactRow;
-  const from = count > 0 ? g.DX : g.NX;
-  const to = isKnown ? g.X0 + g.POINT * count : from;
-  if (tape.writes) {
-    for (let i = 0; i < g.FACE_DX; i += 1) {
-      numbers[i] = i >= from && i < to ? n[o + i]! : 0;
+/** Corners, edges and axis, each −1 or more: in one word if they are below 63, as those of shapes of few corners are, else in words of their own after −1. */
+function keepFeatures(tape: Tape, n: Float64Array, o: number): void {
+  const word = tape.word(tape.writes ? smallFeatures(n, o) : 0);
+  if (word < 0) {
+    for (let i = o + g.ID0; i <= o + g.AXIS; i += 1) {
+      n[i] = tape.integer(n[i]!, -1, FEATURES);
     }
-    for (let i = BEFORE; i < BEFORE + IMPULSES + MATERIAL; i += 1) {
-      numbers[i - BEFORE + g.FACE_DX] = isKnown || i < c.ELASTICITY ? n[o + i]! : 0;
+  } else if (tape.takes) {
+    n[o + g.ID0] = ((word >> 24) & 63) - 1;
+    n[o + g.ID1] = ((word >> 18) & 63) - 1;
+    n[o + g.EDGE_A] = ((word >> 12) & 63) - 1;
+    n[o + g.EDGE_B] = ((word >> 6) & 63) - 1;
+    n[o + g.AXIS] = (word & 63) - 1;
+  }
+}
+
+function smallFeatures(n: Float64Array, o: number): number {
+  const id0 = n[o + g.ID0]! + 1;
+  const id1 = n[o + g.ID1]! + 1;
+  const edgeA = n[o + g.EDGE_A]! + 1;
+  const edgeB = n[o + g.EDGE_B]! + 1;
+  const axis = n[o + g.AXIS]! + 1;
+  const areSmall = (id0 | id1 | edgeA | edgeB | axis) < 64;
+  return areSmall ? (id0 << 24) | (id1 << 18) | (edgeA << 12) | (edgeB << 6) | axis : -1;
+}
+
+function isUsual(
+  { numbers: n, at: o, seen, began, strained, lastInteraction, strain }: Arbiter,
+  as: Float64Array,
+): boolean {
+  return (
+    seen === as[0] &&
+    began === as[1] &&
+    strained === as[2] &&
+    lastInteraction === as[3] &&
+    strain === as[4] &&
+    n[o + g.FACE_STAMP] === as[5] &&
+    (as.length === 6 ||
+      (isSame(n[o + c.ELASTICITY]!, as[6]!) &&
+        isSame(n[o + c.STATIC_FRICTION]!, as[7]!) &&
+        isSame(n[o + c.DYNAMIC_FRICTION]!, as[8]!) &&
+        isSame(n[o + c.ROLLING_FRICTION]!, as[9]!)))
+  );
+}
+
+/** Zeros have signs. */
+function isSame(a: number, b: number): boolean {
+  return a === b && (a !== 0 || 1 / a === 1 / b);
+}
+
+/** In what steps the shapes met, for which shapes the edges were chosen and, if they did meet, the combined material. */
+function passUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
+  const { numbers: n, at: o } = pair;
+  if (tape.writes) {
+    as[0] = pair.seen;
+    as[1] = pair.began;
+    as[2] = pair.strained;
+    as[3] = pair.lastInteraction;
+    as[4] = pair.strain;
+    as[5] = n[o + g.FACE_STAMP]!;
+    for (let i = 6; i < as.length; i += 1) {
+      as[i] = n[o + c.ELASTICITY - 6 + i]!;
     }
   }
-  tape.pass(contactRow);
-  if (tape.takes) {
-    for (let i = from; i < to; i += 1) {
-      n[o + i] = numbers[i]!;
-    }
-    for (let i = BEFORE; i < BEFORE + IMPULSES + (isKnown ? MATERIAL : 0); i += 1) {
-      n[o + i] = numbers[i - BEFORE + g.FACE_DX]!;
-    }
+  tape.block(as, 0, as.length);
+}
+
+function takeUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
+  const { numbers: n, at: o } = pair;
+  tape.require(as[4]! >= 0 && as[4]! <= MOST && as[5]! >= 0 && as[5]! <= MOST);
+  pair.seen = as[0]!;
+  pair.began = as[1]!;
+  pair.strained = as[2]!;
+  pair.lastInteraction = as[3]!;
+  pair.strain = as[4]!;
+  n[o + g.FACE_STAMP] = as[5]!;
+  for (let i = 6; i < as.length; i += 1) {
+    n[o + c.ELASTICITY - 6 + i] = as[i]!;
   }
 }
 
 /** What was given in the latest step before the points became others. */
 function keepMetAgain(tape: Tape, pair: Arbiter): void {
-  const { numbers: n } = againRow;
   const { before } = pair;
-  if (tape.writes) {
-    n[0] = before!.x;
-    n[1] = before!.y;
-    n[2] = before!.wA;
-    n[3] = before!.wB;
-  }
-  tape.pass(againRow);
+  const x = tape.number(before?.x ?? 0);
+  const y = tape.number(before?.y ?? 0);
+  const wA = tape.number(before?.wA ?? 0);
+  const wB = tape.number(before?.wB ?? 0);
   if (tape.takes) {
-    pair.noteBefore(n[0]!, n[1]!, n[2]!, n[3]!);
+    pair.noteBefore(x, y, wA, wB);
   }
 }
 

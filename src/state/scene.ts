@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Material } from '../material.js';
+import { drop } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { Island } from '../solver/sleep.js';
 import type { World } from '../world.js';
@@ -28,6 +29,8 @@ export interface Scene extends Objects {
   isCopy: boolean;
   /** Without those of shapes that left, which the next step drops. Awake ones in the order of their shapes' ids, then sleeping ones, then those that were cut off and are named by an event. */
   readonly pairs: Arbiter[];
+  /** How many of them are awake. */
+  awake: number;
   readonly islands: Island[];
 }
 
@@ -42,6 +45,7 @@ export function emptyScene(): Scene {
     constraints: [],
     materials: [],
     pairs: [],
+    awake: 0,
     islands: [],
   };
 }
@@ -76,8 +80,23 @@ export function gather(world: World, scene: Scene): void {
 export function clear(scene: Scene): void {
   const { bodies, shapes, counts, constraints, materials, pairs, islands } = scene;
   for (const list of [bodies, shapes, counts, constraints, materials, pairs, islands]) {
-    list.length = 0;
+    drop(list);
   }
+}
+
+/** Lists the same objects elsewhere. */
+export function copyObjects(from: Objects, to: Objects): void {
+  replace(to.bodies, from.bodies);
+  replace(to.shapes, from.shapes);
+  replace(to.constraints, from.constraints);
+  replace(to.materials, from.materials);
+}
+
+function replace<T>(list: T[], by: readonly T[]): void {
+  for (let i = 0; i < by.length; i += 1) {
+    list[i] = by[i]!;
+  }
+  list.length = by.length;
 }
 
 function addShape({ shapes, materials }: Scene, shape: Shape): void {
@@ -105,6 +124,7 @@ function gatherPairs(world: World, scene: Scene): void {
       pairs.push(pair);
     }
   }
+  scene.awake = pairs.length;
   for (let i = 0; i < scene.attached; i += 1) {
     const { arbiters } = shapes[i]!;
     for (let k = 0; k < arbiters.length; k += 1) {

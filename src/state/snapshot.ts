@@ -1,5 +1,6 @@
 import { RigidBody } from '../body.js';
 import { Constraint } from '../constraint/constraint.js';
+import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
 import { newGroup } from '../solver/joint-data.js';
 import { orderJoints } from '../solver/joint-order.js';
@@ -8,17 +9,18 @@ import { countIgnoring, release } from '../solver/ties.js';
 import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
+import { beginClaims } from './claims.js';
 import { VERSION } from './format.js';
 import { describe, isElsewhere, ranksOf, resolve } from './identity.js';
 import { keepGroup, ROWS } from './rows.js';
-import { emptyScene, gather, type Objects, type Scene } from './scene.js';
+import { copyObjects, emptyScene, gather, type Objects, type Scene } from './scene.js';
 import { Tape } from './tape.js';
 import { walk } from './walk.js';
-import { endsRow } from './walk-pairs.js';
 
 /** Scratch: nothing in them lives on. */
-const tape = /* @__PURE__ */ new Tape(/* @__PURE__ */ ROWS.concat(endsRow));
+const tape = /* @__PURE__ */ new Tape(ROWS);
 const scene = /* @__PURE__ */ emptyScene();
+const ids: number[] = [];
 
 /** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
 interface Known extends Objects {
@@ -45,7 +47,8 @@ function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined
   }
   gather(world, scene);
   tape.write();
-  tape.integers(describe(world, scene));
+  describe(world, scene, ids);
+  tape.integers(ids);
   walk(tape, world, scene);
   walkGroups(tape, world);
   const buffer = tape.written(target);
@@ -55,19 +58,9 @@ function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined
 
 function remember(buffer: ArrayBuffer): void {
   const found: Known = known.get(buffer) ?? { ...emptyScene(), checksum: '' };
-  replace(found.bodies, scene.bodies);
-  replace(found.shapes, scene.shapes);
-  replace(found.constraints, scene.constraints);
-  replace(found.materials, scene.materials);
+  copyObjects(scene, found);
   found.checksum = tape.checksum;
   known.set(buffer, found);
-}
-
-function replace<T>(list: T[], by: readonly T[]): void {
-  for (let i = 0; i < by.length; i += 1) {
-    list[i] = by[i]!;
-  }
-  list.length = by.length;
 }
 
 /** Brings a world back to a state; nothing changes unless all is right. */
@@ -77,23 +70,24 @@ function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Itera
   tape.load(where, buffer);
   const found = known.get(buffer);
   const own = found?.checksum === tape.checksum ? found : null;
-  const ids = tape.integers([]);
-  const there = resolve(tape, world, ids, own, list);
+  tape.integers(ids);
+  const from = tape.passed;
+  resolve(tape, world, ids, own, list, scene);
   if (own === null) {
-    walk(tape, world, there);
+    walk(tape, world, scene);
     walkGroups(tape, world);
     tape.finish();
+    drop(scene.pairs);
   }
-  tape.read();
-  tape.integers([]);
-  empty(world, there);
-  assemble(world, there, ids);
-  walk(tape, world, there);
-  for (const constraint of there.constraints) {
+  tape.read(from);
+  empty(world, scene);
+  assemble(world, scene);
+  walk(tape, world, scene);
+  for (const constraint of scene.constraints) {
     countIgnoring(constraint, 1);
   }
   walkGroups(tape, world);
-  place(world, there);
+  place(world, scene);
 }
 
 function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {
@@ -149,7 +143,7 @@ function empty(world: World, { bodies, inside }: Scene): void {
       takeOut(world, body);
     }
   }
-  world.pairs.reset();
+  beginClaims(world.pairs);
   world.events.clear();
   for (const list of [
     world.rigidBodies,
@@ -172,7 +166,7 @@ function takeOut(world: World, body: RigidBody): void {
 }
 
 /** Puts the bodies, their shapes and the constraints into the world. */
-function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene, ids: number[]): void {
+function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene): void {
   let at = 6;
   let first = 0;
   world.nextOrder = ids[0]!;
@@ -187,7 +181,7 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     body.island = null;
     world.rigidBodies.push(body);
   }
-  for (let i = 0; i < shapes.length; i += 1, at += 3) {
+  for (let i = 0; i < shapes.length; i += 1, at += 2) {
     if (isElsewhere(world, shapes[i]!)) {
       continue;
     }
@@ -261,13 +255,6 @@ function place(world: World, { bodies, inside }: Scene): void {
     if (body.placeStale) {
       world.noteStale(body);
     }
-  }
-}
-
-/** Empties a list that will soon be as long again: setting its length would give its memory back. */
-function drop(list: unknown[]): void {
-  while (list.length > 0) {
-    list.pop();
   }
 }
 

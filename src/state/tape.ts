@@ -109,11 +109,14 @@ export class Tape {
 
   /** Ends a digest. @returns 16 hexadecimal digits. */
   hashed(): string {
-    const { digest } = this;
-    digest.begin();
+    const { digest, halves, words } = this;
     this.word(this.atNumber);
-    digest.add(this.halves, 0, 2 * this.atNumber);
-    digest.add(this.words, 0, this.atWord);
+    const { atNumber, atWord } = this;
+    halves.fill(0, 2 * atNumber, 2 * atNumber + 4);
+    words.fill(0, atWord, atWord + 4);
+    digest.begin();
+    digest.add(halves, 0, 2 * atNumber);
+    digest.add(words, 0, atWord);
     digest.end();
     return this.checksum;
   }
@@ -146,9 +149,15 @@ export class Tape {
     this.require(this.atNumber === this.endNumber && this.atWord === this.endWord);
   }
 
-  /** Begins to read what is right. */
-  read(): void {
+  /** How many words were passed. */
+  get passed(): number {
+    return this.atWord;
+  }
+
+  /** Begins to read what is right, behind so many words. */
+  read(from: number): void {
     this.begin(READ);
+    this.atWord = from;
   }
 
   /** Within a check: something has to be so. What comes here has the right checksum, so it was forged. */
@@ -237,6 +246,25 @@ export class Tape {
     this.atNumber = at;
   }
 
+  /** Numbers of a record from one index up to another, none NaN. */
+  block(values: Float64Array, from: number, to: number): void {
+    const first = this.atNumber;
+    const end = first + to - from;
+    this.atNumber = end;
+    if (this.writes) {
+      this.roomFor(end, this.atWord);
+      copy(values, from, this.numbers, first, end);
+      return;
+    }
+    const { numbers } = this;
+    for (let i = first; i < end && this.mode === CHECK; i += 1) {
+      this.require(!Number.isNaN(numbers[i]));
+    }
+    if (this.takes) {
+      copy(numbers, first, values, from, to);
+    }
+  }
+
   /** Starts a group of flags, 32 bits at most. */
   begins(): void {
     this.flags = this.atWord;
@@ -268,9 +296,9 @@ export class Tape {
     return this.takes ? stored : value;
   }
 
-  /** What is stored as the number that was passed last, to be checked. */
-  get latest(): number {
-    return this.numbers[this.atNumber - 1]!;
+  /** What is stored as the number that was passed last, to be checked; or so many before that. */
+  latest(before = 0): number {
+    return this.numbers[this.atNumber - 1 - before]!;
   }
 
   /** An integer of at most 32 bits, within bounds. */
@@ -318,8 +346,9 @@ export class Tape {
       this.atNumber += length;
       this.require(stored.length === length && stored.every((value) => Math.abs(value) <= most));
     }
-    this.before = stored;
-    return !this.takes || areEqual(values, stored) ? values : stored.slice();
+    const isSame = areEqual(values, stored);
+    this.before = isSame ? values : stored;
+    return !this.takes || isSame ? values : stored.slice();
   }
 
   /** How many there are of something. @returns what is stored, also on a check. */
@@ -329,7 +358,7 @@ export class Tape {
     return stored;
   }
 
-  /** Which of `count` things. @returns what is stored, also on a check. */
+  /** Which of `count` things; stored is how far it is from the last one, so that one wrong word spoils all that follow. @returns what is stored, also on a check. */
   index(value: number, count: number): number {
     const stored = (this.place + this.word(value - this.place)) | 0;
     this.place = stored;
@@ -337,7 +366,8 @@ export class Tape {
     return stored;
   }
 
-  private word(value: number): number {
+  /** A word of 32 bits. @returns what is stored, also on a check. */
+  word(value: number): number {
     const at = this.atWord;
     this.atWord = at + 1;
     if (this.writes) {
@@ -348,14 +378,12 @@ export class Tape {
     return this.words[at]!;
   }
 
-  /** Integers in a list of any length. @returns what is stored, also on a check. */
-  integers(values: number[]): number[] {
-    const list = this.holds ? [] : values;
-    const count = this.count(values.length);
-    for (let i = 0; i < count; i += 1) {
-      list[i] = this.index(list[i] ?? 0, 0x7fffffff);
+  /** Integers in a list of any length. */
+  integers(values: number[]): void {
+    values.length = this.count(values.length);
+    for (let i = 0; i < values.length; i += 1) {
+      values[i] = this.word(values[i]!);
     }
-    return list;
   }
 
   /** Makes sure that there is room up to here, and for a row. */
@@ -371,6 +399,12 @@ export class Tape {
       wider.set(this.words);
       this.words = wider;
     }
+  }
+}
+
+function copy(values: Float64Array, from: number, into: Float64Array, start: number, end: number): void {
+  for (let i = start, k = from; i < end; i += 1, k += 1) {
+    into[i] = values[k]!;
   }
 }
 

@@ -32,8 +32,8 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
     tape.begins();
     constraint.keep(tape);
   }
-  for (const body of bodies) {
-    walkTies(tape, world, body, constraints);
+  for (let i = 0; i < bodies.length && constraints.length > 0; i += 1) {
+    walkTies(tape, world, bodies[i]!, constraints);
   }
   walkAwake(tape, world.liveDynamics, bodies, inside);
   walkAwake(tape, world.liveKinematics, bodies, inside);

@@ -16,7 +16,7 @@ describe('damaged snapshots', () => {
     }
     const copy = snapshot.slice(0);
     if (kind === 1) {
-      new Int32Array(copy)[1] = 2 + Math.floor(1000 * random());
+      new Int32Array(copy)[1] = 3 + Math.floor(1000 * random());
       return copy;
     }
     for (let i = kind === 2 ? 1 : 20; i > 0; i -= 1) {

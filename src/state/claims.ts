@@ -1,0 +1,86 @@
+import type { Arbiter } from '../contact/arbiter.js';
+import { NEVER, type Pairs } from '../contact/pairs.js';
+import { drop } from '../math/list.js';
+import type { Shape } from '../shape/shape.js';
+
+// The pairs of a world that is restored: those that are there are brought back, what is missing is made, and what is left over goes.
+
+/** In place of a step in which the broadphase reported a pair: it was brought back. */
+const CLAIMED = -2;
+
+/** The awake pairs there were: scratch. */
+const earlier: Arbiter[] = [];
+/** Where among them the next one is looked for, as both are in the order of their shapes' ids. */
+let next = 0;
+/** How many are left in the table that were not brought back. */
+let unclaimed = 0;
+
+/** Takes all pairs out of the lists; those in the table may be brought back. */
+export function beginClaims(pairs: Pairs): void {
+  drop(earlier);
+  for (const pair of pairs.sorted) {
+    earlier.push(pair);
+  }
+  next = 0;
+  unclaimed = pairs.table.size;
+  for (const list of [pairs.cut, pairs.cutBefore]) {
+    for (const pair of list) {
+      pairs.free(pair);
+    }
+    list.length = 0;
+  }
+  pairs.sightings.fill(NEVER);
+  drop(pairs.sorted);
+  pairs.arrivingCount = 0;
+}
+
+/** A pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
+export function claim(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
+  let pair = find(pairs, shapeA, shapeB);
+  if (pair !== null && pairs.sightings[pair.number] === NEVER) {
+    unclaimed -= 1;
+    pair.revive();
+  } else {
+    pair = pairs.make(shapeA, shapeB);
+    pairs.table.add(pair);
+  }
+  pairs.sightings[pair.number] = CLAIMED;
+  return pair;
+}
+
+/** Mostly it is the one after the last. */
+function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
+  while (next < earlier.length && isBefore(earlier[next]!, shapeA, shapeB)) {
+    next += 1;
+  }
+  const pair = earlier[next];
+  return pair !== undefined && pair.shapeA === shapeA && pair.shapeB === shapeB && !pair.dead
+    ? pair
+    : pairs.find(shapeA, shapeB);
+}
+
+/** Whether a pair comes before that of two shapes. */
+export function isBefore({ shapeA, shapeB }: Arbiter, nextA: Shape, nextB: Shape): boolean {
+  return shapeA === nextA ? shapeB.id < nextB.id : shapeA.id < nextA.id;
+}
+
+/** A pair that was cut off, and is named by an `end` event. */
+export function claimCut(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
+  const pair = pairs.make(shapeA, shapeB);
+  pair.dead = true;
+  pairs.cut.push(pair);
+  return pair;
+}
+
+/** Drops the pairs that were not brought back. What is moved up in the table has been looked at, or will be. */
+export function endClaims(pairs: Pairs): void {
+  drop(earlier);
+  const { arbiters } = pairs.table;
+  for (let i = 0; unclaimed > 0; i += 1) {
+    for (let pair = arbiters[i]!; pair !== null && pairs.sightings[pair.number] === NEVER; pair = arbiters[i]!) {
+      unclaimed -= 1;
+      pairs.retire(pair);
+    }
+  }
+  pairs.sightings.fill(NEVER);
+}
