@@ -1,7 +1,7 @@
 import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
 import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
-import { Arbiter } from './arbiter.js';
+import { Arbiter, type Before } from './arbiter.js';
 import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 
@@ -50,6 +50,8 @@ export class Pairs {
   private made = 0;
   /** @internal */
   readonly pool: Arbiter[] = [];
+  /** @internal for pairs that meet again: kept with those in the pool it would be one more object in every arbiter, in the end */
+  readonly spare: Before[] = [];
   /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
   cut: Arbiter[] = [];
   /** @internal */
@@ -247,6 +249,10 @@ export class Pairs {
 
   private free(pair: Arbiter): void {
     pair.awake = false;
+    if (pair.before !== null) {
+      this.spare.push(pair.before);
+      pair.before = null;
+    }
     this.pool.push(pair);
   }
 
