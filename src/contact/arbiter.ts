@@ -92,6 +92,8 @@ export class Arbiter {
   listIndex = -1;
   /** @internal what else its dynamic shape lies on or near */
   nextGround: Arbiter | null = null;
+  /** @internal in the pool: the one that is used after it */
+  nextFree: Arbiter | null = null;
   /** @internal */
   persistent = false;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */

@@ -162,8 +162,8 @@ function sleepIdle(world: World): void {
 function joinTouching(world: World, work: IslandWork): void {
   const stamp = world.timeStamp;
   const { sorted } = world.pairs;
-  for (let i = 0; i < sorted.length; i += 1) {
-    const pair = sorted[i]!;
+  for (let i = 0; i < sorted.count; i += 1) {
+    const pair = sorted.items[i]!;
     if (pair.isSolid()) {
       const a = pair.bodyA;
       const b = pair.bodyB;
