@@ -84,7 +84,7 @@ export class Profile {
   /** @internal what the solver has to do */
   count({ solver, pairs, timeStamp, allowSleeping, liveDynamics, islandWork }: World): void {
     this.awakeBodies = solver.bodyCount - 1;
-    this.activePairs = pairs.sorted.length;
+    this.activePairs = pairs.sorted.count;
     this.contacts = solver.one.count + solver.two.count;
     this.hardContacts = 0;
     for (let i = 0; i < solver.hardCount; i += 4) {
@@ -92,8 +92,8 @@ export class Profile {
     }
     this.joints = solver.joints.joints.length;
     this.manifolds = 0;
-    for (let i = 0; i < pairs.sorted.length; i += 1) {
-      const { sensor, seen } = pairs.sorted[i]!;
+    for (let i = 0; i < pairs.sorted.count; i += 1) {
+      const { sensor, seen } = pairs.sorted.items[i]!;
       this.manifolds += !sensor && seen === timeStamp ? 1 : 0;
     }
     this.awakeIslands = 0;

@@ -90,8 +90,9 @@ function auditContacts(audit: Audit, pair: Arbiter): void {
 /** Awake pairs are in order, each once; those that were cut off wait there to be dropped. */
 function auditSorted(audit: Audit): void {
   const { world } = audit;
-  const { sorted, table, reportedCount } = world.pairs;
-  const arriving = world.pairs.arriving.slice(0, world.pairs.arrivingCount);
+  const { table, reportedCount } = world.pairs;
+  const sorted = world.pairs.sorted.items.slice(0, world.pairs.sorted.count);
+  const arriving = world.pairs.arriving.items.slice(0, world.pairs.arriving.count);
   audit.demand(reportedCount === 0, world, 'reported pairs must be made within the step');
   audit.distinct([...sorted, ...arriving], world, 'the list of awake pairs');
   let before: Arbiter | null = null;
@@ -133,8 +134,15 @@ function auditTable(audit: Audit): void {
 function auditPools(audit: Audit): void {
   const { world } = audit;
   const { pool, cut, cutBefore, table } = world.pairs;
-  const waiting = [...pool, ...cut, ...cutBefore];
-  audit.distinct(waiting, world, 'the pools of arbiters');
+  const waiting = new Set<Arbiter>();
+  const note = (pair: Arbiter): void => {
+    audit.demand(!waiting.has(pair), pair, 'is in a pool twice');
+    waiting.add(pair);
+  };
+  [...cut, ...cutBefore].forEach(note);
+  for (let pair = pool; pair !== null; pair = pair.nextFree) {
+    note(pair);
+  }
   for (const pair of waiting) {
     audit.demand(table.arbiters[pair.place] !== pair, pair, 'is in a pool and in the table of pairs');
     audit.demand(
@@ -143,7 +151,7 @@ function auditPools(audit: Audit): void {
       'is in use and in a pool',
     );
   }
-  for (const pair of pool) {
+  for (let pair = pool; pair !== null; pair = pair.nextFree) {
     audit.demand(!pair.awake, pair, 'is in the pool and among the awake pairs');
   }
 }

@@ -1,5 +1,4 @@
-import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
-import type { Circle } from '../shape/circle.js';
+import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Shape } from '../shape/shape.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
@@ -24,12 +23,11 @@ const between = /* @__PURE__ */ new Along();
 export function reachAlong(shape: Shape, along: Along, sign: number): void {
   const nx = sign * along.x;
   const ny = sign * along.y;
+  const { numbers: n, at } = shape;
   if (shape.kind !== POLYGON) {
-    const { centreX, centreY, radius } = shape;
-    along.found = nx * centreX + ny * centreY + radius;
+    along.found = nx * n[at + CENTRE_X]! + ny * n[at + CENTRE_Y]! + shape.radius;
     return;
   }
-  const { numbers: n, at } = shape;
   const end = endOfEdges(shape);
   let most = -Infinity;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
@@ -68,11 +66,13 @@ export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number, nx:
   between.dy = dy;
   separationAlong(a, b, between);
   const separation = between.found;
-  const { centreX, centreY, radius } = (a.kind === POLYGON ? b : a) as Circle;
+  const { numbers: s, at, radius } = a.kind === POLYGON ? b : a;
+  const x = s[at + CENTRE_X]!;
+  const y = s[at + CENTRE_Y]!;
   if (a.kind === POLYGON) {
     const reach = radius + separation;
-    setPoint(n, o, nx, ny, centreX + dx - nx * reach, centreY + dy - ny * reach, separation);
+    setPoint(n, o, nx, ny, x + dx - nx * reach, y + dy - ny * reach, separation);
   } else {
-    setPoint(n, o, nx, ny, centreX + nx * radius, centreY + ny * radius, separation);
+    setPoint(n, o, nx, ny, x + nx * radius, y + ny * radius, separation);
   }
 }

@@ -1,5 +1,5 @@
 import { COINCIDENT, SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
@@ -25,8 +25,10 @@ export function setPoint(
 
 /** Two circles. Centres that coincide are pushed apart along x. */
 export function collideCircles(a: Circle, b: Circle, n: Float64Array, o: number): void {
-  const cx = n[o + g.DX]! + b.centreX - a.centreX;
-  const cy = n[o + g.DY]! + b.centreY - a.centreY;
+  const ax = a.numbers[a.at + CENTRE_X]!;
+  const ay = a.numbers[a.at + CENTRE_Y]!;
+  const cx = n[o + g.DX]! + b.numbers[b.at + CENTRE_X]! - ax;
+  const cy = n[o + g.DY]! + b.numbers[b.at + CENTRE_Y]! - ay;
   const reach = a.radius + b.radius;
   const limit = reach + SPECULATIVE_MARGIN;
   const squared = cx * cx + cy * cy;
@@ -38,7 +40,7 @@ export function collideCircles(a: Circle, b: Circle, n: Float64Array, o: number)
   const apart = distance > COINCIDENT;
   const nx = apart ? cx / distance : 1;
   const ny = apart ? cy / distance : 0;
-  setPoint(n, o, nx, ny, a.centreX + nx * a.radius, a.centreY + ny * a.radius, distance - reach);
+  setPoint(n, o, nx, ny, ax + nx * a.radius, ay + ny * a.radius, distance - reach);
 }
 
 /** A polygon and a circle. */
@@ -60,8 +62,8 @@ export function collideCirclePolygon(a: Circle, b: Polygon, n: Float64Array, o: 
  * centre decides; beyond its ends the nearer corner does (Ericson, Real-Time Collision Detection, 5.1).
  */
 function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: number): void {
-  const cx = side * n[o + g.DX]! + b.centreX;
-  const cy = side * n[o + g.DY]! + b.centreY;
+  const cx = side * n[o + g.DX]! + b.numbers[b.at + CENTRE_X]!;
+  const cy = side * n[o + g.DY]! + b.numbers[b.at + CENTRE_Y]!;
   const edges = a.numbers;
   const from = a.at + EDGES;
   const offsets = a.offsets;

@@ -1,5 +1,5 @@
 import { CIRCLE_POINT_TOLERANCE, POLYGON_POINT_TOLERANCE } from '../config.js';
-import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from './table.js';
@@ -9,9 +9,9 @@ const asked = new Float64Array(2);
 /** Whether a placed shape contains a point, given relative to the origin of its body; the boundary counts. */
 export function containsPoint(shape: Shape, x: number, y: number): boolean {
   if (shape.kind !== POLYGON) {
-    const { centreX, centreY, radius } = shape;
-    const dx = x - centreX;
-    const dy = y - centreY;
+    const { numbers: n, at, radius } = shape;
+    const dx = x - n[at + CENTRE_X]!;
+    const dy = y - n[at + CENTRE_Y]!;
     return dx * dx + dy * dy - radius * radius <= CIRCLE_POINT_TOLERANCE;
   }
   asked[0] = x;

@@ -1,4 +1,4 @@
-import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
@@ -60,10 +60,10 @@ function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean
 }
 
 /** The ray is nearest to the centre at `middle`; the surface lies as far before and behind that as the chord is long. */
-function rayCircle({ centreX, centreY, radius }: Circle, ray: RayTest): boolean {
+function rayCircle({ numbers: n, at, radius }: Circle, ray: RayTest): boolean {
   const { dx, dy } = ray;
-  const px = ray.ox - centreX;
-  const py = ray.oy - centreY;
+  const px = ray.ox - n[at + CENTRE_X]!;
+  const py = ray.oy - n[at + CENTRE_Y]!;
   const squared = dx * dx + dy * dy;
   const middle = -(px * dx + py * dy) / squared;
   const qx = px + dx * middle;

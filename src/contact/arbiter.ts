@@ -24,6 +24,15 @@ const slab = /* @__PURE__ */ new Slab();
 /** Long before the first step. */
 const NEVER = -1e6;
 
+/** What a pair gave in a step before its points became others within it. */
+export interface Before {
+  step: number;
+  x: number;
+  y: number;
+  wA: number;
+  wB: number;
+}
+
 /**
  * What two shapes have to do with each other: contacts, impulses, combined material. Made by the engine and recycled: read it
  * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
@@ -83,6 +92,8 @@ export class Arbiter {
   listIndex = -1;
   /** @internal what else its dynamic shape lies on or near */
   nextGround: Arbiter | null = null;
+  /** @internal in the pool: the one that is used after it */
+  nextFree: Arbiter | null = null;
   /** @internal */
   persistent = false;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
@@ -94,7 +105,7 @@ export class Arbiter {
   /** @internal */
   fixed = 0;
   /** @internal what was given in a step before the points became others within it */
-  before: { step: number; x: number; y: number; wA: number; wB: number } | null = null;
+  before: Before | null = null;
   /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
   private list: Contact[] | null = null;
   private points: readonly Contact[] | null = null;
@@ -338,7 +349,6 @@ export class Arbiter {
     this.awake = false;
     this.near = false;
     this.foreseen = false;
-    // Kept for the next pair it would be one more object in every arbiter, in the end.
     this.before = null;
   }
 
@@ -351,11 +361,12 @@ export class Arbiter {
     this.fixed = 0;
   }
 
-  /** @internal in this step the pair meets once more, at other points: keeps the sum of what the ones so far gave */
-  meetAgain(): void {
+  /** @internal in this step the pair meets once more, at other points: keeps the sum of what the ones so far gave, in what other pairs need no more */
+  meetAgain(spare: Before[]): void {
     this.sumImpulses(-1);
     const wA = sum[2]!;
     this.sumImpulses(1);
+    this.before ??= spare.pop() ?? null;
     this.noteBefore(sum[0]!, sum[1]!, wA, sum[2]!);
     this.dropPoints();
   }

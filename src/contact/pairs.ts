@@ -1,7 +1,8 @@
 import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
+import { List } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
-import { Arbiter } from './arbiter.js';
+import { Arbiter, type Before } from './arbiter.js';
 import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 
@@ -26,14 +27,12 @@ interface Report {
  * broadphase reports them cannot matter. Pairs that sleep are only in the table, and cost nothing.
  */
 export class Pairs {
-  readonly sorted: Arbiter[] = [];
+  readonly sorted = new List<Arbiter>();
 
   /** @internal */
   readonly table = new PairTable();
-  /** @internal what lies beyond the count is old: shortening the list would cost its storage */
-  readonly arriving: Arbiter[] = [];
   /** @internal */
-  arrivingCount = 0;
+  readonly arriving = new List<Arbiter>();
   /** What lies beyond the count is old. */
   private readonly reported: Report[] = [];
   /** @internal */
@@ -47,8 +46,10 @@ export class Pairs {
   sightings = new Int32Array(64).fill(NEVER);
   /** How many arbiters were made: their numbers begin with 1. */
   private made = 0;
-  /** @internal */
-  readonly pool: Arbiter[] = [];
+  /** @internal the first of those that are free; each knows the next, as a list would grow when many pairs end */
+  pool: Arbiter | null = null;
+  /** @internal for pairs that meet again: kept with those in the pool it would be one more object in every arbiter, in the end */
+  readonly spare: Before[] = [];
   /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
   cut: Arbiter[] = [];
   /** @internal */
@@ -72,7 +73,9 @@ export class Pairs {
 
   /** @internal */
   make(shapeA: Shape, shapeB: Shape): Arbiter {
-    const pair = this.pool.pop() ?? this.makeNew(shapeA, shapeB);
+    const pair = this.pool ?? this.makeNew(shapeA, shapeB);
+    this.pool = pair.nextFree;
+    pair.nextFree = null;
     pair.reuse(shapeA, shapeB);
     this.sightings[pair.number] = NEVER;
     return pair;
@@ -144,35 +147,32 @@ export class Pairs {
   arrive(pair: Arbiter): void {
     if (!pair.awake) {
       pair.awake = true;
-      this.arriving[this.arrivingCount] = pair;
-      this.arrivingCount += 1;
+      this.arriving.add(pair);
     }
   }
 
   /** Merges the pairs that arrived into the sorted list, from the back, in place. */
   merge(): void {
-    const { sorted, arriving, arrivingCount } = this;
-    if (arrivingCount === 0) {
-      return;
-    }
-    sortFirst(arriving, arrivingCount, before);
-    let i = sorted.length - 1;
-    let j = arrivingCount - 1;
+    const { sorted, arriving } = this;
+    const { items } = sorted;
+    sortFirst(arriving.items, arriving.count, before);
+    let i = sorted.count - 1;
+    let j = arriving.count - 1;
     let k = i + j + 1;
-    for (let n = 0; n < arrivingCount; n += 1) {
-      sorted.push(arriving[n]!);
+    for (let n = 0; n <= j; n += 1) {
+      sorted.add(arriving.items[n]!);
     }
     while (j >= 0) {
-      if (i >= 0 && before(arriving[j]!, sorted[i]!)) {
-        sorted[k] = sorted[i]!;
+      if (i >= 0 && before(arriving.items[j]!, items[i]!)) {
+        items[k] = items[i]!;
         i -= 1;
       } else {
-        sorted[k] = arriving[j]!;
+        items[k] = arriving.items[j]!;
         j -= 1;
       }
       k -= 1;
     }
-    this.arrivingCount = 0;
+    arriving.clear();
   }
 
   /** Makes the pair visible to both shapes. */
@@ -226,7 +226,12 @@ export class Pairs {
   /** @internal */
   free(pair: Arbiter): void {
     pair.awake = false;
-    this.pool.push(pair);
+    if (pair.before !== null) {
+      this.spare.push(pair.before);
+      pair.before = null;
+    }
+    pair.nextFree = this.pool;
+    this.pool = pair;
   }
 
   /** At the start of a step: frees what was cut before the last one. */
@@ -246,14 +251,14 @@ export class Pairs {
   }
 
   clear(): void {
-    for (const pair of [...this.sorted, ...this.arriving.slice(0, this.arrivingCount)]) {
-      pair.awake = false;
+    this.merge();
+    for (let i = 0; i < this.sorted.count; i += 1) {
+      this.sorted.items[i]!.awake = false;
     }
     this.table.clear();
     this.sightings.fill(NEVER);
-    this.sorted.length = 0;
-    this.arriving.length = 0;
-    this.arrivingCount = 0;
+    this.sorted.clear();
+    this.arriving.clear();
   }
 }
 

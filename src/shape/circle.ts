@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { MAX_SIZE } from '../config.js';
-import { BOUNDS } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, CIRCLE_NUMBERS } from '../geometry/layout.js';
 import type { Outline } from '../geometry/outline.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options, positive, vector, within } from '../validate.js';
@@ -30,10 +30,6 @@ export class Circle extends BaseShape {
   originX: number;
   /** @internal */
   originY: number;
-  /** @internal the centre turned with the body, relative to the body origin */
-  centreX = 0;
-  /** @internal */
-  centreY = 0;
 
   /** @internal use `createCircleShape` */
   constructor(params: CircleParams) {
@@ -41,7 +37,7 @@ export class Circle extends BaseShape {
     const given = options(where, params, true);
     const radius = checkedRadius(where, given.radius);
     const origin = given.origin === undefined ? [0, 0] : vector(where, 'origin', given.origin, 2, MAX_SIZE);
-    super(where, given, BOUNDS);
+    super(where, given, CIRCLE_NUMBERS);
     this.radius = radius;
     this.originX = origin[0]!;
     this.originY = origin[1]!;
@@ -104,13 +100,13 @@ export class Circle extends BaseShape {
     const { x, y, cos: c, sin: s } = body;
     const cx = c * this.originX - s * this.originY;
     const cy = s * this.originX + c * this.originY;
-    this.centreX = cx;
-    this.centreY = cy;
     const { numbers: n, at: o } = this;
     n[o] = x + cx - this.radius;
     n[o + 1] = y + cy - this.radius;
     n[o + 2] = x + cx + this.radius;
     n[o + 3] = y + cy + this.radius;
+    n[o + CENTRE_X] = cx;
+    n[o + CENTRE_Y] = cy;
   }
 
   /** @internal */

@@ -44,7 +44,7 @@ export function strike(world: World, { a, b }: Meeting): Arbiter | null {
   a.place(bodyA);
   b.place(bodyB);
   if (!begins) {
-    pair.meetAgain();
+    pair.meetAgain(world.pairs.spare);
   }
   if (!touch(pair)) {
     touchAtPoint(pair);

@@ -11,8 +11,8 @@ import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
 export class IslandWork {
   /** Union-find: the way to the root, which is the lowest index of its island. */
   parent = new Int32Array(64);
-  /** By root: the latest wake time of the island. */
-  wakeTime = new Float64Array(64);
+  /** By root: the latest wake time of the island. Integers: other numbers would be boxed, here and in the bodies that get them. */
+  wakeTime = new Int32Array(64);
   /** By root: 1 if all its bodies have rested long enough. */
   ready = new Uint8Array(64);
 
@@ -20,7 +20,7 @@ export class IslandWork {
     if (this.parent.length < count) {
       const size = Math.max(count, this.parent.length * 2);
       this.parent = new Int32Array(size);
-      this.wakeTime = new Float64Array(size);
+      this.wakeTime = new Int32Array(size);
       this.ready = new Uint8Array(size);
     }
   }
@@ -162,8 +162,8 @@ function sleepIdle(world: World): void {
 function joinTouching(world: World, work: IslandWork): void {
   const stamp = world.timeStamp;
   const { sorted } = world.pairs;
-  for (let i = 0; i < sorted.length; i += 1) {
-    const pair = sorted[i]!;
+  for (let i = 0; i < sorted.count; i += 1) {
+    const pair = sorted.items[i]!;
     if (pair.isSolid()) {
       const a = pair.bodyA;
       const b = pair.bodyB;

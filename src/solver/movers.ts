@@ -187,18 +187,19 @@ export class Mover {
     }
   }
 
-  /** Puts the body, unless it is static, to where it is at a time, not before `from`. */
+  /** Puts the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is without arguments. */
   putAt(time: number): void {
-    if (this.body.kind !== STATIC) {
-      this.at = time;
-      this.put();
-    }
+    this.at = time;
+    this.put();
   }
 
   private put(): void {
+    const { body } = this;
+    if (body.kind === STATIC) {
+      return;
+    }
     const rest = 1 - this.from;
     const share = rest > 0 ? (this.at - this.from) / rest : 0;
-    const { body } = this;
     body.x = this.x + share * this.dx;
     body.y = this.y + share * this.dy;
     body.angle = this.angle + share * this.turn;

@@ -31,19 +31,20 @@ import { canGiveWay } from './find-pairs.js';
 export function packContacts(world: World): void {
   const { solver, dynamicArbiters, staticArbiters, timeStamp } = world;
   const { sorted } = world.pairs;
+  const { items } = sorted;
   const { window } = solver;
   solver.clearContacts();
   let dynamics = 0;
   let statics = 0;
   let kept = 0;
   let count = 0;
-  for (let i = 0; i < sorted.length; i += 1) {
-    const pair = sorted[i]!;
+  for (let i = 0; i < sorted.count; i += 1) {
+    const pair = items[i]!;
     if (pair.sleeping) {
       pair.awake = false;
       continue;
     }
-    if (kept < i) sorted[kept] = pair;
+    if (kept < i) items[kept] = pair;
     kept += 1;
     pair.near &&= canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB);
     if (pair.listed) {
@@ -68,8 +69,8 @@ export function packContacts(world: World): void {
   }
   packWindow(solver, count, timeStamp);
   solver.drive[d.TOUCHED] = 0;
+  sorted.count = kept;
   // Asked first, here and elsewhere: to set a length takes its time even where that changes nothing.
-  if (sorted.length > kept) sorted.length = kept;
   if (dynamicArbiters.length > dynamics) dynamicArbiters.length = dynamics;
   if (staticArbiters.length > statics) staticArbiters.length = statics;
 }

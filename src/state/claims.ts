@@ -18,8 +18,8 @@ let unclaimed = 0;
 /** Takes all pairs out of the lists; those in the table may be brought back. */
 export function beginClaims(pairs: Pairs): void {
   drop(earlier);
-  for (const pair of pairs.sorted) {
-    earlier.push(pair);
+  for (let i = 0; i < pairs.sorted.count; i += 1) {
+    earlier.push(pairs.sorted.items[i]!);
   }
   next = 0;
   unclaimed = pairs.table.size;
@@ -30,8 +30,8 @@ export function beginClaims(pairs: Pairs): void {
     list.length = 0;
   }
   pairs.sightings.fill(NEVER);
-  drop(pairs.sorted);
-  pairs.arrivingCount = 0;
+  pairs.sorted.clear();
+  pairs.arriving.clear();
 }
 
 /** A pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */

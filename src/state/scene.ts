@@ -118,8 +118,10 @@ function isIn(world: World, { owner }: Shape): boolean {
 
 function gatherPairs(world: World, scene: Scene): void {
   const { pairs, shapes } = scene;
+  const { sorted } = world.pairs;
   world.pairs.merge();
-  for (const pair of world.pairs.sorted) {
+  for (let i = 0; i < sorted.count; i += 1) {
+    const pair = sorted.items[i]!;
     if (!pair.dead && isIn(world, pair.shapeA) && isIn(world, pair.shapeB)) {
       pairs.push(pair);
     }

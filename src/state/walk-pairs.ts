@@ -90,7 +90,7 @@ function enlist(world: World, pair: Arbiter, isAwake: boolean, isCut: boolean): 
     world.events.interaction(END, pair, BEFORE_STEP);
   } else if (isAwake) {
     pair.awake = true;
-    world.pairs.sorted.push(pair);
+    world.pairs.sorted.add(pair);
   }
 }
 

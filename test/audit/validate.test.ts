@@ -110,10 +110,18 @@ const DAMAGES: readonly [damage: (scene: Scene) => unknown, message: RegExp][] =
     /is in a list of the world that it does not belong to/,
   ],
   [({ world }) => world.staticArbiters.pop(), /must be in the list of the world that it belongs to/],
-  [({ world }) => world.pairs.sorted.push(world.pairs.sorted[0]!), /the list of awake pairs must have each entry once/],
+  [
+    ({ world }) => world.pairs.sorted.add(world.pairs.sorted.items[0]!),
+    /the list of awake pairs must have each entry once/,
+  ],
   [({ world }) => Object.assign(world.pairs.table, { size: 9 }), /the table of pairs must count \d+, got 9/],
   [({ world, arbiter }) => world.pairs.table.remove(arbiter), /must be in the table of pairs/],
-  [({ world, arbiter }) => world.pairs.pool.push(arbiter), /is in a pool and in the table of pairs/],
+  [({ world, arbiter }) => Object.assign(world.pairs, { pool: arbiter }), /is in a pool and in the table of pairs/],
+  [
+    ({ world, arbiter }) => Object.assign(world.pairs, { pool: Object.assign(arbiter, { nextFree: arbiter }) }),
+    /is in a pool twice/,
+  ],
+  [({ world, arbiter }) => world.pairs.cut.push(arbiter, arbiter), /is in a pool twice/],
   [({ world, rod }) => world.constraints.push(rod), /constraints must have each entry once/],
   [
     ({ rod }) => Object.assign(rod, { index: 3 }),

@@ -116,10 +116,14 @@ function dropWorld() {
 
 /** What waits in a world to be used again. */
 function poolsOf({ pairs, events, solver, stale, broadphase }) {
-  const { pool, cut, cutBefore, table } = pairs;
+  const { spare, cut, cutBefore, table } = pairs;
   const notes = events.lists.concat(events.handed).reduce((sum, { all }) => sum + all.length, 0);
   const places = table.arbiters.length + stale.items.length + (broadphase.pairs?.length ?? 0);
-  return pool.length + cut.length + cutBefore.length + notes + places + solver.two.records.length / 100;
+  let free = 0;
+  for (let pair = pairs.pool; pair !== null; pair = pair.nextFree) {
+    free += 1;
+  }
+  return free + spare.length + cut.length + cutBefore.length + notes + places + solver.two.records.length / 100;
 }
 
 async function collect() {

@@ -15,7 +15,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['stepping', 'delivering', 'jointsTouched'],
   solver: ['bodyCount', 'impulseScale', 'hardCount', 'crowded'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
-  shape: ['groundStamp', 'stateIndex', 'centreX', 'centreY', 'halfWidth'],
+  shape: ['groundStamp', 'stateIndex', 'halfWidth'],
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
