@@ -9,6 +9,7 @@ import { overlap, touch } from '../contact/touch.js';
 import { IN_STEP, isHitHeard } from '../events/events.js';
 import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
+import type { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { goesFar } from './movers.js';
@@ -54,7 +55,13 @@ export function findPairs(world: World, dt: number): void {
   world.broadphase.perform(report, world, reportAgain);
   pairs.makeReported(world.timeStamp);
   pairs.merge();
-  const { items, count } = pairs.sorted;
+  pairs.sorted.count = renewAll(world, pairs.sorted, dt);
+  smoothSeams(world);
+  wakeHit(world);
+}
+
+/** @returns how many pairs there is still something to. Nothing follows the loop, see `refreshMoved`. */
+function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): number {
   let kept = 0;
   for (let i = 0; i < count; i += 1) {
     const pair = items[i]!;
@@ -65,9 +72,7 @@ export function findPairs(world: World, dt: number): void {
     items[kept] = pair;
     kept += 1;
   }
-  pairs.sorted.count = kept;
-  smoothSeams(world);
-  wakeHit(world);
+  return kept;
 }
 
 /** Works out what a pair does in this step. @returns whether there is still something to it. */
