@@ -6,8 +6,13 @@ import { Arbiter, type Before } from './arbiter.js';
 import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 
+/** Whether a pair comes before that of two shapes. */
+export function isBefore({ shapeA, shapeB }: Report, nextA: Shape, nextB: Shape): boolean {
+  return shapeA === nextA ? shapeB.id < nextB.id : shapeA.id < nextA.id;
+}
+
 function before(a: Report, b: Report): boolean {
-  return a.shapeA.id !== b.shapeA.id ? a.shapeA.id < b.shapeA.id : a.shapeB.id < b.shapeB.id;
+  return isBefore(a, b.shapeA, b.shapeB);
 }
 
 /** In place of a step in which the broadphase reported a pair: it never did. */

@@ -1,5 +1,5 @@
 import type { Arbiter } from '../contact/arbiter.js';
-import { NEVER, type Pairs } from '../contact/pairs.js';
+import { isBefore, NEVER, type Pairs } from '../contact/pairs.js';
 import { drop } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 
@@ -57,11 +57,6 @@ function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
   return pair !== undefined && pair.shapeA === shapeA && pair.shapeB === shapeB && !pair.dead
     ? pair
     : pairs.find(shapeA, shapeB);
-}
-
-/** Whether a pair comes before that of two shapes. */
-export function isBefore({ shapeA, shapeB }: Arbiter, nextA: Shape, nextB: Shape): boolean {
-  return shapeA === nextA ? shapeB.id < nextB.id : shapeA.id < nextA.id;
 }
 
 /** A pair that was cut off, and is named by an `end` event. */

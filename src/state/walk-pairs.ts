@@ -1,8 +1,9 @@
 import { Arbiter } from '../contact/arbiter.js';
+import { isBefore } from '../contact/pairs.js';
 import { BEFORE_STEP } from '../events/events.js';
 import { END } from '../listeners.js';
 import type { World } from '../world.js';
-import { claim, claimCut, endClaims, isBefore } from './claims.js';
+import { claim, claimCut, endClaims } from './claims.js';
 import { Order } from './order.js';
 import { beginPairs, keepPair } from './rows.js';
 import type { Scene } from './scene.js';
