@@ -238,38 +238,47 @@ function solveVelocityCustoms(data: SolverData): void {
   }
 }
 
-/**
- * Position iteration `i` of `count`; where sweeps are few, the first. Sweeps after the first take the errors of point joints as linear in the motion, unless
- * contacts came in between, or bodies are to be moved without turning. @returns whether there is something left for another.
- */
+/** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
-  const { groups, worst, isTouched } = data.joints;
+  const { groups } = data.joints;
   let isLeft = pushCustoms(data);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const sweeps = group.sweeps === 1 ? 1 : JOINT_PUSHES * group.sweeps;
     const before = Math.ceil((i * sweeps) / count);
     const after = Math.ceil(((i + 1) * sweeps) / count);
-    if (after === before) {
-      continue;
-    }
-    if (i > 0) {
-      noteErrors(data, group, true);
-    }
-    let found = linearise(data, group);
-    for (let sweep = before; sweep < after; sweep += 1) {
-      const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
-      const pushFurther = isFar(group) ? pushFarRun : pushRunFurther;
-      worst[0] = 0;
-      found = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun) || found;
-      if (!isLinear) {
-        group.pushed = worst[0];
+    if (after > before) {
+      if (i > 0) {
+        noteErrors(data, group, true);
       }
+      isLeft = (pushGroup(data, group, before, after) && after < sweeps) || isLeft;
+      noteErrors(data, group, false);
     }
-    noteErrors(data, group, false);
-    isLeft ||= found && after < sweeps;
   }
   return isLeft;
+}
+
+/**
+ * Position sweeps, until errors are small; what blocks leave is not known. Those after the first take the errors of point joints as linear in the motion, unless
+ * contacts came in between, or bodies are to be moved without turning. @returns whether an error was worth another iteration.
+ */
+function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
+  const { worst, isTouched } = data.joints;
+  let found = linearise(data, group);
+  for (let sweep = before; sweep < after; sweep += 1) {
+    const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
+    const pushFurther = isFar(group) ? pushFarRun : pushRunFurther;
+    worst[0] = 0;
+    const isOff = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun);
+    if (!isLinear) {
+      group.pushed = worst[0];
+    }
+    if (!isOff && !group.hasBlocks) {
+      break;
+    }
+    found ||= isOff;
+  }
+  return found;
 }
 
 /** More than small motion was left when all exact errors were found the last time. */

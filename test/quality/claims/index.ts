@@ -10,6 +10,7 @@ export { farAway } from './far-away.js';
 export { heavyChain } from './heavy-chain.js';
 export { heavyPyramids } from './heavy-pyramids.js';
 export { heavyTop } from './heavy-top.js';
+export { heavyTopInHeap } from './heavy-top-in-heap.js';
 export { jointGrid } from './joint-grid.js';
 export { largePyramid } from './large-pyramid.js';
 export { otherTowers } from './other-towers.js';
