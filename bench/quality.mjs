@@ -127,7 +127,12 @@ async function compare(wanted) {
     versions: Object.fromEntries(engines.map((engine) => [engine, versionOf(engine)])),
   };
   const results = { ...about, timeout: TIMEOUT / 1000, summary: summarize(engines, tables), tables };
-  if (flags.includes('--write')) {
+  const failed = runs.filter(({ engine, failure }) => engine === 'phys2d' && failure !== undefined);
+  for (const { claim, failure, reason } of failed) {
+    console.error(`quality: phys2d did not do ${claim}: ${failure} ${reason}`);
+    process.exitCode = 1;
+  }
+  if (flags.includes('--write') && failed.length === 0) {
     writeFileSync(here('QUALITY.md'), markdown(results));
     writeFigures();
   }

@@ -9,6 +9,7 @@ import {
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
+import { WINDOW } from './data.js';
 import {
   type BlockLayout,
   BREAK,
@@ -50,10 +51,7 @@ export interface Joint {
   readonly twins: readonly (readonly [number, number])[];
 }
 
-/** How many joints a run has at most: loops take contacts in such pieces too, see `inPieces`. */
-const LONGEST_RUN = 128;
-
-/** Joints next to each other that one kernel solves: from `start` up to, not including, `end`. */
+/** Joints next to each other that one kernel solves: from `start` up to, not including, `end`. No more than a window of contacts, see `inPieces`. */
 export interface Run {
   readonly kernel: number;
   readonly start: number;
@@ -169,7 +167,7 @@ export class JointData implements Keeper {
     const run = group.runs[group.runs.length - 1];
     group.end += 1;
     group.hasBlocks ||= !keepsNumbers(kernel);
-    if (run !== undefined && run.kernel === kernel && run.end - run.start < LONGEST_RUN) {
+    if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
       run.end += 1;
     } else {
       const added = { kernel, start: joints.length - 1, end: joints.length };

@@ -194,6 +194,23 @@ describe('stacks', () => {
     expect(world.profile!.hardContacts).toBeLessThanOrEqual(WINDOW);
   });
 
+  it('of what is solved with a heavy column only that is hard', () => {
+    const world = phys2D.createWorld({ allowSleeping: false });
+    addFloor(world);
+    const material = phys2D.createMaterial({ density: 100 });
+    for (let i = 0; i < 10; i += 1) {
+      add(world, boxBody(1, 1, { position: [0, -i] }, i === 9 ? { material } : {}));
+    }
+    for (let i = 0; i < 80; i += 1) {
+      const x = 1 + 0.2 * Math.floor(i / 2);
+      add(world, boxBody(0.1, 0.1, { position: [i % 2 === 0 ? x : -x, 0.45] }));
+    }
+    world.clock = () => 0;
+    steps(world, 120);
+    expect(world.profile!.contacts).toBe(90);
+    expect(world.profile!.hardContacts).toBe(10);
+  });
+
   it('a mixed pile falls asleep', () => {
     const world = phys2D.createWorld();
     buildMixed(phys2D, world, 120, 4);
