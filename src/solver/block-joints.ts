@@ -1,4 +1,4 @@
-import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, MIN_INVERSE_MASS } from '../config.js';
 import { isCustom } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
@@ -285,24 +285,24 @@ function isBroken(data: SolverData, joint: Joint): boolean {
   return false;
 }
 
-/** Starts a position iteration; the sweeps that follow work with its linear part. @returns whether the error is worth another. */
-export function lineariseBlock(data: SolverData, joint: Joint): boolean {
+/** Starts a position iteration; the sweeps that follow work with its linear part. */
+export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   const { rows, turned } = layout;
   if (r[at + j.PUSH] === 0) {
-    return false;
+    return;
   }
   measure(data, joint, turned, true, true);
   if (r[at + j.PUSH] === 0) {
-    return false;
+    return;
   }
   const violated = violatedRows(r, joint, layout.error);
   findLength(r, at + layout.error, violated);
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
-    return false;
+    return;
   }
   findLength(r, at + layout.push, rows);
   if (r[at + j.TOUCHED] !== 0 && length[0] === 0) {
@@ -319,7 +319,6 @@ export function lineariseBlock(data: SolverData, joint: Joint): boolean {
     multiplyRow(data, joint, turned, n, true);
     r[e] = r[e]! - product[0]!;
   }
-  return error > JOINT_TOLERANCE;
 }
 
 /** Rows that can be corrected without turning the bodies will be. */

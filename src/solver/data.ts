@@ -22,6 +22,8 @@ export const INV_INERTIA = 4;
 /** Cosine − 1 and sine of the turn since the start of the step, in `velocity`, where the contacts look anyway. */
 export const COS_LESS_ONE = 5;
 export const SIN = 6;
+/** How near it is to strained contacts, in `velocity`, see `markHard`. */
+export const MARK = 7;
 
 /** `motion`: displacement within this sub-step (velocity · h, then pushes) … */
 export const QX = 0;
@@ -206,12 +208,8 @@ export class SolverData {
   drive = new Float64Array(64 * BODY_STRIDE);
   /** Placements as the sub-step starts; constraint/layout.ts names the offsets. */
   pose = new Float64Array(64 * BODY_STRIDE);
-  /** The pairs that are being packed, and those of them that come last; what lies beyond their count is old. */
+  /** The pairs that are being packed; what lies beyond their count is old. */
   readonly window: Arbiter[] = [];
-  readonly others: Arbiter[] = [];
-  /** By the slots of bodies: how near they are to strained contacts of a window, see `gatherHard`; and the first mark of the latest window. */
-  marks = new Int32Array(64);
-  mark = 0;
   readonly one = new ContactBatch(ONE_STRIDE);
   readonly two = new ContactBatch(TWO_STRIDE);
   readonly bounces = new BounceList();
@@ -249,10 +247,7 @@ export class SolverData {
       this.motion = new Float64Array(size * BODY_STRIDE);
       this.drive = new Float64Array(size * BODY_STRIDE);
       this.pose = new Float64Array(size * BODY_STRIDE);
-      this.marks = new Int32Array(size);
     }
-    this.marks.fill(0, 0, count);
-    this.mark = 0;
     this.motion.fill(0, 0, count * BODY_STRIDE);
     this.velocity.fill(0, 0, BODY_STRIDE);
     this.drive.fill(0, 0, BODY_STRIDE);

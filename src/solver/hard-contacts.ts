@@ -1,76 +1,63 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { NEW_SHARE, NEW_SPEED, NEW_STEPS, STRAIN_SHARE, STRAIN_STEPS } from '../config.js';
-import type { SolverData } from './data.js';
+import { BODY_STRIDE, MARK, type SolverData } from './data.js';
+
+/** Marks that all and no contacts are above. */
+const ALL = 0;
+export const NONE = 1e9;
 
 /**
- * Puts those of a window of contacts first that are hard to solve and are to be swept over more often, in their order. All are if many of them are new
- * and slow, or if the load of one was just taken away; else those that bear far more than their bodies weigh, and what is next to them.
+ * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, or if the load of
+ * one was just taken away; else those that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
  *
- * @returns how many.
+ * @returns from which mark of either body on a contact is hard.
  */
-export function gatherHard(data: SolverData, count: number, stamp: number): number {
+export function markHard(data: SolverData, count: number, stamp: number): number {
   const { window } = data;
   let fresh = 0;
   let strained = 0;
+  // Above the marks of the windows before.
+  const mark = 1 + 2 * (data.one.count + data.two.count);
   for (let i = 0; i < count; i += 1) {
     const { active, began, strained: latest, bodyA, bodyB } = window[i]!;
     if (bodyA.unloaded === stamp || bodyB.unloaded === stamp) {
-      return count;
+      return ALL;
     }
-    strained += stamp - latest < STRAIN_STEPS ? 1 : 0;
+    if (stamp - latest < STRAIN_STEPS) {
+      strained += 1;
+      note(data, bodyA, mark);
+      note(data, bodyB, mark);
+    }
     fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
   if (fresh > NEW_SHARE * count) {
-    return count;
+    return ALL;
   }
-  return strained > STRAIN_SHARE * count ? gatherStrained(data, count, stamp) : 0;
+  if (strained <= STRAIN_SHARE * count) {
+    return NONE;
+  }
+  for (let i = 0; i < count; i += 1) {
+    const { bodyA, bodyB } = window[i]!;
+    const isNearA = markOf(data, bodyA) === mark;
+    if (isNearA !== (markOf(data, bodyB) === mark)) {
+      note(data, isNearA ? bodyB : bodyA, mark + 1);
+    }
+  }
+  return mark;
 }
 
 function isSlow({ vx, vy }: RigidBody): boolean {
   return vx * vx + vy * vy < NEW_SPEED * NEW_SPEED;
 }
 
-/** The strained ones, those that share a body with one, and those that share one with these. */
-function gatherStrained(data: SolverData, count: number, stamp: number): number {
-  const { window, others, marks } = data;
-  data.mark += 2;
-  const { mark } = data;
-  for (let i = 0; i < count; i += 1) {
-    const { strained, bodyA, bodyB } = window[i]!;
-    if (stamp - strained < STRAIN_STEPS) {
-      note(marks, bodyA, mark);
-      note(marks, bodyB, mark);
-    }
+/** What is not dynamic passes no load on. */
+function note({ velocity }: SolverData, { kind, slot }: RigidBody, mark: number): void {
+  if (kind === DYNAMIC) {
+    velocity[slot * BODY_STRIDE + MARK] = mark;
   }
-  for (let i = 0; i < count; i += 1) {
-    const { bodyA, bodyB } = window[i]!;
-    const isNearA = marks[bodyA.slot] === mark;
-    if (isNearA !== (marks[bodyB.slot] === mark)) {
-      note(marks, isNearA ? bodyB : bodyA, mark + 1);
-    }
-  }
-  let first = 0;
-  let rest = 0;
-  for (let i = 0; i < count; i += 1) {
-    const pair = window[i]!;
-    if (marks[pair.bodyA.slot]! >= mark || marks[pair.bodyB.slot]! >= mark) {
-      window[first] = pair;
-      first += 1;
-    } else {
-      others[rest] = pair;
-      rest += 1;
-    }
-  }
-  for (let i = 0; i < rest; i += 1) {
-    window[first + i] = others[i]!;
-  }
-  return first;
 }
 
-/** What is not dynamic passes no load on. */
-function note(marks: Int32Array, { kind, slot }: RigidBody, mark: number): void {
-  if (kind === DYNAMIC) {
-    marks[slot] = mark;
-  }
+export function markOf({ velocity }: SolverData, { slot }: RigidBody): number {
+  return velocity[slot * BODY_STRIDE + MARK]!;
 }

@@ -76,8 +76,6 @@ export interface Group {
   to: number;
   /** Contacts undid much of the corrections, and the errors are not small since. */
   contested: boolean;
-  /** There are others than points and turns. */
-  hasBlocks: boolean;
   /** The square of the largest error at the start of the sub-step, of the largest noted last of joints in contact … */
   error: number;
   left: number;
@@ -97,7 +95,6 @@ export function newGroup(start: number): Group {
     sweeps: 1,
     pushed: 0,
     contested: false,
-    hasBlocks: false,
     error: 0,
     left: 0,
     from: 0,
@@ -166,7 +163,6 @@ export class JointData implements Keeper {
     this.members += constraint.members.length;
     const run = group.runs[group.runs.length - 1];
     group.end += 1;
-    group.hasBlocks ||= !keepsNumbers(kernel);
     if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
       run.end += 1;
     } else {

@@ -259,12 +259,12 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
 }
 
 /**
- * Position sweeps, until errors are small; what blocks leave is not known. Those after the first take the errors of point joints as linear in the motion, unless
- * contacts came in between, or bodies are to be moved without turning. @returns whether an error was worth another iteration.
+ * Position sweeps, until errors are small. Those after the first take the errors of point joints as linear in the motion, unless
+ * contacts came in between, or bodies are to be moved without turning. @returns whether the last one found an error that was worth another.
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
   const { worst, isTouched } = data.joints;
-  let found = linearise(data, group);
+  linearise(data, group);
   for (let sweep = before; sweep < after; sweep += 1) {
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
     const pushFurther = isFar(group) ? pushFarRun : pushRunFurther;
@@ -273,12 +273,11 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     if (!isLinear) {
       group.pushed = worst[0];
     }
-    if (!isOff && !group.hasBlocks) {
-      break;
+    if (!isOff) {
+      return false;
     }
-    found ||= isOff;
   }
-  return found;
+  return true;
 }
 
 /** More than small motion was left when all exact errors were found the last time. */
@@ -286,6 +285,7 @@ function isFar({ pushed }: Group): boolean {
   return pushed > JOINT_FAR * JOINT_FAR;
 }
 
+/** What is left of the errors of rows and blocks is not known. */
 function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
   if (kernel === POINT) {
     return pushPoints(data, start, end);
@@ -300,7 +300,7 @@ function pushRun(data: SolverData, kernel: number, start: number, end: number): 
       pushBlock(data, data.joints.joints[k]!);
     }
   }
-  return false;
+  return kernel !== CUSTOM;
 }
 
 function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
@@ -311,16 +311,14 @@ function pushFarRun(data: SolverData, kernel: number, start: number, end: number
   return kernel === POINT ? pushFarPoints(data, start, end) : pushRun(data, kernel, start, end);
 }
 
-function linearise(data: SolverData, { runs }: Group): boolean {
+function linearise(data: SolverData, { runs }: Group): void {
   const { joints } = data.joints;
-  let found = false;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
-      found = lineariseBlock(data, joints[k]!) || found;
+      lineariseBlock(data, joints[k]!);
     }
   }
-  return found;
 }
 
 function pushCustoms(data: SolverData): boolean {

@@ -17,7 +17,7 @@ import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 import { canGiveWay } from './find-pairs.js';
-import { gatherHard } from './hard-contacts.js';
+import { markHard, markOf, NONE } from './hard-contacts.js';
 
 /**
  * Brings the world's lists of arbiters up to date, in the order of their shapes, which what fell asleep leaves; and writes the records of all contacts, a
@@ -81,35 +81,34 @@ export function packContacts(world: World): void {
  * What is hard to solve comes first, as it is swept over more often, and loops run over what lies side by side.
  */
 function packWindow(data: SolverData, count: number, stamp: number): void {
-  const fromTwo = data.two.count;
-  const fromOne = data.one.count;
-  const hardest = gatherHard(data, count, stamp);
-  packRuns(data, 0, hardest);
-  if (hardest > 0) {
-    const { hard, hardCount } = data;
-    hard[hardCount] = fromTwo;
-    hard[hardCount + 1] = data.two.count;
-    hard[hardCount + 2] = fromOne;
-    hard[hardCount + 3] = data.one.count;
-    data.hardCount = hardCount + 4;
+  const mark = markHard(data, count, stamp);
+  if (mark < NONE) {
+    const { hard, hardCount, two, one } = data;
+    hard[hardCount] = two.count;
+    hard[hardCount + 2] = one.count;
+    packRuns(data, count, mark, true);
+    hard[hardCount + 1] = two.count;
+    hard[hardCount + 3] = one.count;
+    data.hardCount += 4;
   }
-  packRuns(data, hardest, count);
+  packRuns(data, count, mark, false);
 }
 
-function packRuns(data: SolverData, from: number, to: number): void {
+/** Packs the contacts of a window that are hard, or the others. */
+function packRuns(data: SolverData, count: number, mark: number, areHard: boolean): void {
   const { window } = data;
-  for (let first = from; first < from + d.RUN && first < to; first += 1) {
-    for (let i = first; i < to; i += d.RUN) {
-      packContact(data, window[i]!);
+  for (let first = 0; first < d.RUN && first < count; first += 1) {
+    for (let i = first; i < count; i += d.RUN) {
+      const pair = window[i]!;
+      if ((markOf(data, pair.bodyA) >= mark || markOf(data, pair.bodyB) >= mark) !== areHard) {
+        continue;
+      }
+      if (hasTwoPoints(pair)) {
+        packTwo(data, data.two.add(pair));
+      } else {
+        packOne(data, data.one.add(pair));
+      }
     }
-  }
-}
-
-function packContact(data: SolverData, pair: Arbiter): void {
-  if (hasTwoPoints(pair)) {
-    packTwo(data, data.two.add(pair));
-  } else {
-    packOne(data, data.one.add(pair));
   }
 }
 

@@ -94,6 +94,7 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   velocity[at + d.INV_INERTIA] = invInertia;
   velocity[at + d.COS_LESS_ONE] = 0;
   velocity[at + d.SIN] = 0;
+  velocity[at + d.MARK] = 0;
   motion[at + d.INV_MASS] = invMass;
   motion[at + d.INV_INERTIA] = invInertia;
   data.drive[at + d.TOUCHED] = 0;

@@ -13,13 +13,13 @@ type Fields = Record<string, unknown>;
 /** Worked out anew before it is used, dead between steps, or the number by which the world itself finds something. */
 const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['stepping', 'delivering', 'jointsTouched'],
-  solver: ['bodyCount', 'impulseScale', 'hardCount', 'mark', 'crowded'],
+  solver: ['bodyCount', 'impulseScale', 'hardCount', 'crowded'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
   shape: ['groundStamp', 'stateIndex', 'halfWidth'],
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead', 'place'],
-  group: ['start', 'end', 'hasBlocks', 'tolerance', 'error', 'pushed', 'left'],
+  group: ['start', 'end', 'tolerance', 'error', 'pushed', 'left'],
   record: [APPROACH, FORESIGHT, FORESIGHT + 1].map(String),
 };
 
