@@ -54,6 +54,12 @@ export const CROWD_SWEEPS = 4;
 /** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
 export const MAX_PUSH = 0.2;
 
+/**
+ * m/s, rad/s. If no contact changed a velocity by more in a sweep, the sub-step needs no further one. A tower that sways changes them by little in each:
+ * with 2e-5 one of 25 boxes sways at 4 mm/s.
+ */
+export const VELOCITY_TOLERANCE = 1e-7;
+
 /** m. A remaining error below this ends the position iterations of the sub-step: it is far below what the next one adds. */
 export const PUSH_TOLERANCE = 1e-7;
 

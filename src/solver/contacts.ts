@@ -11,24 +11,29 @@ export function warmStartContacts(data: SolverData, h: number, isFirst: boolean)
 }
 
 /** A loop over contacts of one or of two points from one index to another. */
-type Loop = (data: SolverData, from: number, to: number) => unknown;
+type Loop = (data: SolverData, from: number, to: number) => boolean;
 
-/** The further sweeps over contacts that are hard to solve. */
+/** The further sweeps over contacts that are hard to solve, until nothing changes. */
 function sweepHard(data: SolverData, loopTwo: Loop, loopOne: Loop): void {
   const { hard, hardCount } = data;
   for (let i = 0; i < hardCount; i += 4) {
-    for (let sweep = 1; sweep < HARD_SWEEPS; sweep += 1) {
-      loopTwo(data, hard[i]!, hard[i + 1]!);
-      loopOne(data, hard[i + 2]!, hard[i + 3]!);
+    let changed = true;
+    for (let sweep = 1; sweep < HARD_SWEEPS && changed; sweep += 1) {
+      const changedTwo = loopTwo(data, hard[i]!, hard[i + 1]!);
+      changed = loopOne(data, hard[i + 2]!, hard[i + 3]!) || changedTwo;
     }
   }
 }
 
-/** One sweep over all contacts; over those that are hard to solve some more. */
-export function solveVelocityContacts(data: SolverData): void {
-  inPieces(data, 0, data.two.count, solveVelocityTwo);
-  inPieces(data, 0, data.one.count, solveVelocityOne);
-  sweepHard(data, solveVelocityTwo, solveVelocityOne);
+/** One sweep over all contacts; over those that are hard to solve some more. @returns whether any velocity changed by more than the tolerance. */
+export function solveVelocityContacts(data: SolverData): boolean {
+  const changedTwo = inPieces(data, 0, data.two.count, solveVelocityTwo);
+  const changedOne = inPieces(data, 0, data.one.count, solveVelocityOne);
+  const changed = changedTwo || changedOne;
+  if (changed) {
+    sweepHard(data, solveVelocityTwo, solveVelocityOne);
+  }
+  return changed;
 }
 
 /** One position iteration, likewise. @returns whether anything was pushed. */

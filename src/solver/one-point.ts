@@ -8,6 +8,7 @@ import {
   PUSH_SHARE_DEEP_CIRCLES,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
+  VELOCITY_TOLERANCE,
 } from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -64,10 +65,13 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
  *
  * Where it is a matter of chance which bound holds, as for circles that roll or not, it is told by absolute values, x⁺ = (x + |x|) / 2: what a
  * processor guesses wrong at a branch is worth a tenth of a step.
+ *
+ * @returns as `solveVelocityTwo`.
  */
-export function solveVelocityOne(data: SolverData, from: number, to: number): void {
+export function solveVelocityOne(data: SolverData, from: number, to: number): boolean {
   const { records: r, bodies } = data.one;
   const v = data.velocity;
+  let changed = false;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
@@ -119,6 +123,11 @@ export function solveVelocityOne(data: SolverData, from: number, to: number): vo
     const nextP = 0.5 * (wanted + Math.abs(wanted));
     const dp = nextP - p;
     r[i + d.NORMAL1] = nextP;
+    changed =
+      changed ||
+      Math.abs(dp) > VELOCITY_TOLERANCE * r[i + d.NORMAL_MASS]! ||
+      Math.abs(dt) > VELOCITY_TOLERANCE * r[i + d.TANGENT_MASS1]! ||
+      Math.abs(nextRoll - roll) > VELOCITY_TOLERANCE * r[i + d.ROLL_MASS]!;
     const jx = nx * dp - ny * dt;
     const jy = ny * dp + nx * dt;
     v[a + d.VX] = vax - mA * jx;
@@ -128,6 +137,7 @@ export function solveVelocityOne(data: SolverData, from: number, to: number): vo
     v[b + d.VY] = vby + mB * jy;
     v[b + d.W] = wB + iB * rnB * dp;
   }
+  return changed;
 }
 
 /** One position sweep, as `solvePositionTwo`, for contacts of one point. */

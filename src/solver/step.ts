@@ -53,12 +53,13 @@ function integrate(world: World, h: number, substeps: number): void {
     warmStartContacts(solver, h, part === 0);
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
-    for (let i = 0; i < turns; i += 1) {
+    let changed = true;
+    for (let i = 0; i < turns && (changed || jointSolver !== null); i += 1) {
       jointSolver?.solveVelocities(solver, i, turns);
-      solveVelocityContacts(solver);
+      changed = solveVelocityContacts(solver);
     }
-    for (let i = turns; i < CONTACT_SWEEPS * turns; i += 1) {
-      solveVelocityContacts(solver);
+    for (let i = turns; i < CONTACT_SWEEPS * turns && changed; i += 1) {
+      changed = solveVelocityContacts(solver);
     }
     profile?.lap('velocities');
     integratePositions(solver, h);

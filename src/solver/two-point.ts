@@ -1,4 +1,12 @@
-import { CONTACT_SLOP, DEEP_OVERLAP, MAX_PUSH, PUSH_SHARE_DEEP, PUSH_TOLERANCE, TOUCH_DEPTH } from '../config.js';
+import {
+  CONTACT_SLOP,
+  DEEP_OVERLAP,
+  MAX_PUSH,
+  PUSH_SHARE_DEEP,
+  PUSH_TOLERANCE,
+  TOUCH_DEPTH,
+  VELOCITY_TOLERANCE,
+} from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -66,10 +74,13 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
  * One sweep over the contacts from one index to another. Friction of each point, within ± μ · normal impulse; then both normals as one linear
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
  * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
+ *
+ * @returns whether any velocity changed by more than the tolerance.
  */
-export function solveVelocityTwo(data: SolverData, from: number, to: number): void {
+export function solveVelocityTwo(data: SolverData, from: number, to: number): boolean {
   const { records: r, bodies } = data.two;
   const v = data.velocity;
+  let changed = false;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
@@ -150,6 +161,12 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number): vo
     r[i + d.NORMAL2] = x2;
     const d1 = x1 - p1;
     const d2 = x2 - p2;
+    changed =
+      changed ||
+      Math.abs(d1) * r[i + d.K11]! > VELOCITY_TOLERANCE ||
+      Math.abs(d2) * r[i + d.K22]! > VELOCITY_TOLERANCE ||
+      Math.abs(dt1) > VELOCITY_TOLERANCE * r[i + d.TANGENT_MASS1]! ||
+      Math.abs(dt2) > VELOCITY_TOLERANCE * r[i + d.TANGENT_MASS2]!;
     const p = d1 + d2;
     const t = dt1 + dt2;
     const jx = nx * p - ny * t;
@@ -161,6 +178,7 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number): vo
     v[b + d.VY] = vby + mB * jy;
     v[b + d.W] = wB + iB * (rnB1 * d1 + rnB2 * d2);
   }
+  return changed;
 }
 
 /**

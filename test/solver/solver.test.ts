@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
-import { WINDOW } from '../../src/solver/data.js';
+import { solveVelocityContacts } from '../../src/solver/contacts.js';
+import { BODY_STRIDE, VY, WINDOW } from '../../src/solver/data.js';
 import {
   add,
   addFloor,
@@ -241,6 +242,23 @@ describe('turning on', () => {
     const [vx] = wheel.getVelocity();
     expect(vx).toBeGreaterThan(0.1);
     near(vx, 0.5 * wheel.getAngularVelocity(), 1e-3);
+  });
+});
+
+describe('a sweep over contacts', () => {
+  it('tells whether it changed anything, as what lies still needs no further one', () => {
+    for (const shape of [box(1, 1), disc(0.5)]) {
+      const world = heavy({ allowSleeping: false });
+      addFloor(world);
+      add(world, plainBody({ shapes: [shape] }));
+      steps(world, 120);
+      const { solver } = world;
+      expect(solver.one.count + solver.two.count).toBe(1);
+      expect(solveVelocityContacts(solver)).toBe(false);
+      solver.velocity[BODY_STRIDE + VY]! += 1e-6;
+      expect(solveVelocityContacts(solver)).toBe(true);
+      expect(solveVelocityContacts(solver)).toBe(false);
+    }
   });
 });
 
