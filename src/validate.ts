@@ -32,91 +32,73 @@ export function rangeError(where: string, name: string, rule: string, value: unk
   return new RangeError(`${where}: ${name} must be ${rule}, got ${show(value)}`);
 }
 
-function number(where: string, name: string, rule: string, value: unknown): number {
-  if (typeof value !== 'number') {
-    throw typeError(where, name, rule, value);
-  }
-  return value;
+/** The error for what should be a number, and one of some range. */
+function noNumber(where: string, name: string, rule: string, value: unknown): Error {
+  return (typeof value === 'number' ? rangeError : typeError)(where, name, rule, value);
 }
 
 /** Any finite number. */
 export function finite(where: string, name: string, value: unknown): number {
-  const rule = 'a finite number';
-  const n = number(where, name, rule, value);
-  if (!Number.isFinite(n)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && Number.isFinite(value))) {
+    throw noNumber(where, name, 'a finite number', value);
   }
-  return n;
+  return value;
 }
 
 /** A number that may be infinite, but not NaN. */
 export function notNaN(where: string, name: string, value: unknown): number {
-  const rule = 'a number, not NaN';
-  const n = number(where, name, rule, value);
-  if (Number.isNaN(n)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && !Number.isNaN(value))) {
+    throw noNumber(where, name, 'a number, not NaN', value);
   }
-  return n;
+  return value;
 }
 
 /** A finite number > 0. */
 export function positive(where: string, name: string, value: unknown): number {
-  const rule = 'a finite number > 0';
-  const n = number(where, name, rule, value);
-  if (!(n > 0 && n < Infinity)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && value > 0 && value < Infinity)) {
+    throw noNumber(where, name, 'a finite number > 0', value);
   }
-  return n;
+  return value;
 }
 
 /** A number > 0, `Infinity` included. */
 export function positiveOrInfinite(where: string, name: string, value: unknown): number {
-  const rule = 'a number > 0';
-  const n = number(where, name, rule, value);
-  if (!(n > 0)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && value > 0)) {
+    throw noNumber(where, name, 'a number > 0', value);
   }
-  return n;
+  return value;
 }
 
 /** A finite number >= 0. */
 export function nonNegative(where: string, name: string, value: unknown): number {
-  const rule = 'a finite number >= 0';
-  const n = number(where, name, rule, value);
-  if (!(n >= 0 && n < Infinity)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && value >= 0 && value < Infinity)) {
+    throw noNumber(where, name, 'a finite number >= 0', value);
   }
-  return n;
+  return value;
 }
 
 /** A number >= 0, `Infinity` included. */
 export function nonNegativeOrInfinite(where: string, name: string, value: unknown): number {
-  const rule = 'a number >= 0';
-  const n = number(where, name, rule, value);
-  if (!(n >= 0)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && value >= 0)) {
+    throw noNumber(where, name, 'a number >= 0', value);
   }
-  return n;
+  return value;
 }
 
 /** An integer >= `least`. */
 export function integer(where: string, name: string, value: unknown, least: number): number {
-  const rule = `an integer >= ${least}`;
-  const n = number(where, name, rule, value);
-  if (!(Number.isInteger(n) && n >= least)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && Number.isInteger(value) && value >= least)) {
+    throw noNumber(where, name, `an integer >= ${least}`, value);
   }
-  return n;
+  return value;
 }
 
 /** A set of 32 bits given as a number: any integer from -2^31 to 2^32 - 1; returned as an unsigned integer. */
 export function bits(where: string, name: string, value: unknown): number {
-  const rule = 'an integer of 32 bits';
-  const n = number(where, name, rule, value);
-  if (!(Number.isInteger(n) && n >= -0x80000000 && n <= 0xffffffff)) {
-    throw rangeError(where, name, rule, n);
+  if (!(typeof value === 'number' && Number.isInteger(value) && value >= -0x80000000 && value <= 0xffffffff)) {
+    throw noNumber(where, name, 'an integer of 32 bits', value);
   }
-  return n >>> 0;
+  return value >>> 0;
 }
 
 export function boolean(where: string, name: string, value: unknown): boolean {
@@ -135,14 +117,18 @@ export function within(where: string, name: string, value: unknown, most: number
   return n;
 }
 
+/** Something with at least so many indices. */
+function isList(value: unknown, count: number): value is ArrayLike<unknown> {
+  return typeof value === 'object' && value !== null && (value as ArrayLike<unknown>).length >= count;
+}
+
 /** Whether `vector` takes it. Asked first, as the words for what is wrong cost more than all else where it is called for every corner. */
 export function isVector(value: unknown, count: number, most: number): value is ArrayLike<number> {
-  const list = value as ArrayLike<unknown> | null | undefined;
-  if (typeof list !== 'object' || list === null || !(list.length >= count)) {
+  if (!isList(value, count)) {
     return false;
   }
   for (let i = 0; i < count; i += 1) {
-    const n = list[i];
+    const n = value[i];
     if (typeof n !== 'number' || !(Math.abs(n) <= most)) {
       return false;
     }
@@ -161,25 +147,22 @@ export function vector(
   if (isVector(value, count, most)) {
     return value;
   }
-  const rule = `${count} finite numbers [${'x, y, …'.slice(0, count === 2 ? 4 : 7)}]`;
-  const list = value as ArrayLike<number> | null | undefined;
-  if (typeof list !== 'object' || list === null || !(list.length >= count)) {
-    throw typeError(where, name, rule, value);
+  if (!isList(value, count)) {
+    throw typeError(where, name, `${count} finite numbers [${'x, y, …'.slice(0, count === 2 ? 4 : 7)}]`, value);
   }
   for (let i = 0; i < count; i += 1) {
-    within(where, `${name}[${i}]`, list[i], most);
+    within(where, `${name}[${i}]`, value[i], most);
   }
-  return list;
+  return value as ArrayLike<number>;
 }
 
 /** `count` numbers, which may be infinite, at the indices 0 … count − 1. */
 export function numbers(where: string, name: string, value: unknown, count: number): void {
-  const list = value as ArrayLike<number> | null | undefined;
-  if (typeof list !== 'object' || list === null || !(list.length >= count)) {
+  if (!isList(value, count)) {
     throw typeError(where, name, `${count} numbers`, value);
   }
   for (let i = 0; i < count; i += 1) {
-    notNaN(where, `${name}[${i}]`, list[i]);
+    notNaN(where, `${name}[${i}]`, value[i]);
   }
 }
 

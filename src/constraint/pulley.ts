@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import type { Tape } from '../state/tape.js';
-import { optional, options, vector } from '../validate.js';
+import { optional, options } from '../validate.js';
 import { Link } from './link.js';
 import {
   AnchoredConstraint,
@@ -43,8 +43,8 @@ export class PulleyConstraint extends AnchoredConstraint {
     const where = 'createPulleyConstraint';
     const { bodyC, bodyD } = options(where, params, true);
     super(where, 1, params, checkedBody(where, 'bodyC', bodyC), checkedBody(where, 'bodyD', bodyD));
-    this.putAnchor(2, vector(where, 'anchorC', optional(params.anchorC, [0, 0]), 2));
-    this.putAnchor(3, vector(where, 'anchorD', optional(params.anchorD, [0, 0]), 2));
+    this.takeAnchor(where, 'anchorC', 2, params.anchorC);
+    this.takeAnchor(where, 'anchorD', 3, params.anchorD);
     this.ratio = checkedRatio(where, optional(params.ratio, 1));
     takeBounds(this, where, params, 0, 0);
   }

@@ -77,8 +77,8 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   constructor(where: string, dimension: number, params: TwoAnchorParams, ...more: RigidBody[]) {
     super(where, dimension, params, ...more);
     this.anchors = new Float64Array(2 * this.members.length);
-    this.putAnchor(0, vector(where, 'anchorA', optional(params.anchorA, ORIGIN), 2));
-    this.putAnchor(1, vector(where, 'anchorB', optional(params.anchorB, ORIGIN), 2));
+    this.takeAnchor(where, 'anchorA', 0, params.anchorA);
+    this.takeAnchor(where, 'anchorB', 1, params.anchorB);
   }
 
   /** @internal */
@@ -120,8 +120,13 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     }
   }
 
+  /** @internal an option of the constructor */
+  protected takeAnchor(where: string, name: string, k: number, anchor: Vec2Like | undefined): void {
+    this.putAnchor(k, vector(where, name, optional(anchor, ORIGIN), 2));
+  }
+
   /** @internal */
-  protected putAnchor(k: number, anchor: Vec2Like): void {
+  private putAnchor(k: number, anchor: Vec2Like): void {
     this.anchors[2 * k] = anchor[0]!;
     this.anchors[2 * k + 1] = anchor[1]!;
   }

@@ -13,39 +13,31 @@ export function warmStartContacts(data: SolverData, h: number, isFirst: boolean)
 /** A loop over contacts of one or of two points from one index to another. */
 type Loop = (data: SolverData, from: number, to: number) => boolean;
 
-/** The further sweeps over contacts that are hard to solve, until nothing changes. */
-function sweepHard(data: SolverData, loopTwo: Loop, loopOne: Loop): void {
+/** One sweep over all contacts; over those that are hard to solve some more, until nothing changes. @returns whether anything did. */
+function sweep(data: SolverData, loopTwo: Loop, loopOne: Loop): boolean {
   const { hard, hardCount } = data;
-  for (let i = 0; i < hardCount; i += 4) {
-    let changed = true;
-    for (let sweep = 1; sweep < HARD_SWEEPS && changed; sweep += 1) {
-      const changedTwo = loopTwo(data, hard[i]!, hard[i + 1]!);
-      changed = loopOne(data, hard[i + 2]!, hard[i + 3]!) || changedTwo;
+  const changedTwo = inPieces(data, 0, data.two.count, loopTwo);
+  const changedOne = inPieces(data, 0, data.one.count, loopOne);
+  const changed = changedTwo || changedOne;
+  for (let i = 0; i < hardCount && changed; i += 4) {
+    let more = true;
+    for (let times = 1; times < HARD_SWEEPS && more; times += 1) {
+      const moreTwo = loopTwo(data, hard[i]!, hard[i + 1]!);
+      more = loopOne(data, hard[i + 2]!, hard[i + 3]!) || moreTwo;
     }
   }
+  return changed;
 }
 
-/** One sweep over all contacts; over those that are hard to solve some more. @returns whether any velocity changed by more than the tolerance. */
+/** One sweep over all contacts. @returns whether any velocity changed by more than the tolerance. */
 export function solveVelocityContacts(data: SolverData): boolean {
-  const changedTwo = inPieces(data, 0, data.two.count, solveVelocityTwo);
-  const changedOne = inPieces(data, 0, data.one.count, solveVelocityOne);
-  const changed = changedTwo || changedOne;
-  if (changed) {
-    sweepHard(data, solveVelocityTwo, solveVelocityOne);
-  }
-  return changed;
+  return sweep(data, solveVelocityTwo, solveVelocityOne);
 }
 
 /** One position iteration, likewise. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
   data.crowded = false;
-  const pushedTwo = inPieces(data, 0, data.two.count, solvePositionTwo);
-  const pushedOne = inPieces(data, 0, data.one.count, solvePositionOne);
-  const pushed = pushedTwo || pushedOne;
-  if (pushed) {
-    sweepHard(data, solvePositionTwo, solvePositionOne);
-  }
-  return pushed;
+  return sweep(data, solvePositionTwo, solvePositionOne);
 }
 
 /** Some more position iterations where circles crowd each other; what rests never does. */

@@ -33,22 +33,20 @@ function moveOn(data: SolverData, from: number, to: number, h: number): void {
   const inverseSquare = 1 / (REST_SPEED * REST_SPEED);
   for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
+    const radius = f[i + d.REST_RADIUS]!;
     let vx = v[i + d.VX]!;
     let vy = v[i + d.VY]!;
     let w = v[i + d.W]!;
-    const radius = f[i + d.REST_RADIUS]!;
-    if (radius >= 0 && f[i + d.TOUCHED] === 1) {
-      const share = (vx * vx + vy * vy + radius * w * w) * inverseSquare;
-      if (share < 1) {
-        const keep = 1 - REST_DAMPING * h * (1 - share);
-        vx *= keep;
-        vy *= keep;
-        w *= keep;
-        v[i + d.VX] = vx;
-        v[i + d.VY] = vy;
-        v[i + d.W] = w;
-      }
-    }
+    const share = (vx * vx + vy * vy + radius * w * w) * inverseSquare;
+    const damped = 1 - REST_DAMPING * h * (1 - share);
+    // Nothing is reckoned in a branch, as most bodies take it late: compiled code would bail out.
+    const keep = radius >= 0 && f[i + d.TOUCHED] === 1 && share < 1 ? damped : 1;
+    vx *= keep;
+    vy *= keep;
+    w *= keep;
+    v[i + d.VX] = vx;
+    v[i + d.VY] = vy;
+    v[i + d.W] = w;
     q[i + d.QX] = vx * h;
     q[i + d.QY] = vy * h;
     q[i + d.QW] = w * h;

@@ -54,23 +54,18 @@ function integrate(world: World, h: number, substeps: number): void {
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
     let changed = true;
-    for (let i = 0; i < turns && (changed || jointSolver !== null); i += 1) {
-      jointSolver?.solveVelocities(solver, i, turns);
-      changed = solveVelocityContacts(solver);
-    }
-    for (let i = turns; i < CONTACT_SWEEPS * turns && changed; i += 1) {
+    for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && jointSolver !== null)); i += 1) {
+      if (i < turns) jointSolver?.solveVelocities(solver, i, turns);
       changed = solveVelocityContacts(solver);
     }
     profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);
     const pushes = share(world.positionIterations, part, substeps);
-    for (let i = 0; i < pushes; i += 1) {
+    let pushed = true;
+    for (let i = 0; i < pushes && pushed; i += 1) {
       const pushedJoints = jointSolver?.solvePositions(solver, i, pushes) ?? false;
-      const pushedContacts = solvePositionContacts(solver);
-      if (!pushedJoints && !pushedContacts) {
-        break;
-      }
+      pushed = solvePositionContacts(solver) || pushedJoints;
     }
     partCrowds(solver);
     jointSolver?.finish(solver);
