@@ -5,9 +5,9 @@ import { inPieces } from './pieces.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
 
 /** Starts a sub-step of length h. */
-export function warmStartContacts(data: SolverData, h: number, isFirst: boolean): void {
-  inPieces(data, 0, data.two.count, warmStartTwo, h, isFirst);
-  inPieces(data, 0, data.one.count, warmStartOne, h, isFirst);
+export function warmStartContacts(data: SolverData, h: number): void {
+  inPieces(data, 0, data.two.count, warmStartTwo, h);
+  inPieces(data, 0, data.one.count, warmStartOne, h);
 }
 
 /** A loop over contacts of one or of two points from one index to another. */

@@ -14,10 +14,9 @@ import type { SolverData } from './data.js';
 import * as d from './data.js';
 
 /** Starts a sub-step, as `warmStartTwo`, for contacts of one point; circles carry a rolling impulse as well. */
-export function warmStartOne(data: SolverData, from: number, to: number, h: number, first: boolean): void {
+export function warmStartOne(data: SolverData, from: number, to: number, h: number): void {
   const { records: r, bodies } = data.one;
   const { velocity: v, motion: q } = data;
-  const keep = first ? 0 : 1;
   const inverseH = 1 / h;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
@@ -44,9 +43,9 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
     const p = r[i + d.NORMAL1]!;
     const t = r[i + d.TANGENT1]!;
     const roll = r[i + d.ROLL]!;
-    r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + keep * p;
-    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + keep * t;
-    r[i + d.ROLL_SUM] = r[i + d.ROLL_SUM]! + keep * roll;
+    r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + p;
+    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + t;
+    r[i + d.ROLL_SUM] = r[i + d.ROLL_SUM]! + roll;
     const jx = nx * p - ny * t;
     const jy = ny * p + nx * t;
     const mA = v[a + d.INV_MASS]!;

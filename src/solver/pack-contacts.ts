@@ -198,10 +198,10 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.TANGENT1] = n[o + c.TANGENT]! * scale;
   r[at + d.NORMAL2] = n[o + c.NORMAL + c.IMPULSES]! * scale;
   r[at + d.TANGENT2] = n[o + c.TANGENT + c.IMPULSES]! * scale;
-  r[at + d.NORMAL_SUM1] = 0;
-  r[at + d.TANGENT_SUM1] = 0;
-  r[at + d.NORMAL_SUM2] = 0;
-  r[at + d.TANGENT_SUM2] = 0;
+  r[at + d.NORMAL_SUM1] = -r[at + d.NORMAL1]!;
+  r[at + d.TANGENT_SUM1] = -r[at + d.TANGENT1]!;
+  r[at + d.NORMAL_SUM2] = -r[at + d.NORMAL2]!;
+  r[at + d.TANGENT_SUM2] = -r[at + d.TANGENT2]!;
   if (n[o + c.ELASTICITY]! > 0) {
     data.bounces.add(batch, index, 0);
     data.bounces.add(batch, index, d.SECOND);
@@ -268,9 +268,9 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.NORMAL1] = n[o + c.NORMAL + c.IMPULSES * which]! * scale;
   r[at + d.TANGENT1] = n[o + c.TANGENT + c.IMPULSES * which]! * scale;
   r[at + d.ROLL] = n[o + c.ROLL]! * scale;
-  r[at + d.NORMAL_SUM1] = 0;
-  r[at + d.TANGENT_SUM1] = 0;
-  r[at + d.ROLL_SUM] = 0;
+  r[at + d.NORMAL_SUM1] = -r[at + d.NORMAL1]!;
+  r[at + d.TANGENT_SUM1] = -r[at + d.TANGENT1]!;
+  r[at + d.ROLL_SUM] = -r[at + d.ROLL]!;
   if (n[o + c.ELASTICITY]! > 0) {
     data.bounces.add(batch, index, 0);
   }

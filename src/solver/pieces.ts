@@ -1,16 +1,16 @@
 import { type SolverData, WINDOW } from './data.js';
 
-/** A loop over bodies or contacts from one index to another; `h` and `isFirst` are for those that ask for them. */
-type Loop = (data: SolverData, from: number, to: number, h: number, isFirst: boolean) => unknown;
+/** A loop over bodies or contacts from one index to another; `h` is for those that ask for it. */
+type Loop = (data: SolverData, from: number, to: number, h: number) => unknown;
 
 /**
  * Gives a list to a loop in pieces: one that runs so long in its first calls that it is compiled there may be entered in its middle ever after, with
  * numbers boxed until it gets there. @returns whether the loop said `true` of any.
  */
-export function inPieces(data: SolverData, first: number, count: number, loop: Loop, h = 0, isFirst = false): boolean {
+export function inPieces(data: SolverData, first: number, count: number, loop: Loop, h = 0): boolean {
   let found = false;
   for (let from = first; from < count; from += WINDOW) {
-    found = loop(data, from, Math.min(from + WINDOW, count), h, isFirst) === true || found;
+    found = loop(data, from, Math.min(from + WINDOW, count), h) === true || found;
   }
   return found;
 }

@@ -50,7 +50,7 @@ function integrate(world: World, h: number, substeps: number): void {
     planBounces(solver, h);
     integrateVelocities(solver);
     jointSolver?.warmStart(solver, part === 0);
-    warmStartContacts(solver, h, part === 0);
+    warmStartContacts(solver, h);
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
     let changed = true;

@@ -16,10 +16,9 @@ import * as d from './data.js';
  *
  *     s = s₀ + n·(ΔdB − ΔdA) + (cos θ − 1)·RT + sin θ·RN   of B less that of A
  */
-export function warmStartTwo(data: SolverData, from: number, to: number, h: number, first: boolean): void {
+export function warmStartTwo(data: SolverData, from: number, to: number, h: number): void {
   const { records: r, bodies } = data.two;
   const { velocity: v, motion: q } = data;
-  const keep = first ? 0 : 1;
   const inverseH = 1 / h;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
@@ -51,10 +50,10 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
     const p2 = r[i + d.NORMAL2]!;
     const t1 = r[i + d.TANGENT1]!;
     const t2 = r[i + d.TANGENT2]!;
-    r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + keep * p1;
-    r[i + d.NORMAL_SUM2] = r[i + d.NORMAL_SUM2]! + keep * p2;
-    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + keep * t1;
-    r[i + d.TANGENT_SUM2] = r[i + d.TANGENT_SUM2]! + keep * t2;
+    r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + p1;
+    r[i + d.NORMAL_SUM2] = r[i + d.NORMAL_SUM2]! + p2;
+    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + t1;
+    r[i + d.TANGENT_SUM2] = r[i + d.TANGENT_SUM2]! + t2;
     const p = p1 + p2;
     const t = t1 + t2;
     const jx = nx * p - ny * t;
