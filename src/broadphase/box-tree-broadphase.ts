@@ -2,7 +2,8 @@ import { widened } from '../math/doubles.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
-import { BOX, grown, NONE, PackedTree } from './packed-tree.js';
+import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC } from './layout.js';
+import { grown, PackedTree } from './packed-tree.js';
 
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
 const MARGIN = 0.1;
@@ -13,22 +14,6 @@ const MAX_AHEAD = 1;
 
 /** m. How large the leaf of a faster thing may get to hold where it was before, too. */
 const MAX_STAY = 3;
-
-/** Of a handle: its leaf in the tree of its kind, −1 once removed; whether that is the static one, */
-const LEAF = 0;
-const STATIC = 1;
-/** … the first link of its pairs, the last search in which it was met, */
-const FIRST = 2;
-const MARK = 3;
-/** … and whether it is in the list of `perform`, as its pairs may have changed; else −1. */
-const MOVED = 4;
-const STATE = 5;
-
-/** Of a pair: its handles, and its note, see `perform`; 0: none. */
-const END_A = 0;
-const END_B = 1;
-const NOTE = 2;
-const PAIR = 3;
 
 /** A handle of {@link BoxTreeBroadphase}. */
 class TreeHandle<T> implements BroadphaseHandle<T> {

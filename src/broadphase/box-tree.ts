@@ -12,7 +12,8 @@ import {
   vector,
 } from '../validate.js';
 import { badBounds, isRect } from './broadphase.js';
-import { BOX, NONE, PackedTree } from './packed-tree.js';
+import { BOX, NONE } from './layout.js';
+import { PackedTree } from './packed-tree.js';
 
 /** Anything that can be put into a {@link BoxTree}; the tree writes its index. */
 export interface BoxTreeExternalNode {

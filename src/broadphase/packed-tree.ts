@@ -1,18 +1,10 @@
 import { widened } from '../math/doubles.js';
-
-/** No node. */
-export const NONE = -1;
-
-/** Numbers per node in `boxes`. */
-export const BOX = 4;
+import { BOX, MAX_LEAN, NONE } from './layout.js';
 
 /** How many to make room for where there were so many: half as many again, as of twice as many a third is empty on the average. */
 export function grown(count: number): number {
   return Math.ceil(1.5 * count);
 }
-
-/** Levels by which two subtrees may differ in height: more allows better trees, less makes the worst ones less high. */
-const MAX_LEAN = 4;
 
 /** 1 − 2⁻⁵⁰. Where a ray enters a box is reckoned early by more than rounding can make it late, as it must not miss a corner that it touches. */
 const EARLY = 1 - 4 * Number.EPSILON;

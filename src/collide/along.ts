@@ -1,9 +1,9 @@
 import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Shape } from '../shape/shape.js';
+import { POLYGON } from '../shape/shape-kind.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
 import { collidePolygonsAlong, endOfEdges } from './polygons.js';
-import { POLYGON } from './table.js';
 
 /** What is asked for along a unit vector, and what was found. An object, as numbers that go from function to function would be boxed. */
 export class Along {

@@ -2,7 +2,7 @@ import { CIRCLE_POINT_TOLERANCE, POLYGON_POINT_TOLERANCE } from '../config.js';
 import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
-import { POLYGON } from './table.js';
+import { POLYGON } from '../shape/shape-kind.js';
 
 const asked = new Float64Array(2);
 

@@ -2,7 +2,7 @@ import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
-import { POLYGON } from './table.js';
+import { POLYGON } from '../shape/shape-kind.js';
 
 /** A ray o + d · f, 0 ≤ f < `most`, relative to the origin of a body, and where it met a shape of that body. */
 export class RayTest {

@@ -1,6 +1,7 @@
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
+import { POLYGON } from '../shape/shape-kind.js';
 import { collideCirclePolygon, collideCircles, collidePolygonCircle } from './circles.js';
 import { empty, overlaps } from './manifold.js';
 import { collidePolygons, polygonsIntersect } from './polygons.js';
@@ -9,8 +10,6 @@ import { collidePolygons, polygonsIntersect } from './polygons.js';
 type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, n: Float64Array, o: number) => void;
 
 const KINDS = 2;
-/** `kind` of polygons. */
-export const POLYGON = 1;
 
 /** Which kernel serves which pair, at `kindOfA · KINDS + kindOfB`. */
 const KERNELS: readonly [

@@ -5,6 +5,7 @@ import type { Outline } from '../geometry/outline.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options, positive, vector, within } from '../validate.js';
 import { BaseShape, type ShapeParams } from './shape.js';
+import { CIRCLE } from './shape-kind.js';
 
 /** Options of `createCircleShape`. */
 export interface CircleParams extends ShapeParams {
@@ -25,7 +26,7 @@ export class Circle extends BaseShape {
   readonly type = 'CIRCLE';
 
   /** @internal */
-  readonly kind = 0;
+  readonly kind = CIRCLE;
   /** @internal */
   originX: number;
   /** @internal */

@@ -8,6 +8,7 @@ import { doubles } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options } from '../validate.js';
 import { BaseShape, type ShapeParams } from './shape.js';
+import { POLYGON } from './shape-kind.js';
 
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
@@ -82,7 +83,7 @@ export class Polygon extends BaseShape {
   readonly type = 'POLYGON';
 
   /** @internal */
-  readonly kind = 1;
+  readonly kind = POLYGON;
   /** @internal */
   offsets: Float64Array;
   private form: Form;

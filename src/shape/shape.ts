@@ -14,6 +14,7 @@ import type { UserDataOf } from '../user-data.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, rangeError, vector } from '../validate.js';
 import type { Circle } from './circle.js';
 import type { Polygon } from './polygon.js';
+import type { CIRCLE, POLYGON } from './shape-kind.js';
 
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
@@ -55,8 +56,8 @@ export interface ShapeParams {
 /** A circle or a polygon: where `shape.type === 'CIRCLE'` it is the former, and has a radius. */
 export type Shape = Circle | Polygon;
 
-/** @internal kernels are looked up by `kind`: 0 circle, 1 polygon */
-export type ShapeKind = 0 | 1;
+/** @internal kernels are looked up by `kind` */
+export type ShapeKind = typeof CIRCLE | typeof POLYGON;
 
 let nextId = 0;
 

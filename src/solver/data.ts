@@ -24,6 +24,9 @@ export const COS_LESS_ONE = 5;
 export const SIN = 6;
 /** How near it is to strained contacts, in `velocity`, see `markHard`. */
 export const MARK = 7;
+/** Marks that all and no contacts are above. */
+export const ALL_HARD = 0;
+export const NONE_HARD = 1e9;
 
 /** `motion`: displacement within this sub-step (velocity · h, then pushes) … */
 export const QX = 0;

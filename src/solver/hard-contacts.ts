@@ -1,11 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { NEW_SHARE, NEW_SPEED, NEW_STEPS, STRAIN_SHARE, STRAIN_STEPS } from '../config.js';
-import { BODY_STRIDE, MARK, type SolverData } from './data.js';
-
-/** Marks that all and no contacts are above. */
-const ALL = 0;
-export const NONE = 1e9;
+import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD, type SolverData } from './data.js';
 
 /**
  * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, or if the load of
@@ -22,7 +18,7 @@ export function markHard(data: SolverData, count: number, stamp: number): number
   for (let i = 0; i < count; i += 1) {
     const { active, began, strained: latest, bodyA, bodyB } = window[i]!;
     if (bodyA.unloaded === stamp || bodyB.unloaded === stamp) {
-      return ALL;
+      return ALL_HARD;
     }
     if (stamp - latest < STRAIN_STEPS) {
       strained += 1;
@@ -32,10 +28,10 @@ export function markHard(data: SolverData, count: number, stamp: number): number
     fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
   if (fresh > NEW_SHARE * count) {
-    return ALL;
+    return ALL_HARD;
   }
   if (strained <= STRAIN_SHARE * count) {
-    return NONE;
+    return NONE_HARD;
   }
   for (let i = 0; i < count; i += 1) {
     const { bodyA, bodyB } = window[i]!;

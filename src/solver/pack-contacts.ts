@@ -1,7 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { POLYGON } from '../collide/table.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
@@ -13,11 +12,12 @@ import {
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
+import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 import { canGiveWay } from './find-pairs.js';
-import { markHard, markOf, NONE } from './hard-contacts.js';
+import { markHard, markOf } from './hard-contacts.js';
 
 /**
  * Brings the world's lists of arbiters up to date, in the order of their shapes, which what fell asleep leaves; and writes the records of all contacts, a
@@ -82,7 +82,7 @@ export function packContacts(world: World): void {
  */
 function packWindow(data: SolverData, count: number, stamp: number): void {
   const mark = markHard(data, count, stamp);
-  if (mark < NONE) {
+  if (mark < d.NONE_HARD) {
     const { hard, hardCount, two, one } = data;
     hard[hardCount] = two.count;
     hard[hardCount + 2] = one.count;

@@ -3,13 +3,13 @@ import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
 import { endOfEdges } from '../collide/polygons.js';
-import { POLYGON } from '../collide/table.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { touch, touchAlong } from '../contact/touch.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
+import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
 import { findNearby, nearby } from './nearby.js';
 

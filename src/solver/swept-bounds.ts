@@ -1,9 +1,9 @@
 import { endOfEdges } from '../collide/polygons.js';
-import { POLYGON } from '../collide/table.js';
 import { SPECULATIVE_MARGIN } from '../config.js';
 import { crosses, crossing } from '../geometry/crossing.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Shape } from '../shape/shape.js';
+import { POLYGON } from '../shape/shape-kind.js';
 import type { Mover } from './movers.js';
 
 // Shapes are placed where the step began; from there their bodies go straight on and turn.

@@ -1,3 +1,4 @@
+import { BOX } from '../broadphase/layout.js';
 import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 
@@ -78,6 +79,3 @@ export class Ways {
     return size;
   }
 }
-
-/** Numbers per shape in `boxes`. */
-const BOX = 4;

@@ -5,6 +5,7 @@ import { drop } from '../math/list.js';
 import { Circle } from '../shape/circle.js';
 import { Polygon } from '../shape/polygon.js';
 import { Shape } from '../shape/shape.js';
+import { CIRCLE } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
 import { clear, copyObjects, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
@@ -140,7 +141,7 @@ function isOther(world: World, owner: World | null | undefined): boolean {
 /** A shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
 export function standIn(kind: number): Shape {
   const vertices = createBoxVertices(1, 1);
-  return kind === 0 ? new Circle({ radius: 1 }) : new Polygon({ vertices });
+  return kind === CIRCLE ? new Circle({ radius: 1 }) : new Polygon({ vertices });
 }
 
 /** No shape is missing, and each has a higher id than the one before. */

@@ -9,7 +9,25 @@ import { repeatedVertex } from '../geometry/vertices.js';
 import type { Material } from '../material.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
+import { CIRCLE } from '../shape/shape-kind.js';
 import type { Group } from '../solver/joint-data.js';
+import {
+  ACCEPTED,
+  ACTIVE,
+  AGAIN,
+  COUNT,
+  FACE,
+  FIXED,
+  FLAGS_END,
+  FRESH,
+  LISTED,
+  PERSISTENT,
+  SHOWN,
+  SLEEPING,
+  SOLVED,
+  USED,
+  USUAL,
+} from './layout.js';
 import { Row, type Tape } from './tape.js';
 
 // What of each object influences the future, field by field. What can be worked out from other fields is not there, nor are listeners and user data.
@@ -92,8 +110,8 @@ function checkPlace(tape: Tape): void {
 /** @returns whether it is another shape now. */
 export function keepShape(tape: Tape, shape: Shape): boolean {
   const { numbers: n, integers } = shapeRow;
-  const circle = shape.kind === 0 ? shape : null;
-  const polygon = shape.kind === 0 ? null : shape;
+  const circle = shape.kind === CIRCLE ? shape : null;
+  const polygon = shape.kind === CIRCLE ? null : shape;
   if (tape.writes) {
     integers[0] = polygon === null ? 1 : polygon.geometryStamp;
     n[0] = shape.getGroup();
@@ -139,25 +157,6 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   }
   return stored !== vertices;
 }
-
-/** Bits of the first word of a pair. */
-const ACTIVE = 1;
-const SLEEPING = 2;
-const ACCEPTED = 4;
-const PERSISTENT = 8;
-const AGAIN = 16;
-/** There are impulses. */
-const SOLVED = 32;
-const LISTED = 64;
-/** As the last pair of its kind. */
-const USUAL = 128;
-const COUNT = 8;
-const FACE = 10;
-const FIXED = 12;
-const USED = 16;
-const FRESH = 18;
-const SHOWN = 20;
-const FLAGS_END = 22;
 
 /** Before the first pair. */
 export function beginPairs(): void {

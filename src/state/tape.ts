@@ -1,11 +1,6 @@
 import { Digest, hex } from './digest.js';
 import { opened, packed } from './format.js';
-
-/** What a tape is for at the moment. */
-const WRITE = 0;
-const READ = 1;
-const CHECK = 2;
-const HASH = 3;
+import { CHECK, HASH, READ, WRITE } from './layout.js';
 
 /** There is always room for so many more of either. */
 const ROOM = 64;
