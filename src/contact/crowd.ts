@@ -2,7 +2,7 @@ import { DYNAMIC } from '../body-kind.js';
 import { CROWD } from '../config.js';
 import { List } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
-import type { Shape } from '../shape/shape.js';
+import { isOlder, type Shape } from '../shape/shape.js';
 
 interface Noting {
   note(shapeA: Shape, shapeB: Shape): void;
@@ -88,10 +88,6 @@ function reaches({ numbers: a, at: i }: Shape, { numbers: b, at: j }: Shape): bo
 }
 
 function keepFirst(partners: List<Shape>, { arbiters }: Shape): void {
-  sortFirst(partners.items, partners.count, hasLowerId);
+  sortFirst(partners.items, partners.count, isOlder);
   partners.count = Math.min(partners.count, CROWD - arbiters.length);
-}
-
-function hasLowerId(a: Shape, b: Shape): boolean {
-  return a.id < b.id;
 }

@@ -7,7 +7,7 @@ import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
 import { sortFirst } from '../math/sort.js';
 import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
-import type { Shape } from '../shape/shape.js';
+import { isOlder, type Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 import { boundsOf, near } from './queries.js';
@@ -33,15 +33,12 @@ function emptyResult(shape: Shape): CastResult {
 
 /** A ray whose larger component is 1, so that directions of any length are as good, with what it hits on its way. A copy: callbacks may change theirs. */
 class RayWalk {
-  private readonly test = new RayTest();
+  /** The scaled direction, and how far the ray goes in units of that. */
+  readonly test = new RayTest();
   private readonly x: number;
   private readonly y: number;
-  private readonly ux: number;
-  private readonly uy: number;
   private readonly scale: number;
   private readonly maxFactor: number;
-  /** How far it goes, in units of the scaled direction. */
-  readonly most: number;
 
   constructor({ origin, direction, maxFactor }: Ray, outerOnly: boolean) {
     const dx = direction[0]!;
@@ -49,14 +46,11 @@ class RayWalk {
     this.x = origin[0]!;
     this.y = origin[1]!;
     this.scale = Math.max(Math.abs(dx), Math.abs(dy));
-    this.ux = dx / this.scale;
-    this.uy = dy / this.scale;
     this.maxFactor = maxFactor;
-    this.most = maxFactor * this.scale;
-    this.test.dx = this.ux;
-    this.test.dy = this.uy;
+    this.test.dx = dx / this.scale;
+    this.test.dy = dy / this.scale;
     this.test.outerOnly = outerOnly;
-    this.test.most = this.most;
+    this.test.most = maxFactor * this.scale;
   }
 
   /** Where the ray meets a shape, in units of the scaled direction; −1 if it does not. */
@@ -73,29 +67,26 @@ class RayWalk {
     const { test } = this;
     result.shape = shape;
     result.factor = test.factor / this.scale + 0;
-    result.hitPoint[0] = this.x + this.ux * test.factor;
-    result.hitPoint[1] = this.y + this.uy * test.factor;
+    result.hitPoint[0] = this.x + test.dx * test.factor;
+    result.hitPoint[1] = this.y + test.dy * test.factor;
     result.hitNormal[0] = test.nx + 0;
     result.hitNormal[1] = test.ny + 0;
   }
 
   /** Visits the shapes whose bounds the ray meets; `visit` returns up to where it still matters. */
   walk(world: World, visit: (shape: Shape) => number): void {
-    refreshPlaces(world);
-    const { x, y, ux, uy, most } = this;
+    const { x, y } = this;
+    const { dx, dy, most } = this.test;
     const { broadphase } = world;
-    const meet = (handle: BroadphaseHandle) => visit(handle.data as Shape);
     if (broadphase.castRay !== undefined) {
-      broadphase.castRay([x, y], [ux, uy], most, meet);
+      refreshPlaces(world);
+      broadphase.castRay([x, y], [dx, dy], most, (handle: BroadphaseHandle) => visit(handle.data as Shape));
       return;
     }
     // A broadphase that knows no rays is asked for everything within the bounds of the ray.
-    const endX = ux === 0 ? x : x + ux * most;
-    const endY = uy === 0 ? y : y + uy * most;
-    const found: BroadphaseHandle[] = [];
-    const bounds = [Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY)];
-    broadphase.sample(bounds, (handle) => found.push(handle));
-    found.forEach(meet);
+    const endX = dx === 0 ? x : x + dx * most;
+    const endY = dy === 0 ? y : y + dy * most;
+    near(world, [Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY)]).forEach(visit);
   }
 }
 
@@ -104,7 +95,7 @@ export function castRay(world: World, ray: Ray, outerOnly: boolean, accept: Acce
   const walk = new RayWalk(ray, outerOnly);
   let best: CastResult | null = null;
   let temporary: CastResult | null = null;
-  let limit = walk.most;
+  let limit = walk.test.most;
   walk.walk(world, (shape) => {
     const factor = walk.meet(shape);
     if (factor >= 0 && (factor < limit || (factor === limit && best !== null && shape.id < best.shape.id))) {
@@ -133,7 +124,7 @@ export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): Cast
       walk.write(shape, result);
       found.push(result);
     }
-    return walk.most;
+    return walk.test.most;
   });
   return found.sort((a, b) => a.factor - b.factor || a.shape.id - b.shape.id);
 }
@@ -169,10 +160,6 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   sweep.b.shape = null;
   spareSweep = sweep;
   return best;
-}
-
-function isOlder(a: Shape, b: Shape): boolean {
-  return a.id < b.id;
 }
 
 /** For the next cast; one that is made within the callback of another takes a new one. */

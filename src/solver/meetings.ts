@@ -20,7 +20,7 @@ import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby, nearby } from './nearby.js';
-import { isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
+import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = new Sweep();
 sweep.patience = 1000;
@@ -92,12 +92,8 @@ function listWays(movers: Movers): boolean {
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
   for (let i = 0; i < body.shapes.length; i += 1) {
-    const { numbers: n, at, sensor } = body.shapes[i]!;
-    bounds[0] = n[at]! - reach;
-    bounds[1] = n[at + 1]! - reach;
-    bounds[2] = n[at + 2]! + reach;
-    bounds[3] = n[at + 3]! + reach;
-    if (sensor || comesNear(world.movers) || findNearby(world, bounds, false) > 0) {
+    growBounds(body.shapes[i]!, reach, bounds);
+    if (body.shapes[i]!.sensor || comesNear(world.movers) || findNearby(world, bounds, false) > 0) {
       return false;
     }
   }

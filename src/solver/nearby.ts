@@ -1,6 +1,6 @@
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { sortFirst } from '../math/sort.js';
-import type { Shape } from '../shape/shape.js';
+import { isOlder, type Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 
 /** What was found last. What lies beyond the count is left from before: shortening the list would cost its storage. */
@@ -23,10 +23,6 @@ export function findNearby({ broadphase }: World, bounds: Float64Array, all: boo
   } else {
     broadphase.sampleStatic(bounds, gather);
   }
-  sortFirst(nearby, count, hasLowerId);
+  sortFirst(nearby, count, isOlder);
   return count;
-}
-
-function hasLowerId(a: Shape, b: Shape): boolean {
-  return a.id < b.id;
 }

@@ -26,16 +26,21 @@ export function mayMeet(one: Mover, { numbers: a, at: i }: Shape, two: Mover, { 
   return crosses(a, i, b, j);
 }
 
-/** Writes the bounds of all places that a shape without a mover can have in this step, also if contacts that were foreseen had not turned it. */
-export function widenBounds({ owner, numbers: n, at }: Shape, ahead: boolean, out: Float64Array): void {
-  const { lastDx, lastDy, lastTurn, turnAhead, radius } = owner!;
-  const reach = ahead
-    ? SPECULATIVE_MARGIN / 2
-    : Math.abs(lastDx) + Math.abs(lastDy) + (Math.abs(lastTurn) + Math.abs(turnAhead)) * radius;
+/** Writes the bounds of a shape, so much wider on all sides. */
+export function growBounds({ numbers: n, at }: Shape, reach: number, out: Float64Array): void {
   out[0] = n[at]! - reach;
   out[1] = n[at + 1]! - reach;
   out[2] = n[at + 2]! + reach;
   out[3] = n[at + 3]! + reach;
+}
+
+/** Writes the bounds of all places that a shape without a mover can have in this step, also if contacts that were foreseen had not turned it. */
+export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): void {
+  const { lastDx, lastDy, lastTurn, turnAhead, radius } = shape.owner!;
+  const reach = ahead
+    ? SPECULATIVE_MARGIN / 2
+    : Math.abs(lastDx) + Math.abs(lastDy) + (Math.abs(lastTurn) + Math.abs(turnAhead)) * radius;
+  growBounds(shape, reach, out);
 }
 
 /** Whether bounds lie beyond an edge of a polygon for as long as that is on its way: a long one that is turned has bounds that are much larger. */

@@ -22,6 +22,20 @@ function sweepOf(a: Shape, b: Shape, motionA: Motion, motionB: Motion): Sweep {
   return sweep;
 }
 
+/** Counts how often a sweep is looked at. */
+function countLooks({ a }: Sweep): { count: number } {
+  const looks = { count: 0 };
+  const { shape } = a;
+  const counting: Swept = {
+    outline(into) {
+      looks.count += 1;
+      shape!.outline(into);
+    },
+  };
+  a.shape = counting;
+  return looks;
+}
+
 describe('time of impact', () => {
   it(`of ${SWEEPS} random sweeps against their distances in between`, () => {
     expectInTime(measure(SWEEPS, 2), SWEEPS);
@@ -50,17 +64,38 @@ describe('time of impact', () => {
 
   it('takes two looks where nothing turns: at the start, and where they meet', () => {
     for (const speed of [0.01, 1, 400]) {
-      let looks = 0;
-      const counting: Swept = {
-        outline(into) {
-          looks += 1;
-          box(1, 1).outline(into);
-        },
-      };
       const sweep = sweepOf(box(1, 1), box(1, 1), { y: -7, vx: speed }, { x: 3, y: -7 });
-      sweep.a.shape = counting;
+      const looks = countLooks(sweep);
       near(timeOfImpact(sweep, 0, 1e-9, 0, 1000), 2 / speed, 1e-6);
-      expect(looks).toBe(2);
+      expect(looks.count).toBe(2);
+    }
+  });
+
+  it('takes few looks where something flies along a long bar that turns, whichever is A', () => {
+    const length = 20_000;
+    const gap = 1e-3;
+    const bar = { w: 0.5 };
+    for (const coming of [-1, 0, 1]) {
+      const ball = { x: 100, y: 0.6 + gap, vx: -400, vy: 0.5 * 100 - coming };
+      /** The distance from what is above the middle of the bar. */
+      const apart = (t: number): number =>
+        (ball.y + ball.vy * t) * Math.cos(0.5 * t) - (ball.x + ball.vx * t) * Math.sin(0.5 * t) - 0.6;
+      const disc = phys2D.createCircleShape({ radius: 0.5 });
+      for (const sweep of [
+        sweepOf(disc, box(length, 0.2), ball, bar),
+        sweepOf(box(length, 0.2), disc, bar, ball),
+        sweepOf(disc, box(length, 0.2), { ...ball, w: -300 }, bar),
+      ]) {
+        const looks = countLooks(sweep);
+        const time = timeOfImpact(sweep, 0, 1e-9, 0, 1 / 60);
+        expect(looks.count).toBeLessThan(400);
+        if (coming > 0) {
+          near(apart(time), 0, 2e-9);
+          expect(time).toBeLessThan(0.002);
+        } else {
+          expect(time).toBe(-1);
+        }
+      }
     }
   });
 

@@ -112,6 +112,27 @@ describe('kinematic bodies at speed', () => {
   });
 });
 
+describe('a bar of 20 km that turns', () => {
+  it('does not stop what flies along it, a millimetre away', () => {
+    for (const type of ['kinematic', 'dynamic'] as const) {
+      const world = weightless();
+      const bar = phys2D.createRigidBody({ type, shapes: [box(20_000, 0.2)], angularVelocity: 0.5, ...FREE });
+      const ball = phys2D.createRigidBody({
+        shapes: [disc(0.5)],
+        position: [100, 0.601],
+        velocity: [-400, 50],
+        bullet: true,
+        ...FREE,
+      });
+      add(world, bar, ball);
+      for (let i = 1; i <= 10; i += 1) {
+        steps(world, 1);
+        near(ball.getPosition()[0]!, 100 - (400 * i) / 60, 0.01);
+      }
+    }
+  });
+});
+
 describe('changes of type', () => {
   it('what is no longer solid for each other passes, what becomes so does not [D-43]', () => {
     const world = weightless();
