@@ -156,26 +156,30 @@ export class Pairs {
     }
   }
 
-  /** Merges the pairs that arrived into the sorted list, from the back, in place. */
+  /** Merges the pairs that arrived into the sorted list, from the back, in place: they are few, and all the others need not be looked at. */
   merge(): void {
     const { sorted, arriving } = this;
     const { items } = sorted;
     sortFirst(arriving.items, arriving.count, before);
-    let i = sorted.count - 1;
-    let j = arriving.count - 1;
-    let k = i + j + 1;
-    for (let n = 0; n <= j; n += 1) {
+    let rest = sorted.count;
+    for (let n = 0; n < arriving.count; n += 1) {
       sorted.add(arriving.items[n]!);
     }
-    while (j >= 0) {
-      if (i >= 0 && before(arriving.items[j]!, items[i]!)) {
-        items[k] = items[i]!;
-        i -= 1;
-      } else {
-        items[k] = arriving.items[j]!;
-        j -= 1;
+    for (let n = arriving.count - 1; n >= 0; n -= 1) {
+      const pair = arriving.items[n]!;
+      let low = 0;
+      for (let high = rest; low < high; ) {
+        const middle = (low + high) >> 1;
+        if (before(pair, items[middle]!)) {
+          high = middle;
+        } else {
+          low = middle + 1;
+        }
       }
-      k -= 1;
+      for (; rest > low; rest -= 1) {
+        items[rest + n] = items[rest - 1]!;
+      }
+      items[low + n] = pair;
     }
     arriving.clear();
   }

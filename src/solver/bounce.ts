@@ -1,6 +1,5 @@
 import { impactDepth } from '../collide/gap.js';
 import { BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
-import * as c from '../contact/layout.js';
 import type { ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 
@@ -74,8 +73,7 @@ function planBounce(data: SolverData, k: number, h: number): void {
   const batch = list.batches[k]!;
   const index = list.index[k]!;
   const shift = list.shift[k]!;
-  const { numbers, at } = batch.arbiters[index]!;
-  const elasticity = numbers[at + c.ELASTICITY]!;
+  const elasticity = list.elasticity[k]!;
   const comes = normalVelocity(data, batch, index, shift);
   list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
   if (elasticity * comes < -BOUNCE_THRESHOLD) {
@@ -123,10 +121,14 @@ export function releaseBounces(data: SolverData): void {
     const index = list.index[k]!;
     const shift = list.shift[k]!;
     if (normalVelocity(data, batch, index, shift) > BOUNCE_THRESHOLD) {
+      const { records: r } = batch;
       const at = index * batch.stride + shift + d.SEPARATION1;
-      const { shapeA, shapeB } = batch.arbiters[index]!;
-      const s = batch.records[at]!;
-      batch.records[at] = s < -FORESIGHT_DEPTH ? s + impactDepth(shapeA, shapeB, IMPACT_DEPTH) : d.NEVER;
+      if (r[at]! < -FORESIGHT_DEPTH) {
+        const { shapeA, shapeB } = batch.arbiters[index]!;
+        r[at] = r[at]! + impactDepth(shapeA, shapeB, IMPACT_DEPTH);
+      } else {
+        r[at] = d.NEVER;
+      }
     }
   }
 }

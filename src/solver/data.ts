@@ -182,8 +182,11 @@ export class BounceList {
   index = new Int32Array(16);
   shift = new Int32Array(16);
   bias = new Float64Array(16);
+  /** Of the pair, to be written where a point is added: in each sub-step its arbiter would be waited for. */
+  elasticity = new Float64Array(16);
 
-  add(batch: ContactBatch, index: number, shift: number): void {
+  /** @returns the place in the list. */
+  add(batch: ContactBatch, index: number, shift: number): number {
     const i = this.count;
     if (i === this.index.length) {
       this.grow();
@@ -192,7 +195,8 @@ export class BounceList {
     this.index[i] = index;
     this.shift[i] = shift;
     this.bias[i] = 0;
-    this.count += 1;
+    this.count = i + 1;
+    return i;
   }
 
   private grow(): void {
@@ -200,6 +204,7 @@ export class BounceList {
     this.index = widened(this.index, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
     this.bias = widened(this.bias, new Float64Array(size));
+    this.elasticity = widened(this.elasticity, new Float64Array(size));
   }
 }
 

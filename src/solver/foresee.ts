@@ -15,7 +15,7 @@ import type { World } from '../world.js';
 import { canGiveWay } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings } from './meetings.js';
-import { goesFar, type Mover, type Movers } from './movers.js';
+import { goesFar, type Mover } from './movers.js';
 import { smoothMeeting } from './seams.js';
 
 /**
@@ -89,21 +89,22 @@ function foreseeFalling(world: World, body: RigidBody): void {
     mover.dx = vx;
     mover.dy = vy;
     mover.turn = w;
-    goAlongContacts(movers, mover, body);
+    goAlongContacts(world, mover, body);
     mover.foresee(body, movers);
   }
 }
 
 /** Takes from the velocity of a mover what goes into the static bodies that it touches; and notes if it may not bounce. */
-function goAlongContacts(movers: Movers, mover: Mover, { shapes, bullet }: RigidBody): void {
+function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, bullet }: RigidBody): void {
   for (let i = 0; i < shapes.length; i += 1) {
-    const shape = shapes[i]!;
-    movers.bouncy &&= shape.material.elasticity > 0;
-    for (let k = 0; k < shape.arbiters.length; k += 1) {
-      const pair = shape.arbiters[k]!;
-      movers.bouncy &&= !bullet || pair.fixed === 0;
-      const isFirst = pair.shapeA === shape;
-      if (pair.isSolid() && (isFirst ? pair.bodyB : pair.bodyA).kind === STATIC) {
+    const { material, arbiters, groundStamp, grounds } = shapes[i]!;
+    movers.bouncy &&= material.elasticity > 0;
+    for (let k = 0; k < arbiters.length && bullet && movers.bouncy; k += 1) {
+      movers.bouncy = arbiters[k]!.fixed === 0;
+    }
+    for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.nextGround) {
+      const isFirst = pair.bodyB.kind === STATIC;
+      if (pair.isSolid() && (isFirst || pair.bodyA.kind === STATIC)) {
         const { numbers: n, at: o } = pair;
         const sign = isFirst ? 1 : -1;
         const into = sign * (mover.dx * n[o + g.NX]! + mover.dy * n[o + g.NY]!);

@@ -202,9 +202,16 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.TANGENT_SUM1] = -r[at + d.TANGENT1]!;
   r[at + d.NORMAL_SUM2] = -r[at + d.NORMAL2]!;
   r[at + d.TANGENT_SUM2] = -r[at + d.TANGENT2]!;
-  if (n[o + c.ELASTICITY]! > 0) {
-    data.bounces.add(batch, index, 0);
-    data.bounces.add(batch, index, d.SECOND);
+  addBounce(data, batch, index, 0);
+  addBounce(data, batch, index, d.SECOND);
+}
+
+function addBounce({ bounces }: SolverData, batch: ContactBatch, index: number, shift: number): void {
+  const { numbers, at } = batch.arbiters[index]!;
+  const elasticity = numbers[at + c.ELASTICITY]!;
+  if (elasticity > 0) {
+    const k = bounces.add(batch, index, shift);
+    bounces.elasticity[k] = elasticity;
   }
 }
 
@@ -271,9 +278,7 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.NORMAL_SUM1] = -r[at + d.NORMAL1]!;
   r[at + d.TANGENT_SUM1] = -r[at + d.TANGENT1]!;
   r[at + d.ROLL_SUM] = -r[at + d.ROLL]!;
-  if (n[o + c.ELASTICITY]! > 0) {
-    data.bounces.add(batch, index, 0);
-  }
+  addBounce(data, batch, index, 0);
 }
 
 /** What the points of a pair share. */
