@@ -100,7 +100,7 @@ function packRuns(data: SolverData, count: number, mark: number, areHard: boolea
   for (let first = 0; first < d.RUN && first < count; first += 1) {
     for (let i = first; i < count; i += d.RUN) {
       const pair = window[i]!;
-      if ((markOf(data, pair.bodyA) >= mark || markOf(data, pair.bodyB) >= mark) !== areHard) {
+      if (mark < d.NONE_HARD && (markOf(data, pair.bodyA) >= mark || markOf(data, pair.bodyB) >= mark) !== areHard) {
         continue;
       }
       if (hasTwoPoints(pair)) {
