@@ -70,8 +70,6 @@ export class Arbiter {
   sensor = false;
   /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
   listed = false;
-  /** @internal where it is in the table of pairs */
-  place = -1;
   /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
   seen = -1;
   /** @internal the last step in which the shapes interacted */
@@ -90,10 +88,8 @@ export class Arbiter {
   strain = 0;
   /** @internal index in the world's list it is in */
   listIndex = -1;
-  /** @internal what else its dynamic shape lies on or near */
-  nextGround: Arbiter | null = null;
-  /** @internal in the pool: the one that is used after it */
-  nextFree: Arbiter | null = null;
+  /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
+  next: Arbiter | null = null;
   /** @internal */
   persistent = false;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
@@ -107,8 +103,7 @@ export class Arbiter {
   /** @internal what was given in a step before the points became others within it */
   before: Before | null = null;
   /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
-  private list: Contact[] | null = null;
-  private points: readonly Contact[] | null = null;
+  private seenPoints: { readonly list: Contact[]; readonly points: readonly Contact[] } | null = null;
 
   /** @internal */
   constructor(
@@ -143,13 +138,12 @@ export class Arbiter {
 
   /** None, one or two points, B's end of two second. Skip those that are not `active`. */
   get contacts(): Contact[] {
-    this.list ??= [];
-    const { list, shown } = this;
-    if (list.length !== shown) {
-      this.points ??= [new Contact(this, 0), new Contact(this, 1)];
+    this.seenPoints ??= { list: [], points: [new Contact(this, 0), new Contact(this, 1)] };
+    const { list, points } = this.seenPoints;
+    if (list.length !== this.shown) {
       list.length = 0;
-      for (let i = 0; i < shown; i += 1) {
-        list.push(this.points[i]!);
+      for (let i = 0; i < this.shown; i += 1) {
+        list.push(points[i]!);
       }
     }
     return list;

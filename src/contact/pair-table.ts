@@ -36,16 +36,17 @@ export class PairTable {
   }
 
   /** Removes an arbiter that is in the table, and moves up those that had to probe past it. */
-  remove({ place }: Arbiter): void {
+  remove(arbiter: Arbiter): void {
     const { arbiters } = this;
     const mask = arbiters.length - 1;
-    let hole = place;
-    for (let i = (place + 1) & mask; arbiters[i] !== null; i = (i + 1) & mask) {
-      const arbiter = arbiters[i]!;
-      const home = hash(arbiter.shapeA, arbiter.shapeB) & mask;
-      if (((i - home) & mask) >= ((i - hole) & mask)) {
-        arbiters[hole] = arbiter;
-        arbiter.place = hole;
+    let hole = hash(arbiter.shapeA, arbiter.shapeB) & mask;
+    while (arbiters[hole] !== arbiter) {
+      hole = (hole + 1) & mask;
+    }
+    for (let i = (hole + 1) & mask; arbiters[i] !== null; i = (i + 1) & mask) {
+      const { shapeA, shapeB } = arbiters[i]!;
+      if (((i - hash(shapeA, shapeB)) & mask) >= ((i - hole) & mask)) {
+        arbiters[hole] = arbiters[i]!;
         hole = i;
       }
     }
@@ -66,7 +67,6 @@ export class PairTable {
       i = (i + 1) & mask;
     }
     arbiters[i] = arbiter;
-    arbiter.place = i;
   }
 
   private grow(): void {

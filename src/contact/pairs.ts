@@ -79,8 +79,8 @@ export class Pairs {
   /** @internal */
   make(shapeA: Shape, shapeB: Shape): Arbiter {
     const pair = this.pool ?? this.makeNew(shapeA, shapeB);
-    this.pool = pair.nextFree;
-    pair.nextFree = null;
+    this.pool = pair.next;
+    pair.next = null;
     pair.reuse(shapeA, shapeB);
     this.sightings[pair.number] = NEVER;
     return pair;
@@ -239,7 +239,7 @@ export class Pairs {
       this.spare.push(pair.before);
       pair.before = null;
     }
-    pair.nextFree = this.pool;
+    pair.next = this.pool;
     this.pool = pair;
   }
 

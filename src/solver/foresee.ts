@@ -102,7 +102,7 @@ function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, b
     for (let k = 0; k < arbiters.length && bullet && movers.bouncy; k += 1) {
       movers.bouncy = arbiters[k]!.fixed === 0;
     }
-    for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.nextGround) {
+    for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.next) {
       const isFirst = pair.bodyB.kind === STATIC;
       if (pair.isSolid() && (isFirst || pair.bodyA.kind === STATIC)) {
         const { numbers: n, at: o } = pair;

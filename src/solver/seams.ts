@@ -49,10 +49,10 @@ export function noteGround(world: World, pair: Arbiter): void {
   if (shape.groundStamp !== world.timeStamp) {
     shape.groundStamp = world.timeStamp;
     shape.grounds = null;
-  } else if (shape.grounds!.nextGround === null) {
+  } else if (shape.grounds!.next === null) {
     world.straddling.add(shape);
   }
-  pair.nextGround = shape.grounds;
+  pair.next = shape.grounds;
   shape.grounds = pair;
 }
 
@@ -60,7 +60,7 @@ export function noteGround(world: World, pair: Arbiter): void {
 export function smoothSeams(world: World): void {
   const { straddling } = world;
   for (let i = 0; i < straddling.count; i += 1) {
-    for (let pair = straddling.items[i]!.grounds; pair !== null; pair = pair.nextGround) {
+    for (let pair = straddling.items[i]!.grounds; pair !== null; pair = pair.next) {
       if (smooth(pair)) {
         pair.near &&= pair.count > 0;
       }
@@ -73,7 +73,7 @@ export function smoothSeams(world: World): void {
 function smooth(pair: Arbiter): boolean {
   const shape = dynamicOf(pair);
   const ground = groundOf(pair);
-  for (let other = shape.grounds; other !== null && pair.count > 0; other = other.nextGround) {
+  for (let other = shape.grounds; other !== null && pair.count > 0; other = other.next) {
     if (other === pair || other.count === 0) {
       continue;
     }

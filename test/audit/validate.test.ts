@@ -118,7 +118,7 @@ const DAMAGES: readonly [damage: (scene: Scene) => unknown, message: RegExp][] =
   [({ world, arbiter }) => world.pairs.table.remove(arbiter), /must be in the table of pairs/],
   [({ world, arbiter }) => Object.assign(world.pairs, { pool: arbiter }), /is in a pool and in the table of pairs/],
   [
-    ({ world, arbiter }) => Object.assign(world.pairs, { pool: Object.assign(arbiter, { nextFree: arbiter }) }),
+    ({ world, arbiter }) => Object.assign(world.pairs, { pool: Object.assign(arbiter, { next: arbiter }) }),
     /is in a pool twice/,
   ],
   [({ world, arbiter }) => world.pairs.cut.push(arbiter, arbiter), /is in a pool twice/],

@@ -120,7 +120,7 @@ function poolsOf({ pairs, events, solver, stale, broadphase }) {
   const notes = events.lists.concat(events.handed).reduce((sum, { all }) => sum + all.length, 0);
   const places = table.arbiters.length + stale.items.length + (broadphase.pairs?.length ?? 0);
   let free = 0;
-  for (let pair = pairs.pool; pair !== null; pair = pair.nextFree) {
+  for (let pair = pairs.pool; pair !== null; pair = pair.next) {
     free += 1;
   }
   return free + spare.length + cut.length + cutBefore.length + notes + places + solver.two.records.length / 100;
