@@ -81,7 +81,6 @@ function listWays(movers: Movers): boolean {
       ways.add(shapes[k]!, i, bounds);
     }
   }
-  ways.sort();
   return alone;
 }
 

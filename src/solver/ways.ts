@@ -13,8 +13,9 @@ export class Ways {
   readonly found: number[] = [];
   /** minX, minY, maxX, maxY of each. */
   private readonly boxes: number[] = [];
-  /** Which, from the left to the right. */
+  /** Which, from the left to the right once the first is looked for: often none is. */
   private readonly order: number[] = [];
+  private isSorted = false;
   /** The largest width, m. */
   private widest = 0.5;
   private readonly isFartherLeft = (a: number, b: number): boolean => this.boxes[a * BOX]! < this.boxes[b * BOX]!;
@@ -22,6 +23,7 @@ export class Ways {
   clear(): void {
     this.count = 0;
     this.widest = 0;
+    this.isSorted = false;
   }
 
   /** Adds a shape with its bounds. */
@@ -37,13 +39,12 @@ export class Ways {
     this.count += 1;
   }
 
-  /** To be called when all are added, before any is looked for. */
-  sort(): void {
-    sortFirst(this.order, this.count, this.isFartherLeft);
-  }
-
-  /** Looks for those whose bounds overlap others. @returns how many were found. */
+  /** Looks for those whose bounds overlap others, when all are added. @returns how many were found. */
   find(bounds: Float64Array): number {
+    if (!this.isSorted) {
+      sortFirst(this.order, this.count, this.isFartherLeft);
+      this.isSorted = true;
+    }
     const { boxes, count, order, found } = this;
     const minX = bounds[0]!;
     const minY = bounds[1]!;
