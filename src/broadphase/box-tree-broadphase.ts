@@ -1,7 +1,7 @@
 import { widened } from '../math/doubles.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
-import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
+import { type Broadphase, type BroadphaseHandle, checkRect } from './broadphase.js';
 import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC } from './layout.js';
 import { grown, PackedTree } from './packed-tree.js';
 
@@ -63,9 +63,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private depth = 0;
 
   insert(data: T, bounds: RectLike, isStatic: boolean, group: unknown = {}): BroadphaseHandle<T> {
-    if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.insert', 'bounds', bounds);
-    }
+    checkRect('BoxTreeBroadphase.insert', bounds);
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
     const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group);
     this.setBox(handle.number, bounds);
@@ -83,9 +81,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
-    if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.update', 'bounds', bounds);
-    }
+    checkRect('BoxTreeBroadphase.update', bounds);
     const own = this.owned('BoxTreeBroadphase.update', handle);
     const becomesStatic =
       isStatic === undefined ? own.isStatic : boolean('BoxTreeBroadphase.update', 'isStatic', isStatic);
@@ -210,9 +206,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject?: unknown,
   ): void {
-    if (!isRect(bounds)) {
-      throw badBounds('BoxTreeBroadphase.sample', 'bounds', bounds);
-    }
+    checkRect('BoxTreeBroadphase.sample', bounds);
     callable('BoxTreeBroadphase.sample', 'callback', callback);
     this.report(bounds, true, callback, thisObject);
   }

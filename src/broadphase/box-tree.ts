@@ -11,7 +11,7 @@ import {
   typeError,
   vector,
 } from '../validate.js';
-import { badBounds, isRect } from './broadphase.js';
+import { checkRect } from './broadphase.js';
 import { BOX, NONE } from './layout.js';
 import { PackedTree } from './packed-tree.js';
 
@@ -81,7 +81,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Adds an object with its bounds `[minX, minY, maxX, maxY]`. */
   add(externalNode: T, extents: RectLike): void {
     checkNode('BoxTree.add', externalNode);
-    checkExtents('BoxTree.add', 'extents', extents);
+    checkRect('BoxTree.add', extents, 'extents');
     if (externalNode.boxTreeIndex !== undefined) {
       throw typeError('BoxTree.add', 'externalNode', 'an object that is in no tree', externalNode);
     }
@@ -93,7 +93,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Gives an object new bounds; one that is in no tree is added. */
   update(externalNode: T, extents: RectLike): void {
     checkNode('BoxTree.update', externalNode);
-    checkExtents('BoxTree.update', 'extents', extents);
+    checkRect('BoxTree.update', extents, 'extents');
     if (externalNode.boxTreeIndex === undefined) {
       this.add(externalNode, extents);
       return;
@@ -140,7 +140,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
 
   /** Writes what overlaps `queryExtents` from `startIndex` (default: the array's length) on. @returns how many. */
   getOverlappingNodes(queryExtents: RectLike, overlappingNodes: T[], startIndex?: number): number {
-    checkExtents('BoxTree.getOverlappingNodes', 'queryExtents', queryExtents);
+    checkRect('BoxTree.getOverlappingNodes', queryExtents, 'queryExtents');
     const start = checkedStart('BoxTree.getOverlappingNodes', 'overlappingNodes', overlappingNodes, startIndex);
     const { tree, met } = this;
     const count = tree.query(queryExtents, met, 0);
@@ -349,12 +349,6 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
 function checkNode(where: string, externalNode: unknown): void {
   if (typeof externalNode !== 'object' || externalNode === null) {
     throw typeError(where, 'externalNode', 'an object', externalNode);
-  }
-}
-
-function checkExtents(where: string, name: string, extents: RectLike): void {
-  if (!isRect(extents)) {
-    throw badBounds(where, name, extents);
   }
 }
 

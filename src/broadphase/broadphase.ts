@@ -1,5 +1,5 @@
 import type { RectLike, Vec2Like } from '../math/vectors.js';
-import { rangeError, typeError } from '../validate.js';
+import { notNaN, rangeError, typeError } from '../validate.js';
 
 /** A thing in a broadphase. */
 export interface BroadphaseHandle<T = unknown> {
@@ -60,8 +60,15 @@ export interface Broadphase<T = unknown> {
   castRay?(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
 }
 
-/** Whether something is four numbers that are a rectangle; false for NaN. */
-export function isRect(bounds: RectLike): boolean {
+/** Refuses what is not four numbers that are a rectangle. */
+export function checkRect(where: string, bounds: RectLike, name = 'bounds'): void {
+  if (!isRect(bounds)) {
+    throw badBounds(where, name, bounds);
+  }
+}
+
+/** False for NaN. */
+function isRect(bounds: RectLike): boolean {
   return (
     typeof bounds === 'object' &&
     bounds !== null &&
@@ -74,19 +81,14 @@ export function isRect(bounds: RectLike): boolean {
   );
 }
 
-/** The error for bounds that `isRect` refuses. */
-export function badBounds(where: string, name: string, bounds: unknown): Error {
+/** The error for what is no rectangle. */
+function badBounds(where: string, name: string, bounds: unknown): Error {
   const list = bounds as RectLike | null | undefined;
   if (typeof list !== 'object' || list === null || !(list.length >= 4)) {
     return typeError(where, name, 'four numbers [minX, minY, maxX, maxY]', bounds);
   }
   for (let i = 0; i < 4; i += 1) {
-    if (typeof list[i] !== 'number') {
-      return typeError(where, `${name}[${i}]`, 'a number', list[i]);
-    }
-    if (Number.isNaN(list[i])) {
-      return rangeError(where, `${name}[${i}]`, 'a number, not NaN', list[i]);
-    }
+    notNaN(where, `${name}[${i}]`, list[i]);
   }
   const axis = list[0]! <= list[2]! ? 1 : 0;
   return rangeError(where, `${name}[${axis + 2}]`, `>= ${name}[${axis}] = ${list[axis]}`, list[axis + 2]);

@@ -1,6 +1,6 @@
 import type { RectLike } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
-import { type Broadphase, type BroadphaseHandle, badBounds, isRect } from './broadphase.js';
+import { type Broadphase, type BroadphaseHandle, checkRect } from './broadphase.js';
 
 /** A handle of {@link SweepAndPrune}. */
 class SweepHandle<T> implements BroadphaseHandle<T> {
@@ -117,9 +117,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   private readonly still = new SweepList<T>();
 
   insert(data: T, bounds: RectLike, isStatic: boolean, group: unknown = {}): BroadphaseHandle<T> {
-    if (!isRect(bounds)) {
-      throw badBounds('SweepAndPrune.insert', 'bounds', bounds);
-    }
+    checkRect('SweepAndPrune.insert', bounds);
     boolean('SweepAndPrune.insert', 'isStatic', isStatic);
     const handle = new SweepHandle(data, isStatic, group);
     handle.set(bounds);
@@ -128,9 +126,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   }
 
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void {
-    if (!isRect(bounds)) {
-      throw badBounds('SweepAndPrune.update', 'bounds', bounds);
-    }
+    checkRect('SweepAndPrune.update', bounds);
     const own = this.owned('SweepAndPrune.update', handle);
     const becomesStatic = isStatic === undefined ? own.isStatic : boolean('SweepAndPrune.update', 'isStatic', isStatic);
     own.set(bounds);
@@ -182,9 +178,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject?: unknown,
   ): void {
-    if (!isRect(bounds)) {
-      throw badBounds('SweepAndPrune.sample', 'bounds', bounds);
-    }
+    checkRect('SweepAndPrune.sample', bounds);
     callable('SweepAndPrune.sample', 'callback', callback);
     // Read before any callback, which may write to it.
     const minX = bounds[0]!;

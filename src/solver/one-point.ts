@@ -1,4 +1,5 @@
 import {
+  CALM_ACCELERATION,
   CONTACT_SLOP,
   DEEP_OVERLAP,
   DEEP_OVERLAP_CIRCLES,
@@ -8,7 +9,6 @@ import {
   PUSH_SHARE_DEEP_CIRCLES,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
-  VELOCITY_TOLERANCE,
 } from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -67,9 +67,10 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
  *
  * @returns as `solveVelocityTwo`.
  */
-export function solveVelocityOne(data: SolverData, from: number, to: number): boolean {
+export function solveVelocityOne(data: SolverData, from: number, to: number, h: number): boolean {
   const { records: r, bodies } = data.one;
   const v = data.velocity;
+  const tolerance = CALM_ACCELERATION * h;
   let changed = false;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.ONE_STRIDE) & d.OFFSET;
@@ -124,9 +125,9 @@ export function solveVelocityOne(data: SolverData, from: number, to: number): bo
     r[i + d.NORMAL1] = nextP;
     changed =
       changed ||
-      Math.abs(dp) > VELOCITY_TOLERANCE * r[i + d.NORMAL_MASS]! ||
-      Math.abs(dt) > VELOCITY_TOLERANCE * r[i + d.TANGENT_MASS1]! ||
-      Math.abs(nextRoll - roll) > VELOCITY_TOLERANCE * r[i + d.ROLL_MASS]!;
+      Math.abs(dp) > tolerance * r[i + d.NORMAL_MASS]! ||
+      Math.abs(dt) > tolerance * r[i + d.TANGENT_MASS1]! ||
+      Math.abs(nextRoll - roll) > tolerance * r[i + d.ROLL_MASS]!;
     const jx = nx * dp - ny * dt;
     const jy = ny * dp + nx * dt;
     v[a + d.VX] = vax - mA * jx;

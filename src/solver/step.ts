@@ -56,7 +56,7 @@ function integrate(world: World, h: number, substeps: number): void {
     let changed = true;
     for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && jointSolver !== null)); i += 1) {
       if (i < turns) jointSolver?.solveVelocities(solver, i, turns);
-      changed = solveVelocityContacts(solver);
+      changed = solveVelocityContacts(solver, h);
     }
     profile?.lap('velocities');
     integratePositions(solver, h);

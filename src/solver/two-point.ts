@@ -1,11 +1,11 @@
 import {
+  CALM_ACCELERATION,
   CONTACT_SLOP,
   DEEP_OVERLAP,
   MAX_PUSH,
   PUSH_SHARE_DEEP,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
-  VELOCITY_TOLERANCE,
 } from '../config.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
@@ -74,11 +74,12 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
  * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
  *
- * @returns whether any velocity changed by more than the tolerance.
+ * @returns whether any velocity changed by more than tiny accelerations would change it in the sub-step, of length h.
  */
-export function solveVelocityTwo(data: SolverData, from: number, to: number): boolean {
+export function solveVelocityTwo(data: SolverData, from: number, to: number, h: number): boolean {
   const { records: r, bodies } = data.two;
   const v = data.velocity;
+  const tolerance = CALM_ACCELERATION * h;
   let changed = false;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
@@ -162,10 +163,10 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number): bo
     const d2 = x2 - p2;
     changed =
       changed ||
-      Math.abs(d1) * r[i + d.K11]! > VELOCITY_TOLERANCE ||
-      Math.abs(d2) * r[i + d.K22]! > VELOCITY_TOLERANCE ||
-      Math.abs(dt1) > VELOCITY_TOLERANCE * r[i + d.TANGENT_MASS1]! ||
-      Math.abs(dt2) > VELOCITY_TOLERANCE * r[i + d.TANGENT_MASS2]!;
+      Math.abs(d1) * r[i + d.K11]! > tolerance ||
+      Math.abs(d2) * r[i + d.K22]! > tolerance ||
+      Math.abs(dt1) > tolerance * r[i + d.TANGENT_MASS1]! ||
+      Math.abs(dt2) > tolerance * r[i + d.TANGENT_MASS2]!;
     const p = d1 + d2;
     const t = dt1 + dt2;
     const jx = nx * p - ny * t;

@@ -270,10 +270,10 @@ describe('a sweep over contacts', () => {
       steps(world, 120);
       const { solver } = world;
       expect(solver.one.count + solver.two.count).toBe(1);
-      expect(solveVelocityContacts(solver)).toBe(false);
+      expect(solveVelocityContacts(solver, DT / 4)).toBe(false);
       solver.velocity[BODY_STRIDE + VY]! += 1e-6;
-      expect(solveVelocityContacts(solver)).toBe(true);
-      expect(solveVelocityContacts(solver)).toBe(false);
+      expect(solveVelocityContacts(solver, DT / 4)).toBe(true);
+      expect(solveVelocityContacts(solver, DT / 4)).toBe(false);
     }
   });
 });
