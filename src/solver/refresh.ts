@@ -1,16 +1,13 @@
 import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { growBounds } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 
 /** The bounds of a shape for the broadphase: two shapes within the speculative margin overlap. Dead after the next call. */
 export function widened(shape: Shape): Float64Array {
-  const { numbers: n, at } = shape;
-  bounds[0] = n[at]! - SPECULATIVE_MARGIN / 2;
-  bounds[1] = n[at + 1]! - SPECULATIVE_MARGIN / 2;
-  bounds[2] = n[at + 2]! + SPECULATIVE_MARGIN / 2;
-  bounds[3] = n[at + 3]! + SPECULATIVE_MARGIN / 2;
+  growBounds(shape, SPECULATIVE_MARGIN / 2, bounds);
   return bounds;
 }
 

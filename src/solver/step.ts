@@ -53,6 +53,7 @@ function integrate(world: World, h: number, substeps: number): void {
     warmStartContacts(solver, h);
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
+    // Joints take all their turns, even where no contact changes anything.
     let changed = true;
     for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && jointSolver !== null)); i += 1) {
       if (i < turns) jointSolver?.solveVelocities(solver, i, turns);

@@ -18,7 +18,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   shape: ['groundStamp', 'stateIndex', 'halfWidth'],
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
-  arbiter: ['near', 'foreseen', 'dead', 'place'],
+  arbiter: ['near', 'foreseen', 'dead'],
   group: ['start', 'end', 'tolerance', 'error', 'pushed', 'left'],
   record: [APPROACH, FORESIGHT, FORESIGHT + 1].map(String),
 };
