@@ -34,9 +34,9 @@ function findSeparation(data: SolverData, batch: ContactBatch, k: number, shift:
     r[i + d.START1]! +
     r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
     r[record + d.NY]! * (q[b + d.DY]! - q[a + d.DY]!) +
-    v[b + d.COS_LESS_ONE]! * r[i + (isOne ? d.PIVOT_B : d.RT_B1)]! +
+    v[b + d.COS_LESS_ONE]! * r[record + (isOne ? d.PIVOT_B : d.RT_B)]! +
     v[b + d.SIN]! * r[i + d.RN_B1]! -
-    v[a + d.COS_LESS_ONE]! * r[i + (isOne ? d.PIVOT_A : d.RT_A1)]! -
+    v[a + d.COS_LESS_ONE]! * r[record + (isOne ? d.PIVOT_A : d.RT_A)]! -
     v[a + d.SIN]! * r[i + d.RN_A1]!;
 }
 
@@ -89,9 +89,10 @@ function planBounce(data: SolverData, k: number, h: number): void {
       list.bias[k] = d.OFF;
       const i = record + shift;
       r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
-      r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + r[i + d.TANGENT1]!;
+      r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
       r[i + d.NORMAL1] = 0;
-      r[i + d.TANGENT1] = 0;
+      // Of two points the other one asks for it again.
+      r[record + d.TANGENT] = 0;
     }
   }
 }

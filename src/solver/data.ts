@@ -53,6 +53,8 @@ export const LOAD = 7;
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
  * solver needs of r: n · (R(θ) r) = RT·cos θ + RN·sin θ.
+ *
+ * Two points lie on a line along t, or nearly so; friction at either does the same. So there is one friction for both, at a point between them, with both their loads.
  */
 export const NX = 0;
 export const NY = 1;
@@ -61,24 +63,26 @@ export const SHARE = 2;
 /** Surface velocity along t and along n. */
 export const SURFACE_T = 3;
 export const SURFACE_N = 4;
-export const RN_A1 = 5;
-export const RN_B1 = 6;
-export const RT_A1 = 7;
-export const RT_B1 = 8;
+export const RT_A = 5;
+export const RT_B = 6;
 /** Effective mass along the tangent, coefficient of friction. */
-export const TANGENT_MASS1 = 9;
-export const FRICTION1 = 10;
-/** Impulses of this sub-step. */
-export const NORMAL1 = 11;
-export const TANGENT1 = 12;
+export const TANGENT_MASS = 7;
+export const FRICTION = 8;
+/** Impulse of this sub-step, and of the whole step without this sub-step's. */
+export const TANGENT = 9;
+export const TANGENT_SUM = 10;
+
+/** Of each point: */
+export const RN_A1 = 11;
+export const RN_B1 = 12;
+/** Impulse of this sub-step, and of the whole step without this sub-step's. */
+export const NORMAL1 = 13;
+export const NORMAL_SUM1 = 14;
 /** What the normal velocity is driven to, with the sign changed. */
-export const BIAS1 = 13;
+export const BIAS1 = 15;
 /** Separation at the start of the step, and at the start of the sub-step. */
-export const START1 = 14;
-export const SEPARATION1 = 15;
-/** Impulses of the whole step, without this sub-step's. */
-export const NORMAL_SUM1 = 16;
-export const TANGENT_SUM1 = 17;
+export const START1 = 16;
+export const SEPARATION1 = 17;
 
 /** One-point records only: effective mass along the normal. */
 export const NORMAL_MASS = 18;
@@ -93,28 +97,24 @@ export const PIVOT_B = 24;
 export const ONE_STRIDE = 26;
 
 /** Two-point records only: the second point at the offsets of the first plus SECOND, and K of both points. */
-export const SECOND = 14;
+export const SECOND = 8;
 export const RN_A2 = RN_A1 + SECOND;
 export const RN_B2 = RN_B1 + SECOND;
-export const RT_A2 = RT_A1 + SECOND;
-export const RT_B2 = RT_B1 + SECOND;
-export const TANGENT_MASS2 = TANGENT_MASS1 + SECOND;
-export const FRICTION2 = FRICTION1 + SECOND;
 export const NORMAL2 = NORMAL1 + SECOND;
-export const TANGENT2 = TANGENT1 + SECOND;
+export const NORMAL_SUM2 = NORMAL_SUM1 + SECOND;
 export const BIAS2 = BIAS1 + SECOND;
 export const START2 = START1 + SECOND;
 export const SEPARATION2 = SEPARATION1 + SECOND;
-export const NORMAL_SUM2 = NORMAL_SUM1 + SECOND;
-export const TANGENT_SUM2 = TANGENT_SUM1 + SECOND;
 export const K11 = 18;
 export const K22 = K11 + SECOND;
-export const K12 = 33;
+export const K12 = 27;
 /** K⁻¹. */
-export const I11 = 34;
-export const I12 = 35;
-export const I22 = 36;
-export const TWO_STRIDE = 38;
+export const I11 = 28;
+export const I12 = 29;
+export const I22 = 30;
+/** How far friction is from the second point, 0, towards the first, 1: that much of it is said to be the first point's. */
+export const PART = 31;
+export const TWO_STRIDE = 32;
 
 /**
  * Offsets pass through this mask in the hot loops. It changes none, as no array is that long, but tells the compiler that they are small,

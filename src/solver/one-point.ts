@@ -26,8 +26,8 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
     const ny = r[i + d.NY]!;
     const rnA = r[i + d.RN_A1]!;
     const rnB = r[i + d.RN_B1]!;
-    const rtA = r[i + d.RT_A1]!;
-    const rtB = r[i + d.RT_B1]!;
+    const rtA = r[i + d.RT_A]!;
+    const rtB = r[i + d.RT_B]!;
     const s =
       r[i + d.START1]! +
       nx * (q[b + d.DX]! - q[a + d.DX]!) +
@@ -41,10 +41,10 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
     const gap = s + TOUCH_DEPTH;
     r[i + d.BIAS1] = 0.5 * (gap + Math.abs(gap)) * inverseH + surface;
     const p = r[i + d.NORMAL1]!;
-    const t = r[i + d.TANGENT1]!;
+    const t = r[i + d.TANGENT]!;
     const roll = r[i + d.ROLL]!;
     r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + p;
-    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + t;
+    r[i + d.TANGENT_SUM] = r[i + d.TANGENT_SUM]! + t;
     r[i + d.ROLL_SUM] = r[i + d.ROLL_SUM]! + roll;
     const jx = nx * p - ny * t;
     const jy = ny * p + nx * t;
@@ -92,17 +92,17 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     const dvy = vby - vay;
     const p = r[i + d.NORMAL1]!;
 
-    const rtA = r[i + d.RT_A1]!;
-    const rtB = r[i + d.RT_B1]!;
-    const t = r[i + d.TANGENT1]!;
-    const limit = r[i + d.FRICTION1]! * p;
+    const rtA = r[i + d.RT_A]!;
+    const rtB = r[i + d.RT_B]!;
+    const t = r[i + d.TANGENT]!;
+    const limit = r[i + d.FRICTION]! * p;
     const slide = nx * dvy - ny * dvx + r[i + d.SURFACE_T]! + rtB * wB - rtA * wA;
-    let nextT = t - slide * r[i + d.TANGENT_MASS1]!;
+    let nextT = t - slide * r[i + d.TANGENT_MASS]!;
     if (Math.abs(nextT) > limit) {
       nextT = 0.5 * (Math.abs(nextT + limit) - Math.abs(nextT - limit));
     }
     const dt = nextT - t;
-    r[i + d.TANGENT1] = nextT;
+    r[i + d.TANGENT] = nextT;
     wA -= iA * rtA * dt;
     wB += iB * rtB * dt;
 
@@ -126,7 +126,7 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     changed =
       changed ||
       Math.abs(dp) > tolerance * r[i + d.NORMAL_MASS]! ||
-      Math.abs(dt) > tolerance * r[i + d.TANGENT_MASS1]! ||
+      Math.abs(dt) > tolerance * r[i + d.TANGENT_MASS]! ||
       Math.abs(nextRoll - roll) > tolerance * r[i + d.ROLL_MASS]!;
     const jx = nx * dp - ny * dt;
     const jy = ny * dp + nx * dt;

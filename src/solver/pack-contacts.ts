@@ -119,7 +119,10 @@ function hasTwoPoints(pair: Arbiter): boolean {
   return count === 2 && n[o + g.S0]! <= limit && n[o + g.S1]! <= limit;
 }
 
-/** Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. */
+/**
+ * Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. Friction is at the points as their loads
+ * share it; where nothing is carried yet, at the deeper one.
+ */
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
   const at = (index * d.TWO_STRIDE) & d.OFFSET;
@@ -140,29 +143,29 @@ function packTwo(data: SolverData, index: number): void {
   const dn = n[o + g.DX]! * nx + n[o + g.DY]! * ny;
   const dc = n[o + g.DX]! * ny - n[o + g.DY]! * nx;
   const rnA1 = x1 * ny - y1 * nx;
-  const rtA1 = x1 * nx + y1 * ny;
   const rnA2 = x2 * ny - y2 * nx;
-  const rtA2 = x2 * nx + y2 * ny;
   const rnB1 = rnA1 - dc;
-  const rtB1 = rtA1 - dn;
   const rnB2 = rnA2 - dc;
-  const rtB2 = rtA2 - dn;
   r[at + d.RN_A1] = rnA1;
   r[at + d.RN_B1] = rnB1;
-  r[at + d.RT_A1] = rtA1;
-  r[at + d.RT_B1] = rtB1;
   r[at + d.RN_A2] = rnA2;
   r[at + d.RN_B2] = rnB2;
-  r[at + d.RT_A2] = rtA2;
-  r[at + d.RT_B2] = rtB2;
+  const p1 = n[o + c.NORMAL]!;
+  const p2 = n[o + c.NORMAL + c.IMPULSES]!;
+  const s1 = n[o + g.S0]!;
+  const s2 = n[o + g.S1]!;
+  const part = p1 > 0 && p2 >= 0 ? p1 / (p1 + p2) : p2 > 0 || s2 < s1 ? 0 : 1;
+  const rtA = (x2 + part * (x1 - x2)) * nx + (y2 + part * (y1 - y2)) * ny;
+  const rtB = rtA - dn;
+  r[at + d.PART] = part;
+  r[at + d.RT_A] = rtA;
+  r[at + d.RT_B] = rtB;
 
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
   const iB = v[b + d.INV_INERTIA]!;
-  const kt1 = mass + iA * rtA1 * rtA1 + iB * rtB1 * rtB1;
-  const kt2 = mass + iA * rtA2 * rtA2 + iB * rtB2 * rtB2;
-  r[at + d.TANGENT_MASS1] = kt1 > MIN_INVERSE_MASS ? 1 / kt1 : 0;
-  r[at + d.TANGENT_MASS2] = kt2 > MIN_INVERSE_MASS ? 1 / kt2 : 0;
+  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
+  r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   const kn1 = mass + iA * rnA1 * rnA1 + iB * rnB1 * rnB1;
   const kn2 = mass + iA * rnA2 * rnA2 + iB * rnB2 * rnB2;
   const k11 = kn1 > MIN_INVERSE_MASS ? kn1 : d.IMMOVABLE;
@@ -177,31 +180,22 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.I11] = k22 * inverse;
   r[at + d.I12] = together ? -k12 * inverse : 0;
   r[at + d.I22] = k11 * inverse;
-
-  const s1 = n[o + g.S0]!;
-  const s2 = n[o + g.S1]!;
   r[at + d.START1] = together || s1 <= s2 ? s1 : d.NEVER;
   r[at + d.START2] = together || s2 < s1 ? s2 : d.NEVER;
 
-  const wA = v[a + d.W]!;
-  const wB = v[b + d.W]!;
-  const slide = nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!);
-  const slide1 = slide + rtB1 * wB - rtA1 * wA;
-  const slide2 = slide + rtB2 * wB - rtA2 * wA;
-  const hold = n[o + c.STATIC_FRICTION]!;
-  const rub = n[o + c.DYNAMIC_FRICTION]!;
-  r[at + d.FRICTION1] = slide1 * slide1 > STATIC_FRICTION_SPEED_SQUARED ? rub : hold;
-  r[at + d.FRICTION2] = slide2 * slide2 > STATIC_FRICTION_SPEED_SQUARED ? rub : hold;
+  const slide =
+    nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
+  const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
+  r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
 
   const scale = data.impulseScale;
-  r[at + d.NORMAL1] = n[o + c.NORMAL]! * scale;
-  r[at + d.TANGENT1] = n[o + c.TANGENT]! * scale;
-  r[at + d.NORMAL2] = n[o + c.NORMAL + c.IMPULSES]! * scale;
-  r[at + d.TANGENT2] = n[o + c.TANGENT + c.IMPULSES]! * scale;
-  r[at + d.NORMAL_SUM1] = -r[at + d.NORMAL1]!;
-  r[at + d.TANGENT_SUM1] = -r[at + d.TANGENT1]!;
-  r[at + d.NORMAL_SUM2] = -r[at + d.NORMAL2]!;
-  r[at + d.TANGENT_SUM2] = -r[at + d.TANGENT2]!;
+  const tangent = (n[o + c.TANGENT]! + n[o + c.TANGENT + c.IMPULSES]!) * scale;
+  r[at + d.TANGENT] = tangent;
+  r[at + d.TANGENT_SUM] = -tangent;
+  r[at + d.NORMAL1] = p1 * scale;
+  r[at + d.NORMAL2] = p2 * scale;
+  r[at + d.NORMAL_SUM1] = -p1 * scale;
+  r[at + d.NORMAL_SUM2] = -p2 * scale;
   addBounce(data, batch, index, 0);
   addBounce(data, batch, index, d.SECOND);
 }
@@ -240,8 +234,8 @@ function packOne(data: SolverData, index: number): void {
   const rtB = bx * nx + by * ny;
   r[at + d.RN_A1] = rnA;
   r[at + d.RN_B1] = rnB;
-  r[at + d.RT_A1] = rtA;
-  r[at + d.RT_B1] = rtB;
+  r[at + d.RT_A] = rtA;
+  r[at + d.RT_B] = rtB;
   const separation = n[o + g.S0 + g.POINT * which]!;
   // As `roundness`, which called from here would have to box its numbers.
   const { shapeA, shapeB } = pair;
@@ -261,7 +255,7 @@ function packOne(data: SolverData, index: number): void {
   const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
   const rolls = count === 1 && iA + iB > MIN_INVERSE_MASS;
   r[at + d.NORMAL_MASS] = kn > MIN_INVERSE_MASS ? 1 / kn : 0;
-  r[at + d.TANGENT_MASS1] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
+  r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
   r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
   r[at + d.START1] = separation;
@@ -269,14 +263,14 @@ function packOne(data: SolverData, index: number): void {
   const slide =
     nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
   const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
-  r[at + d.FRICTION1] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+  r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
 
   const scale = data.impulseScale;
   r[at + d.NORMAL1] = n[o + c.NORMAL + c.IMPULSES * which]! * scale;
-  r[at + d.TANGENT1] = n[o + c.TANGENT + c.IMPULSES * which]! * scale;
+  r[at + d.TANGENT] = n[o + c.TANGENT + c.IMPULSES * which]! * scale;
   r[at + d.ROLL] = n[o + c.ROLL]! * scale;
   r[at + d.NORMAL_SUM1] = -r[at + d.NORMAL1]!;
-  r[at + d.TANGENT_SUM1] = -r[at + d.TANGENT1]!;
+  r[at + d.TANGENT_SUM] = -r[at + d.TANGENT]!;
   r[at + d.ROLL_SUM] = -r[at + d.ROLL]!;
   addBounce(data, batch, index, 0);
 }

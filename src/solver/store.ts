@@ -1,7 +1,15 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { FAR, SPECULATIVE_MARGIN, STRAIN_DELAY, STRAIN_PART, STRAIN_SPEED, STRAIN_UNLIKE } from '../config.js';
+import {
+  FAR,
+  SPECULATIVE_MARGIN,
+  STRAIN_DELAY,
+  STRAIN_PART,
+  STRAIN_SPEED,
+  STRAIN_UNLIKE,
+  STRAIN_UNLIKE_ONE,
+} from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
@@ -79,14 +87,15 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     }
     const used = pair.usedPoints;
     if (two) {
-      storePoint(batch, k, 0, 0);
-      storePoint(batch, k, d.SECOND, 1);
-      pair.strain = isStrained(data, k) ? pair.strain + 1 : 0;
-      if (pair.strain >= STRAIN_DELAY) {
-        pair.strained = world.timeStamp;
-      }
+      const part = data.two.records[k * d.TWO_STRIDE + d.PART]!;
+      storePoint(batch, k, 0, 0, part);
+      storePoint(batch, k, d.SECOND, 1, 1 - part);
     } else {
       storeOne(batch, k);
+    }
+    pair.strain = isStrained(data, batch, k) ? pair.strain + 1 : 0;
+    if (pair.strain >= STRAIN_DELAY) {
+      pair.strained = world.timeStamp;
     }
     pair.freshPoints = pair.usedPoints & ~used;
     if (pair.near) {
@@ -95,17 +104,22 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
   }
 }
 
-/** Whether a contact of two points bears far more than its bodies weigh, and they are unlike or it bears much of what either of them does. */
-function isStrained({ two, velocity: v, drive }: SolverData, index: number): boolean {
-  const { records: r, bodies } = two;
-  const i = index * d.TWO_STRIDE;
+/** Whether a contact bears far more than its bodies weigh, and they are unlike or, if it is of two points, it bears much of what either of them does. */
+function isStrained({ two, velocity: v, drive }: SolverData, batch: ContactBatch, index: number): boolean {
+  const { records: r, bodies } = batch;
+  const i = index * batch.stride;
   const a = bodies[2 * index]!;
   const b = bodies[2 * index + 1]!;
+  const mA = v[a + d.INV_MASS]!;
+  const mB = v[b + d.INV_MASS]!;
   const p1 = r[i + d.NORMAL1]!;
+  if (batch !== two) {
+    return p1 > STRAIN_SPEED * r[i + d.NORMAL_MASS]! && Math.abs(mA - mB) > STRAIN_UNLIKE_ONE * (mA + mB);
+  }
   const p2 = r[i + d.NORMAL2]!;
   return (
     p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
-    (Math.abs(v[a + d.INV_MASS]! - v[b + d.INV_MASS]!) > STRAIN_UNLIKE * (v[a + d.INV_MASS]! + v[b + d.INV_MASS]!) ||
+    (Math.abs(mA - mB) > STRAIN_UNLIKE * (mA + mB) ||
       p1 + p2 > STRAIN_PART * Math.min(drive[a + d.LOAD]!, drive[b + d.LOAD]!))
   );
 }
@@ -119,26 +133,28 @@ function storeOne(batch: ContactBatch, index: number): void {
   if (pair.count === 2) {
     pair.dropPoint(which === 0 ? 1 : 0);
   }
-  storePoint(batch, index, 0, which);
+  storePoint(batch, index, 0, which, 1);
   const roll = batch.records[at + d.ROLL]!;
   n[o + c.ROLL] = roll;
   n[o + c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
 }
 
-/** The impulses of point 0 or 1. A point that was apart from the start and met nothing was not used. */
-function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
+/** The impulses of point 0 or 1, of which `part` of the friction is. A point that was apart from the start and met nothing was not used. */
+function storePoint(batch: ContactBatch, index: number, shift: number, which: number, part: number): void {
   const r = batch.records;
-  const i = index * batch.stride + shift;
+  const record = index * batch.stride;
+  const i = record + shift;
   const pair = batch.arbiters[index]!;
   const { numbers: n, at: o } = pair;
   const to = c.IMPULSES * which;
   const normal = r[i + d.NORMAL1]!;
-  const tangent = r[i + d.TANGENT1]!;
+  const tangent = r[record + d.TANGENT]!;
   const total = r[i + d.NORMAL_SUM1]! + normal;
   n[o + c.NORMAL + to] = normal;
-  n[o + c.TANGENT + to] = tangent;
+  // Zero is never negative in what users read.
+  n[o + c.TANGENT + to] = part * tangent + 0;
   n[o + c.STEP_NORMAL + to] = total;
-  const slid = r[i + d.TANGENT_SUM1]! + tangent;
+  const slid = part * (r[record + d.TANGENT_SUM]! + tangent) + 0;
   n[o + c.STEP_TANGENT + to] = slid;
   const bit = 1 << which;
   const unused = n[o + g.S0 + g.POINT * which]! > 0 && total === 0 && slid === 0;

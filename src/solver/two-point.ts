@@ -28,19 +28,19 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
     const ny = r[i + d.NY]!;
     const rnA1 = r[i + d.RN_A1]!;
     const rnB1 = r[i + d.RN_B1]!;
-    const rtA1 = r[i + d.RT_A1]!;
-    const rtB1 = r[i + d.RT_B1]!;
     const rnA2 = r[i + d.RN_A2]!;
     const rnB2 = r[i + d.RN_B2]!;
-    const rtA2 = r[i + d.RT_A2]!;
-    const rtB2 = r[i + d.RT_B2]!;
-    const ca = v[a + d.COS_LESS_ONE]!;
+    const rtA = r[i + d.RT_A]!;
+    const rtB = r[i + d.RT_B]!;
     const sinA = v[a + d.SIN]!;
-    const cb = v[b + d.COS_LESS_ONE]!;
     const sinB = v[b + d.SIN]!;
-    const moved = nx * (q[b + d.DX]! - q[a + d.DX]!) + ny * (q[b + d.DY]! - q[a + d.DY]!);
-    const s1 = r[i + d.START1]! + moved + cb * rtB1 + sinB * rnB1 - ca * rtA1 - sinA * rnA1;
-    const s2 = r[i + d.START2]! + moved + cb * rtB2 + sinB * rnB2 - ca * rtA2 - sinA * rnA2;
+    const moved =
+      nx * (q[b + d.DX]! - q[a + d.DX]!) +
+      ny * (q[b + d.DY]! - q[a + d.DY]!) +
+      v[b + d.COS_LESS_ONE]! * rtB -
+      v[a + d.COS_LESS_ONE]! * rtA;
+    const s1 = r[i + d.START1]! + moved + sinB * rnB1 - sinA * rnA1;
+    const s2 = r[i + d.START2]! + moved + sinB * rnB2 - sinA * rnA2;
     const surface = r[i + d.SURFACE_N]!;
     r[i + d.SEPARATION1] = s1;
     r[i + d.SEPARATION2] = s2;
@@ -48,29 +48,26 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
     r[i + d.BIAS2] = s2 > -TOUCH_DEPTH ? (s2 + TOUCH_DEPTH) * inverseH + surface : surface;
     const p1 = r[i + d.NORMAL1]!;
     const p2 = r[i + d.NORMAL2]!;
-    const t1 = r[i + d.TANGENT1]!;
-    const t2 = r[i + d.TANGENT2]!;
+    const t = r[i + d.TANGENT]!;
     r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + p1;
     r[i + d.NORMAL_SUM2] = r[i + d.NORMAL_SUM2]! + p2;
-    r[i + d.TANGENT_SUM1] = r[i + d.TANGENT_SUM1]! + t1;
-    r[i + d.TANGENT_SUM2] = r[i + d.TANGENT_SUM2]! + t2;
+    r[i + d.TANGENT_SUM] = r[i + d.TANGENT_SUM]! + t;
     const p = p1 + p2;
-    const t = t1 + t2;
     const jx = nx * p - ny * t;
     const jy = ny * p + nx * t;
     const mA = v[a + d.INV_MASS]!;
     const mB = v[b + d.INV_MASS]!;
     v[a + d.VX] = v[a + d.VX]! - mA * jx;
     v[a + d.VY] = v[a + d.VY]! - mA * jy;
-    v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * (rnA1 * p1 + rnA2 * p2 + rtA1 * t1 + rtA2 * t2);
+    v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * (rnA1 * p1 + rnA2 * p2 + rtA * t);
     v[b + d.VX] = v[b + d.VX]! + mB * jx;
     v[b + d.VY] = v[b + d.VY]! + mB * jy;
-    v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * (rnB1 * p1 + rnB2 * p2 + rtB1 * t1 + rtB2 * t2);
+    v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * (rnB1 * p1 + rnB2 * p2 + rtB * t);
   }
 }
 
 /**
- * One sweep over the contacts from one index to another. Friction of each point, within ± μ · normal impulse; then both normals as one linear
+ * One sweep over the contacts from one index to another. Friction, within ± μ · both normal impulses; then both normals as one linear
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
  * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
  *
@@ -103,29 +100,17 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
     const p1 = r[i + d.NORMAL1]!;
     const p2 = r[i + d.NORMAL2]!;
 
-    const rtA1 = r[i + d.RT_A1]!;
-    const rtB1 = r[i + d.RT_B1]!;
-    let vt = nx * dvy - ny * dvx + r[i + d.SURFACE_T]!;
-    const t1 = r[i + d.TANGENT1]!;
-    const limit1 = r[i + d.FRICTION1]! * p1;
-    let next1 = t1 - (vt + rtB1 * wB - rtA1 * wA) * r[i + d.TANGENT_MASS1]!;
-    next1 = next1 > limit1 ? limit1 : next1 < -limit1 ? -limit1 : next1;
-    const dt1 = next1 - t1;
-    r[i + d.TANGENT1] = next1;
-    vt += dt1 * (mA + mB);
-    wA -= iA * rtA1 * dt1;
-    wB += iB * rtB1 * dt1;
-
-    const rtA2 = r[i + d.RT_A2]!;
-    const rtB2 = r[i + d.RT_B2]!;
-    const t2 = r[i + d.TANGENT2]!;
-    const limit2 = r[i + d.FRICTION2]! * p2;
-    let next2 = t2 - (vt + rtB2 * wB - rtA2 * wA) * r[i + d.TANGENT_MASS2]!;
-    next2 = next2 > limit2 ? limit2 : next2 < -limit2 ? -limit2 : next2;
-    const dt2 = next2 - t2;
-    r[i + d.TANGENT2] = next2;
-    wA -= iA * rtA2 * dt2;
-    wB += iB * rtB2 * dt2;
+    const rtA = r[i + d.RT_A]!;
+    const rtB = r[i + d.RT_B]!;
+    const before = r[i + d.TANGENT]!;
+    const limit = r[i + d.FRICTION]! * (p1 + p2);
+    const slide = nx * dvy - ny * dvx + r[i + d.SURFACE_T]! + rtB * wB - rtA * wA;
+    let after = before - slide * r[i + d.TANGENT_MASS]!;
+    after = after > limit ? limit : after < -limit ? -limit : after;
+    const t = after - before;
+    r[i + d.TANGENT] = after;
+    wA -= iA * rtA * t;
+    wB += iB * rtB * t;
 
     const rnA1 = r[i + d.RN_A1]!;
     const rnB1 = r[i + d.RN_B1]!;
@@ -165,10 +150,8 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
       changed ||
       Math.abs(d1) * r[i + d.K11]! > tolerance ||
       Math.abs(d2) * r[i + d.K22]! > tolerance ||
-      Math.abs(dt1) > tolerance * r[i + d.TANGENT_MASS1]! ||
-      Math.abs(dt2) > tolerance * r[i + d.TANGENT_MASS2]!;
+      Math.abs(t) > tolerance * r[i + d.TANGENT_MASS]!;
     const p = d1 + d2;
-    const t = dt1 + dt2;
     const jx = nx * p - ny * t;
     const jy = ny * p + nx * t;
     v[a + d.VX] = vax - mA * jx;

@@ -4,8 +4,7 @@ import * as g from '../collide/layout.js';
 import { FAR, MAX_JOINT_SWEEPS, MAX_SIZE, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
-import { polygonArea } from '../geometry/mass.js';
-import { repeatedVertex } from '../geometry/vertices.js';
+import { isConvex } from '../geometry/vertices.js';
 import type { Material } from '../material.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
@@ -148,14 +147,15 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   const { vertices } = polygon;
   const stored = tape.shared(vertices, MAX_SIZE);
   tape.require(stored.length >= 6 && stored.length % 2 === 0);
-  if (stored !== vertices) {
-    tape.require(!tape.checks || (polygonArea(stored) > 0 && repeatedVertex(stored) < 0));
-    polygon.takeVertices(stored);
+  const isOther = stored !== vertices;
+  if (isOther) {
+    tape.require(tape.takes || isConvex(stored));
   }
   if (tape.takes) {
+    if (isOther) polygon.takeVertices(stored);
     polygon.geometryStamp = stamp;
   }
-  return stored !== vertices;
+  return isOther && tape.takes;
 }
 
 /** Before the first pair. */

@@ -320,7 +320,7 @@ export class Tape {
 
   /**
    * Numbers within ±`most` of which there may have been another count, and which the last such array may have in common with this one. @returns this one,
-   * or one with what is stored.
+   * or one with what is stored if that differs, also on a check.
    */
   shared(values: Float64Array, most: number): Float64Array {
     const { before } = this;
@@ -343,7 +343,7 @@ export class Tape {
     }
     const isSame = areEqual(values, stored);
     this.before = isSame ? values : stored;
-    return !this.takes || isSame ? values : stored.slice();
+    return isSame ? values : stored.slice();
   }
 
   /** How many there are of something. @returns what is stored, also on a check. */

@@ -44,6 +44,10 @@ describe('torn joints', () => {
       return Math.max(angle - limit.getUpperBound(), limit.getLowerBound() - angle);
     });
     expect(Math.max(...beyond)).toBeLessThan(0.05);
+    // After another 5 s: at first one heap in ten, of whatever seed, is still sliding at some 0.1 m/s.
+    for (let i = 0; i < 300; i += 1) {
+      world.step(1 / 60);
+    }
     const speeds = world.liveDynamics.map((body) => Math.hypot(...body.getVelocity()));
     expect(speeds.reduce((sum, speed) => sum + speed) / speeds.length).toBeLessThan(0.1);
     expect(world.liveDynamics.every((body) => Math.abs(body.getPosition()[0]) < 5.5 && body.getPosition()[1] < 0)).toBe(

@@ -133,6 +133,31 @@ const plainSmall = ((): PlainWorld => {
   return serialize(world, { userData: (value) => value });
 })();
 
+it('restore refuses vertices that make no polygon, of shapes that the world has and of others', () => {
+  for (const isOther of [false, true]) {
+    const world = phys2D.createWorld();
+    const polygon = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.875, 0.875) });
+    world.addRigidBody(phys2D.createRigidBody({ shapes: [polygon] }));
+    const snapshot = world.snapshot();
+    const numbers = new Float64Array(snapshot.slice(0, snapshot.byteLength & ~7));
+    const places = [...numbers.keys()].filter((i) => Math.abs(numbers[i]!) === 0.4375);
+    expect(places).toHaveLength(8);
+    if (isOther) {
+      polygon.setVertices(phys2D.createBoxVertices(1, 2));
+    }
+    const before = world.hash();
+    for (const place of places) {
+      const forged = new Uint8Array(snapshot.slice(0));
+      forged[8 * place + 7]! ^= 128;
+      seal(forged.buffer);
+      expect(() => world.restore(forged.buffer)).toThrow('World.restore: the snapshot');
+    }
+    expect(world.hash()).toBe(before);
+    world.restore(snapshot);
+    expect(polygon.vertices[0]).toBe(numbers[places[0]!]);
+  }
+});
+
 it.each(['events', 'constraints', 'drum'])(
   'restore of a forged snapshot leaves a world that can be stepped, and stays finite: %s',
   (name) => {
