@@ -53,7 +53,10 @@ export class Contact {
     return numbers[at + c.STEP_NORMAL + c.IMPULSES * this.which]!;
   }
 
-  /** N·s along the tangent (−n.y, n.x) that body B got in the latest step. */
+  /**
+   * N·s along the tangent (−n.y, n.x) that body B got in the latest step. Two contacts have one friction, of which each is told a share: that which it had of
+   * the load when the step began.
+   */
   getTangentImpulse(): number {
     const { numbers, at } = this.arbiter;
     return numbers[at + c.STEP_TANGENT + c.IMPULSES * this.which]!;
