@@ -138,16 +138,17 @@ export const SMALL_TURN = 0.2;
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {
   count = 0;
-  records: Float64Array;
+  records = new Float64Array(0);
   /** Offsets of the two bodies' records, A then B. */
-  bodies = new Int32Array(128);
+  bodies = new Int32Array(0);
   arbiters: Arbiter[] = [];
   /** Which of the arbiter's points a one-point record is. */
-  point = new Uint8Array(64);
-  private capacity = 64;
+  point = new Uint8Array(0);
+  private capacity = 32;
 
+  /** Grows at once: what never changed is taken for constant, and loops that were compiled for that are thrown away when it first grows. */
   constructor(readonly stride: number) {
-    this.records = new Float64Array(this.capacity * stride);
+    this.grow();
   }
 
   /** Appends a record for a pair. @returns its index. */

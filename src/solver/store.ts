@@ -87,9 +87,8 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     }
     const used = pair.usedPoints;
     if (two) {
-      const part = data.two.records[k * d.TWO_STRIDE + d.PART]!;
-      storePoint(batch, k, 0, 0, part);
-      storePoint(batch, k, d.SECOND, 1, 1 - part);
+      storePoint(batch, k, 0, 0);
+      storePoint(batch, k, d.SECOND, 1);
     } else {
       storeOne(batch, k);
     }
@@ -133,20 +132,21 @@ function storeOne(batch: ContactBatch, index: number): void {
   if (pair.count === 2) {
     pair.dropPoint(which === 0 ? 1 : 0);
   }
-  storePoint(batch, index, 0, which, 1);
+  storePoint(batch, index, 0, which);
   const roll = batch.records[at + d.ROLL]!;
   n[o + c.ROLL] = roll;
   n[o + c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
 }
 
-/** The impulses of point 0 or 1, of which `part` of the friction is. A point that was apart from the start and met nothing was not used. */
-function storePoint(batch: ContactBatch, index: number, shift: number, which: number, part: number): void {
+/** The impulses of point 0 or 1. A point that was apart from the start and met nothing was not used. */
+function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
   const r = batch.records;
   const record = index * batch.stride;
   const i = record + shift;
   const pair = batch.arbiters[index]!;
   const { numbers: n, at: o } = pair;
   const to = c.IMPULSES * which;
+  const part = batch.stride === d.ONE_STRIDE ? 1 : Math.abs(r[record + d.PART]! - which);
   const normal = r[i + d.NORMAL1]!;
   const tangent = r[record + d.TANGENT]!;
   const total = r[i + d.NORMAL_SUM1]! + normal;
