@@ -133,12 +133,12 @@ function storeOne(batch: ContactBatch, index: number): void {
     pair.dropPoint(which === 0 ? 1 : 0);
   }
   storePoint(batch, index, 0, which);
-  const roll = batch.records[at + d.ROLL]!;
+  const roll = batch.records[at + d.ROLL]! + 0;
   n[o + c.ROLL] = roll;
   n[o + c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
 }
 
-/** The impulses of point 0 or 1. A point that was apart from the start and met nothing was not used. */
+/** The impulses of point 0 or 1; a zero is never negative, as users and snapshots read them. A point that was apart from the start and met nothing was not used. */
 function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
   const r = batch.records;
   const record = index * batch.stride;
@@ -151,7 +151,6 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
   const tangent = r[record + d.TANGENT]!;
   const total = r[i + d.NORMAL_SUM1]! + normal;
   n[o + c.NORMAL + to] = normal;
-  // Zero is never negative in what users read.
   n[o + c.TANGENT + to] = part * tangent + 0;
   n[o + c.STEP_NORMAL + to] = total;
   const slid = part * (r[record + d.TANGENT_SUM]! + tangent) + 0;

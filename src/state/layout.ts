@@ -11,14 +11,16 @@ export const SOLVED = 32;
 export const LISTED = 64;
 /** As the last pair of its kind. */
 export const USUAL = 128;
-/** From which bit on its small numbers stand, and where they end. */
+/** There are rolling impulses, too. */
+export const ROLLED = 1 << 22;
+/** From which bit on its small numbers stand, and where all end. */
 export const COUNT = 8;
 export const FACE = 10;
 export const FIXED = 12;
 export const USED = 16;
 export const FRESH = 18;
 export const SHOWN = 20;
-export const FLAGS_END = 22;
+export const FLAGS_END = 23;
 
 /** What a tape is for at the moment. */
 export const WRITE = 0;

@@ -21,6 +21,7 @@ import {
   FRESH,
   LISTED,
   PERSISTENT,
+  ROLLED,
   SHOWN,
   SLEEPING,
   SOLVED,
@@ -193,7 +194,12 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
     keepMetAgain(tape, pair);
   }
   if ((flags & SOLVED) !== 0) {
-    tape.block(n, o + c.NORMAL, o + c.ELASTICITY);
+    const rolled = (flags & ROLLED) !== 0;
+    tape.block(n, o + c.NORMAL, o + (rolled ? c.ELASTICITY : c.ROLL));
+    if (tape.takes && !rolled) {
+      n[o + c.ROLL] = 0;
+      n[o + c.STEP_ROLL] = 0;
+    }
   } else if (tape.takes && hasImpulse(n, o)) {
     n.fill(0, o + c.NORMAL, o + c.ELASTICITY);
   }
@@ -209,6 +215,7 @@ function flagsOf(pair: Arbiter): number {
     (pair.persistent ? PERSISTENT : 0) |
     (pair.metAgain() ? AGAIN : 0) |
     (hasImpulse(n, o) ? SOLVED : 0) |
+    (hasRoll(n, o) ? ROLLED : 0) |
     (pair.listed ? LISTED : 0) |
     (isUsual(pair, isKnown ? usual : usualNear) ? USUAL : 0) |
     (pair.count << COUNT) |
@@ -252,9 +259,12 @@ function hasImpulse(n: Float64Array, o: number): boolean {
     n[o + c.TANGENT + c.IMPULSES] !== 0 ||
     n[o + c.STEP_NORMAL + c.IMPULSES] !== 0 ||
     n[o + c.STEP_TANGENT + c.IMPULSES] !== 0 ||
-    n[o + c.ROLL] !== 0 ||
-    n[o + c.STEP_ROLL] !== 0
+    hasRoll(n, o)
   );
+}
+
+function hasRoll(n: Float64Array, o: number): boolean {
+  return n[o + c.ROLL] !== 0 || n[o + c.STEP_ROLL] !== 0;
 }
 
 /** Corners, edges and axis, each −1 or more: in one word if they are below 63, as those of shapes of few corners are, else in words of their own after −1. */

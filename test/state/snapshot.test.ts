@@ -228,8 +228,8 @@ describe('World.restore', () => {
     expect(() => world.restore(new ArrayBuffer(0))).toThrow('World.restore: this is no snapshot of a world');
     expect(() => world.restore(new ArrayBuffer(4096))).toThrow('World.restore: this is no snapshot of a world');
     const foreign = world.snapshot();
-    new Int32Array(foreign)[1] = 3;
-    expect(() => world.restore(foreign)).toThrow('World.restore: the snapshot is of version 3, this is version 2');
+    new Int32Array(foreign)[1] = 4;
+    expect(() => world.restore(foreign)).toThrow('World.restore: the snapshot is of version 4, this is version 3');
   });
 });
 
