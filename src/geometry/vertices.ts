@@ -97,16 +97,6 @@ function refuseRepeats(where: string, name: string, flat: readonly number[]): vo
   }
 }
 
-/** Whether flat vertices are those of a polygon, in clockwise order. */
-export function isConvex(flat: ArrayLike<number>): boolean {
-  try {
-    withoutCollinear('', '', flat, false);
-    return repeatedVertex(flat) < 0;
-  } catch {
-    return false;
-  }
-}
-
 /** The first vertex that the next one is equal to, or −1. */
 export function repeatedVertex(flat: ArrayLike<number>): number {
   const count = flat.length / 2;
@@ -136,7 +126,7 @@ function reverse(flat: number[]): void {
  * Every corner must turn clockwise or not at all, and all turns together must be one full turn: the x-direction of the
  * edges then changes its sign exactly twice. A path that winds twice (a pentagram) turns one way only, yet changes more often.
  */
-function withoutCollinear(where: string, name: string, flat: ArrayLike<number>, reversed: boolean): number[] {
+function withoutCollinear(where: string, name: string, flat: readonly number[], reversed: boolean): number[] {
   const count = flat.length / 2;
   const kept: number[] = [];
   for (let i = 0; i < count; i += 1) {

@@ -4,7 +4,8 @@ import * as g from '../collide/layout.js';
 import { FAR, MAX_JOINT_SWEEPS, MAX_SIZE, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
-import { isConvex } from '../geometry/vertices.js';
+import { polygonArea } from '../geometry/mass.js';
+import { repeatedVertex } from '../geometry/vertices.js';
 import type { Material } from '../material.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
@@ -149,8 +150,10 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   const stored = tape.shared(vertices, MAX_SIZE);
   tape.require(stored.length >= 6 && stored.length % 2 === 0);
   const isOther = stored !== vertices;
-  if (isOther) {
-    tape.require(tape.takes || isConvex(stored));
+  if (isOther && !tape.takes) {
+    // Not convexity, which stretching may lose to rounding; about the first vertex, as areas far from the origin are lost to it, too.
+    const area = polygonArea(stored.map((value, i) => value - stored[i & 1]!));
+    tape.require(area > 0 && repeatedVertex(stored) < 0);
   }
   if (tape.takes) {
     if (isOther) polygon.takeVertices(stored);

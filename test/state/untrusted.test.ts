@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { DRAW_OPTIONS, defaults, fromLink, RANGES, SPEEDS } from '../../playground/settings.js';
 import { validate } from '../../src/audit/index.js';
-import { phys2D, type World } from '../../src/index.js';
+import { type Polygon, phys2D, type World } from '../../src/index.js';
 import { seal } from '../../src/state/format.js';
 import { deserialize, type PlainWorld, Recorder, type Recording, replay, serialize } from '../../src/state/index.js';
 import { generator } from '../scenes/mixed.js';
@@ -155,6 +155,27 @@ it('restore refuses vertices that make no polygon, of shapes that the world has 
     expect(world.hash()).toBe(before);
     world.restore(snapshot);
     expect(polygon.vertices[0]).toBe(numbers[places[0]!]);
+  }
+});
+
+it('restore takes any polygon that a shape can be mapped to, from a snapshot made elsewhere', () => {
+  const maps: ((shape: Polygon) => void)[] = [
+    (shape) => shape.scale(1e4, 1e-6),
+    (shape) => shape.transform([1, 0, 1e9, 1, 0, 0]),
+    (shape) => shape.translate([1e12, 3e7]),
+  ];
+  for (const map of maps) {
+    for (const corners of [3, 4, 6, 16]) {
+      const world = phys2D.createWorld();
+      const polygon = phys2D.createPolygonShape({ vertices: phys2D.createRegularPolygonVertices(1, 1, corners) });
+      world.addRigidBody(phys2D.createRigidBody({ shapes: [polygon] }));
+      map(polygon);
+      const snapshot = world.snapshot().slice(0);
+      const before = world.hash();
+      polygon.setVertices(phys2D.createBoxVertices(1, 2));
+      world.restore(snapshot);
+      expect(world.hash()).toBe(before);
+    }
   }
 });
 
