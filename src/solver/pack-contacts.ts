@@ -164,8 +164,6 @@ function packTwo(data: SolverData, index: number): void {
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
   const iB = v[b + d.INV_INERTIA]!;
-  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
-  r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   const kn1 = mass + iA * rnA1 * rnA1 + iB * rnB1 * rnB1;
   const kn2 = mass + iA * rnA2 * rnA2 + iB * rnB2 * rnB2;
   const k11 = kn1 > MIN_INVERSE_MASS ? kn1 : d.IMMOVABLE;
@@ -182,11 +180,7 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.I22] = k11 * inverse;
   r[at + d.START1] = together || s1 <= s2 ? s1 : d.NEVER;
   r[at + d.START2] = together || s2 < s1 ? s2 : d.NEVER;
-
-  const slide =
-    nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
-  const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
-  r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+  packFriction(data, batch, index, pair);
 
   const scale = data.impulseScale;
   const tangent = (n[o + c.TANGENT]! + n[o + c.TANGENT + c.IMPULSES]!) * scale;
@@ -252,18 +246,12 @@ function packOne(data: SolverData, index: number): void {
   const iA = v[a + d.INV_INERTIA]!;
   const iB = v[b + d.INV_INERTIA]!;
   const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
-  const kt = mass + iA * rtA * rtA + iB * rtB * rtB;
   const rolls = count === 1 && iA + iB > MIN_INVERSE_MASS;
   r[at + d.NORMAL_MASS] = kn > MIN_INVERSE_MASS ? 1 / kn : 0;
-  r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
   r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
   r[at + d.START1] = separation;
-
-  const slide =
-    nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
-  const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
-  r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+  packFriction(data, batch, index, pair);
 
   const scale = data.impulseScale;
   r[at + d.NORMAL1] = n[o + c.NORMAL + c.IMPULSES * which]! * scale;
@@ -273,6 +261,27 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.TANGENT_SUM] = -r[at + d.TANGENT]!;
   r[at + d.ROLL_SUM] = -r[at + d.ROLL]!;
   addBounce(data, batch, index, 0);
+}
+
+/** Effective mass along the tangent and coefficient of friction, for the arms of the record. */
+function packFriction({ velocity: v }: SolverData, batch: ContactBatch, index: number, pair: Arbiter): void {
+  const { records: r, bodies } = batch;
+  const at = (index * batch.stride) & d.OFFSET;
+  const a = bodies[2 * index]! & d.OFFSET;
+  const b = bodies[2 * index + 1]! & d.OFFSET;
+  const { numbers: n, at: o } = pair;
+  const rtA = r[at + d.RT_A]!;
+  const rtB = r[at + d.RT_B]!;
+  const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
+  const kt = mass + v[a + d.INV_INERTIA]! * rtA * rtA + v[b + d.INV_INERTIA]! * rtB * rtB;
+  r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
+  const slide =
+    r[at + d.NX]! * (v[b + d.VY]! - v[a + d.VY]!) -
+    r[at + d.NY]! * (v[b + d.VX]! - v[a + d.VX]!) +
+    rtB * v[b + d.W]! -
+    rtA * v[a + d.W]!;
+  const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
+  r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
 }
 
 /** What the points of a pair share. */
