@@ -19,10 +19,13 @@ export function overlap(pair: Arbiter): boolean {
   return intersect(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
 }
 
-/** Which corners and edges were found the last time: scratch. */
+/** Which corners and edges were found the last time, if it has two points: scratch. */
 const found = { id0: 0, id1: 0, edgeA: 0, edgeB: 0 };
 
-function noteFeatures({ numbers: n, at: o }: Arbiter): void {
+function noteFeatures({ shown, numbers: n, at: o }: Arbiter): void {
+  if (shown < 2) {
+    return;
+  }
   found.id0 = n[o + g.ID0]! | 0;
   found.id1 = n[o + g.ID1]! | 0;
   found.edgeA = n[o + g.EDGE_A]! | 0;

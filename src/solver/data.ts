@@ -95,6 +95,8 @@ export const ROLL_SUM = 22;
 export const PIVOT_A = 23;
 export const PIVOT_B = 24;
 export const ONE_STRIDE = 26;
+/** A bit of `ContactBatch.point`. */
+export const ONE_OF_TWO = 2;
 
 /** Two-point records only: the second point at the offsets of the first plus SECOND, and K of both points. */
 export const SECOND = 8;
@@ -142,7 +144,7 @@ export class ContactBatch {
   /** Offsets of the two bodies' records, A then B. */
   bodies = new Int32Array(0);
   arbiters: Arbiter[] = [];
-  /** Which of the arbiter's points a one-point record is. */
+  /** Which of the arbiter's points a one-point record is, 0 or 1; with `ONE_OF_TWO` if there is another. */
   point = new Uint8Array(0);
   private capacity = 32;
 

@@ -212,7 +212,7 @@ function packOne(data: SolverData, index: number): void {
   const r = batch.records;
   const v = data.velocity;
   const which = count === 2 && n[o + g.S1]! < n[o + g.S0]! ? 1 : 0;
-  batch.point[index] = which;
+  batch.point[index] = count === 2 ? which | d.ONE_OF_TWO : which;
   packPair(data, batch, index, pair);
   const a = batch.bodies[2 * index]! & d.OFFSET;
   const b = batch.bodies[2 * index + 1]! & d.OFFSET;

@@ -128,8 +128,9 @@ function storeOne(batch: ContactBatch, index: number): void {
   const pair = batch.arbiters[index]!;
   const { numbers: n, at: o } = pair;
   const at = index * batch.stride;
-  const which = batch.point[index]!;
-  if (pair.count === 2) {
+  const point = batch.point[index]!;
+  const which = point & 1;
+  if ((point & d.ONE_OF_TWO) !== 0) {
     pair.dropPoint(which === 0 ? 1 : 0);
   }
   storePoint(batch, index, 0, which);
@@ -156,7 +157,8 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
   const slid = part * (r[record + d.TANGENT_SUM]! + tangent) + 0;
   n[o + c.STEP_TANGENT + to] = slid;
   const bit = 1 << which;
-  const unused = n[o + g.S0 + g.POINT * which]! > 0 && total === 0 && slid === 0;
+  // What the record tells is asked first: the pair would be waited for.
+  const unused = total === 0 && slid === 0 && n[o + g.S0 + g.POINT * which]! > 0;
   pair.usedPoints = unused ? pair.usedPoints & ~bit : pair.usedPoints | bit;
 }
 
