@@ -4,8 +4,8 @@ import { CLOSING_ROUNDS, CONTESTED_KEEP, JOINT_CONTESTED, JOINT_OPEN } from '../
 import type { Constraint } from '../constraint/constraint.js';
 import { isOpenBlock, lineariseBlock, noteBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
-import type { Group, Joint } from './joint-data.js';
-import { CARRY, CUSTOM, IMPULSE_X, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED, TURN } from './joint-layout.js';
+import { type Group, impulseOf, type Joint } from './joint-data.js';
+import { CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED, TURN } from './joint-layout.js';
 import { isOpenPoint, notePoints, pushPoints } from './point-joints.js';
 import { isOpenTurn, noteTurns, pushTurns } from './turn-joints.js';
 
@@ -58,10 +58,11 @@ export function dropMomentum(data: SolverData, group: Group): void {
 }
 
 /** Takes its momentum from a joint, which from now on counts as in contact, and all but a share of its impulse. */
-function calm({ kernel, at, layout }: Joint, records: Float64Array, share: number): void {
+function calm(joint: Joint, records: Float64Array, share: number): void {
+  const { kernel, at, layout } = joint;
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
   records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 1;
-  const from = at + (kernel === POINT ? IMPULSE_X : layout.impulse);
+  const from = impulseOf(joint);
   for (let n = from; n < from + layout.rows; n += 1) {
     records[n] = records[n]! * share;
   }
@@ -101,8 +102,7 @@ function closeOnce(data: SolverData, { start, end, left }: Group): boolean {
  * are those whose own bodies lie in each other's way.
  */
 function isOpen({ joints: { records } }: SolverData, joint: Joint): boolean {
-  const { members } = joint.constraint;
-  return isFar(records, joint) && members.every(canBeMoved) && !hasContact(joint.constraint);
+  return isFar(records, joint) && joint.constraint.members.every(canBeMoved) && !hasContact(joint.constraint);
 }
 
 function isFar(r: Float64Array, joint: Joint): boolean {
@@ -110,7 +110,7 @@ function isFar(r: Float64Array, joint: Joint): boolean {
   if (kernel === POINT) {
     return isOpenPoint(r, joint.at);
   }
-  return kernel === TURN ? isOpenTurn(r, joint) : kernel !== CUSTOM && isOpenBlock(r, joint);
+  return kernel === TURN ? isOpenTurn(r, joint.at) : kernel !== CUSTOM && isOpenBlock(r, joint);
 }
 
 function canBeMoved(body: RigidBody): boolean {
@@ -118,9 +118,9 @@ function canBeMoved(body: RigidBody): boolean {
   return body.kind === DYNAMIC && body.mass > 0 && body.mass < Infinity;
 }
 
-/** Between its own bodies. */
+/** Between its own bodies; the last one has none with itself. */
 function hasContact({ members }: Constraint): boolean {
-  for (let i = 0; i < members.length; i += 1) {
+  for (let i = 0; i + 1 < members.length; i += 1) {
     const { shapes } = members[i]!;
     for (let k = 0; k < shapes.length; k += 1) {
       const { arbiters } = shapes[k]!;

@@ -34,6 +34,11 @@ import {
   SUM_Y,
   TOUCHED,
   TURN,
+  TURN_GIVEN_A,
+  TURN_GIVEN_B,
+  TURN_IMPULSE,
+  TURN_STRIDE,
+  TURN_UNDONE,
   UNDONE_X,
   UNDONE_Y,
 } from './joint-layout.js';
@@ -107,6 +112,11 @@ export function keepsNumbers(kernel: number): boolean {
   return kernel === POINT || kernel === TURN;
 }
 
+/** Where the impulse of a joint stands. */
+export function impulseOf({ kernel, at, layout }: Joint): number {
+  return at + (kernel === POINT ? IMPULSE_X : kernel === TURN ? TURN_IMPULSE : layout.impulse);
+}
+
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
 export class JointData implements Keeper {
   readonly joints: Joint[] = [];
@@ -159,7 +169,7 @@ export class JointData implements Keeper {
       constraint.keepAt(this, joints.length);
     }
     joints.push({ constraint, kernel, layout, at: this.size, first: this.members, twins });
-    this.size += kernel === POINT ? POINT_STRIDE : layout.size;
+    this.size += kernel === POINT ? POINT_STRIDE : kernel === TURN ? TURN_STRIDE : layout.size;
     this.members += constraint.members.length;
     const run = group.runs[group.runs.length - 1];
     group.end += 1;
@@ -207,12 +217,12 @@ export class JointData implements Keeper {
   /** What a joint that keeps its numbers here has in its record. */
   fetch(index: number, { impulse, undone, given }: Numbers): void {
     const { records: r } = this;
-    const { kernel, at, layout } = this.joints[index]!;
+    const { kernel, at } = this.joints[index]!;
     if (kernel === TURN) {
-      impulse[0] = r[at + layout.impulse]!;
-      undone[0] = r[at + layout.undone]!;
-      given[2] = r[at + layout.given + 2]!;
-      given[5] = r[at + layout.given + 5]!;
+      impulse[0] = r[at + TURN_IMPULSE]!;
+      undone[0] = r[at + TURN_UNDONE]!;
+      given[2] = r[at + TURN_GIVEN_A]!;
+      given[5] = r[at + TURN_GIVEN_B]!;
       return;
     }
     impulse[0] = r[at + IMPULSE_X]!;

@@ -85,17 +85,30 @@ export const BLOCK = 3;
 export const CUSTOM = 4;
 
 /**
- * What angles and motors have in place of the Jacobian of position iterations: the ratio; 1 if they have bounds; these; what of the value is due to bodies that
- * cannot move; the value at the start of the sub-step.
+ * Angles and motors have, after the head, what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K …
  */
-export const TURN_RATIO = 0;
-export const TURN_BOUNDED = 1;
-export const TURN_LOWER = 2;
-export const TURN_UPPER = 3;
-export const TURN_STILL = 4;
-export const TURN_VALUE = 5;
+export const TURN_IMPULSE = 12;
+export const TURN_BIAS = 13;
+export const TURN_LOW = 14;
+export const TURN_HIGH = 15;
+export const TURN_RATIO = 16;
+export const TURN_MASS = 17;
+/** … then what position iterations use: the correction of this sub-step, the value at its start, bounds, the error that joints left, and how much of it contacts made … */
+export const TURN_PUSH = 18;
+export const TURN_VALUE = 19;
+export const TURN_LOWER = 20;
+export const TURN_UPPER = 21;
+export const TURN_LEFT = 22;
+export const TURN_UNDONE = 23;
+/** … then: the error at the start of the sub-step; 1 if there are bounds; what of the value is due to bodies that cannot move; what the step gave to A and to B so far. */
+export const TURN_ERROR = 24;
+export const TURN_BOUNDED = 25;
+export const TURN_STILL = 26;
+export const TURN_GIVEN_A = 27;
+export const TURN_GIVEN_B = 28;
+export const TURN_STRIDE = 29;
 
-/** Where things are in the record of a joint of D rows and N members. */
+/** Where things are in the record of any other joint, of D rows and N members. */
 export class BlockLayout {
   /** λ, corrections of this sub-step, bias … */
   readonly impulse: number;

@@ -6,8 +6,7 @@ import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import type { Joint } from './joint-data.js';
-import { IMPULSE_X, POINT } from './joint-layout.js';
+import { impulseOf, type Joint } from './joint-data.js';
 
 /** Angle, cosine, sine: scratch. */
 const around = new Float64Array(3);
@@ -35,11 +34,12 @@ function writePose(body: RigidBody, pose: Float64Array, at: number): void {
 }
 
 function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
-  for (const { kernel, at, first, layout } of data.joints) {
+  for (const joint of data.joints) {
+    const { first, layout } = joint;
     for (let k = 0; k < layout.members; k += 1) {
       const b = data.bodies[first + k]!;
       if (Math.max(Math.abs(v[b + d.VX]!), Math.abs(v[b + d.VY]!), Math.abs(v[b + d.W]!)) >= MAX_SPEED) {
-        const from = at + (kernel === POINT ? IMPULSE_X : layout.impulse);
+        const from = impulseOf(joint);
         data.records.fill(0, from, from + layout.rows);
       }
     }

@@ -36,7 +36,15 @@ import {
   warmStartPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
-import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
+import {
+  beginTurns,
+  excuseTurn,
+  finishTurns,
+  packTurn,
+  pushTurns,
+  solveVelocityTurns,
+  warmStartTurns,
+} from './turn-joints.js';
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
@@ -127,6 +135,8 @@ function excuse(data: JointData, { start, end }: Group, share: number): void {
     const { kernel, at, layout } = joints[k]!;
     if (kernel === POINT) {
       excusePoint(records, at, share);
+    } else if (kernel === TURN) {
+      excuseTurn(records, at, share);
     } else {
       excuseBlock(records, at, layout, share);
     }

@@ -8,14 +8,14 @@ import { type Joint, packHead } from './joint-data.js';
 import * as j from './joint-layout.js';
 
 /**
- * Angles and motors that do not break. The method and the record are those of a block joint, but of its one row (0, 0, −1, 0, 0, ratio) only the turns count;
+ * Angles and motors that do not break. The method and the record are those of a block joint, but of the one row (0, 0, −1, 0, 0, ratio) only the turns count;
  * K is the same in the whole step; and the error is linear, so that each position sweep has it exactly, and looks at both bounds.
  */
 
 /** What changes seldom: bodies, bounds, softness, and the impulse to start with. */
 export function packTurn(data: SolverData, joint: Joint): void {
   const { records: r, bodies } = data.joints;
-  const { at, layout, first } = joint;
+  const { at, first } = joint;
   const constraint = joint.constraint as AngleConstraint | MotorConstraint;
   const { bodyA, bodyB, ratio, positional, lower, upper } = constraint;
   const a = constraint.slotOf(bodyA) * d.BODY_STRIDE;
@@ -23,19 +23,19 @@ export function packTurn(data: SolverData, joint: Joint): void {
   bodies[first] = a;
   bodies[first + 1] = b;
   packHead(data.joints, joint);
-  r[at + layout.impulse] = constraint.impulse[0]!;
-  r[at + layout.undone] = constraint.undone[0]!;
-  r[at + layout.low] = -Infinity;
-  r[at + layout.high] = Infinity;
-  const own = at + layout.turned;
-  r[own + j.TURN_RATIO] = ratio;
-  r[own + j.TURN_BOUNDED] = positional ? 1 : 0;
-  r[own + j.TURN_LOWER] = lower;
-  r[own + j.TURN_UPPER] = upper;
+  r[at + j.TURN_IMPULSE] = constraint.impulse[0]!;
+  r[at + j.TURN_UNDONE] = constraint.undone[0]!;
+  r[at + j.TURN_LOW] = -Infinity;
+  r[at + j.TURN_HIGH] = Infinity;
+  r[at + j.TURN_ERROR] = 0;
+  r[at + j.TURN_RATIO] = ratio;
+  r[at + j.TURN_BOUNDED] = positional ? 1 : 0;
+  r[at + j.TURN_LOWER] = lower;
+  r[at + j.TURN_UPPER] = upper;
   // Of the value, what cannot move adds.
-  r[own + j.TURN_STILL] = (b === 0 ? ratio * bodyB.angle : 0) - (a === 0 ? bodyA.angle : 0);
+  r[at + j.TURN_STILL] = (b === 0 ? ratio * bodyB.angle : 0) - (a === 0 ? bodyA.angle : 0);
   if (!positional) {
-    r[at + layout.bias] = -(constraint as MotorConstraint).getRate();
+    r[at + j.TURN_BIAS] = -(constraint as MotorConstraint).getRate();
   }
 }
 
@@ -45,26 +45,24 @@ export function beginTurns(data: SolverData, start: number, end: number): void {
   const { drive, velocity: v } = data;
   const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
-  const { layout } = joints[start]!;
-  const { impulse, undone, given, matrix, turned, size } = layout;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const ratio = r[i + turned + j.TURN_RATIO]!;
+    const ratio = r[i + j.TURN_RATIO]!;
     const inverse = v[a + d.INV_INERTIA]! + ratio * ratio * v[b + d.INV_INERTIA]!;
-    r[i + matrix] = inverse > MIN_INVERSE_MASS && inverse < Infinity ? 1 / inverse : 0;
-    r[i + impulse] = r[i + impulse]! * scale;
-    r[i + given + 2] = 0;
-    r[i + given + 5] = 0;
+    r[i + j.TURN_MASS] = inverse > MIN_INVERSE_MASS && inverse < Infinity ? 1 / inverse : 0;
+    r[i + j.TURN_IMPULSE] = r[i + j.TURN_IMPULSE]! * scale;
+    r[i + j.TURN_GIVEN_A] = 0;
+    r[i + j.TURN_GIVEN_B] = 0;
     r[i + j.CARRY] = carry;
     if (drive[a + d.TOUCHED] === 1 || drive[b + d.TOUCHED] === 1) {
       data.joints.isTouched = true;
       r[i + j.TOUCHED] = 1;
     } else {
       r[i + j.TOUCHED] = 0;
-      r[i + undone] = 0;
+      r[i + j.TURN_UNDONE] = 0;
     }
   }
 }
@@ -73,21 +71,18 @@ export function beginTurns(data: SolverData, start: number, end: number): void {
 export function warmStartTurns(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints } = data.joints;
   const { velocity: v, pose: p } = data;
-  const { layout } = joints[start]!;
-  const { impulse, push, turned, size } = layout;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const own = (i + turned) & d.OFFSET;
-    const ratio = r[own + j.TURN_RATIO]!;
-    r[own + j.TURN_VALUE] = r[own + j.TURN_STILL]! + ratio * p[b + ANGLE]! - p[a + ANGLE]!;
-    r[i + push] = 0;
-    if (r[own + j.TURN_BOUNDED] !== 0) {
+    const ratio = r[i + j.TURN_RATIO]!;
+    r[i + j.TURN_VALUE] = r[i + j.TURN_STILL]! + ratio * p[b + ANGLE]! - p[a + ANGLE]!;
+    r[i + j.TURN_PUSH] = 0;
+    if (r[i + j.TURN_BOUNDED] !== 0) {
       aim(data, k, i);
     }
-    const lambda = r[i + impulse]!;
+    const lambda = r[i + j.TURN_IMPULSE]!;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * lambda;
     v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * lambda * ratio;
   }
@@ -98,29 +93,27 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
  * spring does nothing within, and beyond asks for the speed that brings it back.
  */
 function aim({ joints: data }: SolverData, index: number, i: number): void {
-  const { records: r, joints, worst, strained, h } = data;
-  const { error, bias, low, high, turned } = joints[index]!.layout;
-  const own = i + turned;
-  const lower = r[own + j.TURN_LOWER]!;
-  const upper = r[own + j.TURN_UPPER]!;
-  const over = r[own + j.TURN_VALUE]! - upper;
-  const under = r[own + j.TURN_VALUE]! - lower;
+  const { records: r, worst, strained, h } = data;
+  const lower = r[i + j.TURN_LOWER]!;
+  const upper = r[i + j.TURN_UPPER]!;
+  const over = r[i + j.TURN_VALUE]! - upper;
+  const under = r[i + j.TURN_VALUE]! - lower;
   const isUpper = -over <= under;
   const distance = isUpper ? over : under;
   const isBeyond = isUpper ? over > 0 : under < 0;
   const isStiff = r[i + j.PUSH] !== 0;
   const acts = (isBeyond || isStiff) && Math.abs(distance) < Infinity;
-  r[i + error] = isBeyond ? distance : 0;
-  r[i + low] = lower === upper || (acts && isUpper) ? -Infinity : 0;
-  r[i + high] = lower === upper || (acts && !isUpper) ? Infinity : 0;
+  r[i + j.TURN_ERROR] = isBeyond ? distance : 0;
+  r[i + j.TURN_LOW] = lower === upper || (acts && isUpper) ? -Infinity : 0;
+  r[i + j.TURN_HIGH] = lower === upper || (acts && !isUpper) ? Infinity : 0;
   if (isStiff) {
-    r[i + bias] = acts && !isBeyond ? distance / h : 0;
+    r[i + j.TURN_BIAS] = acts && !isBeyond ? distance / h : 0;
   } else {
-    const speed = r[i + error]! * r[i + j.RATE]!;
+    const speed = r[i + j.TURN_ERROR]! * r[i + j.RATE]!;
     const most = r[i + j.MAX_BIAS]!;
-    r[i + bias] = speed > most ? most : speed < -most ? -most : speed;
+    r[i + j.TURN_BIAS] = speed > most ? most : speed < -most ? -most : speed;
   }
-  const square = r[i + error]! * r[i + error]!;
+  const square = r[i + j.TURN_ERROR]! * r[i + j.TURN_ERROR]!;
   if (isStiff && square > worst[0]!) {
     worst[0] = square;
   }
@@ -134,26 +127,24 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
 export function solveVelocityTurns(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints } = data.joints;
   const { velocity: v } = data;
-  const { layout } = joints[start]!;
-  const { impulse, bias, matrix, low, high, turned, size } = layout;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const ratio = r[i + turned + j.TURN_RATIO]!;
+    const ratio = r[i + j.TURN_RATIO]!;
     const wA = v[a + d.W]!;
     const wB = v[b + d.W]!;
-    const c = ratio * wB - wA + r[i + bias]!;
-    const old = r[i + impulse]!;
-    const least = r[i + low]!;
-    const most = r[i + high]!;
+    const c = ratio * wB - wA + r[i + j.TURN_BIAS]!;
+    const old = r[i + j.TURN_IMPULSE]!;
+    const least = r[i + j.TURN_LOW]!;
+    const most = r[i + j.TURN_HIGH]!;
     const limit = r[i + j.LIMIT]!;
-    let next = old - r[i + j.SOFTNESS]! * r[i + matrix]! * c - r[i + j.FEEDBACK]! * old;
+    let next = old - r[i + j.SOFTNESS]! * r[i + j.TURN_MASS]! * c - r[i + j.FEEDBACK]! * old;
     next = next < least ? least : next > most ? most : next;
     next = next > limit ? limit : next < -limit ? -limit : next;
     const lambda = next - old;
-    r[i + impulse] = next;
+    r[i + j.TURN_IMPULSE] = next;
     v[a + d.W] = wA - v[a + d.INV_INERTIA]! * lambda;
     v[b + d.W] = wB + v[b + d.INV_INERTIA]! * lambda * ratio;
   }
@@ -163,42 +154,39 @@ export function solveVelocityTurns(data: SolverData, start: number, end: number)
 export function pushTurns(data: SolverData, start: number, end: number): boolean {
   const { records: r, bodies, joints, h } = data.joints;
   const { motion: q } = data;
-  const { layout } = joints[start]!;
-  const { push, matrix, undone, turned, size } = layout;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
   let found = false;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     if (r[i + j.PUSH] === 0) {
       continue;
     }
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const own = (i + turned) & d.OFFSET;
-    const ratio = r[own + j.TURN_RATIO]!;
+    const ratio = r[i + j.TURN_RATIO]!;
     const wA = q[a + d.QW]!;
     const wB = q[b + d.QW]!;
-    const value = r[own + j.TURN_VALUE]! + ratio * wB - wA;
-    const over = value - r[own + j.TURN_UPPER]!;
-    const under = value - r[own + j.TURN_LOWER]!;
+    const value = r[i + j.TURN_VALUE]! + ratio * wB - wA;
+    const over = value - r[i + j.TURN_UPPER]!;
+    const under = value - r[i + j.TURN_LOWER]!;
     const error = over > 0 ? over : under < 0 ? under : 0;
-    const old = r[i + push]!;
+    const old = r[i + j.TURN_PUSH]!;
     if (error > JOINT_TOLERANCE || error < -JOINT_TOLERANCE) {
       found = true;
     }
     if (old === 0 && r[i + j.TOUCHED] !== 0) {
       // Of the error, what is not the doing of contacts makes momentum.
-      const share = error === 0 ? 0 : 1 - r[i + undone]! / error;
+      const share = error === 0 ? 0 : 1 - r[i + j.TURN_UNDONE]! / error;
       r[i + j.CARRY] = (JOINT_MOMENTUM / h) * (share <= 0 ? 0 : share < 1 ? share : 1);
-      r[i + undone] = 0;
+      r[i + j.TURN_UNDONE] = 0;
     }
     // What would bring it to either bound; if both are passed on the way back, there is nothing to do.
-    const inverse = r[i + matrix]!;
+    const inverse = r[i + j.TURN_MASS]!;
     const down = old - inverse * over;
     const up = old - inverse * under;
     const next = down < 0 ? down : up > 0 ? up : 0;
     const lambda = next - old;
-    r[i + push] = next;
+    r[i + j.TURN_PUSH] = next;
     q[a + d.QW] = wA - q[a + d.INV_INERTIA]! * lambda;
     q[b + d.QW] = wB + q[b + d.INV_INERTIA]! * lambda * ratio;
   }
@@ -209,52 +197,53 @@ export function pushTurns(data: SolverData, start: number, end: number): boolean
 export function noteTurns(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
   const { records: r, bodies, joints, worst } = data.joints;
   const { motion: q } = data;
-  const { layout } = joints[start]!;
-  const { undone, left, turned, size } = layout;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     if (r[i + j.PUSH] === 0 || r[i + j.TOUCHED] === 0) {
       continue;
     }
-    const own = (i + turned) & d.OFFSET;
-    const ratio = r[own + j.TURN_RATIO]!;
-    const value = r[own + j.TURN_VALUE]! + ratio * q[bodies[n + 1]! + d.QW]! - q[bodies[n]! + d.QW]!;
-    const over = value - r[own + j.TURN_UPPER]!;
-    const under = value - r[own + j.TURN_LOWER]!;
+    const ratio = r[i + j.TURN_RATIO]!;
+    const value = r[i + j.TURN_VALUE]! + ratio * q[bodies[n + 1]! + d.QW]! - q[bodies[n]! + d.QW]!;
+    const over = value - r[i + j.TURN_UPPER]!;
+    const under = value - r[i + j.TURN_LOWER]!;
     const error = over > 0 ? over : under < 0 ? under : 0;
     if (isAfterContacts) {
-      const change = error - r[i + left]!;
-      r[i + undone] = r[i + undone]! + change;
+      const change = error - r[i + j.TURN_LEFT]!;
+      r[i + j.TURN_UNDONE] = r[i + j.TURN_UNDONE]! + change;
       worst[0] = Math.max(worst[0]!, change * change);
     }
-    r[i + left] = error;
+    r[i + j.TURN_LEFT] = error;
     worst[2] = Math.max(worst[2]!, error * error);
   }
 }
 
+/** A share of the error that a sub-step begins with makes no momentum. */
+export function excuseTurn(r: Float64Array, at: number, share: number): void {
+  r[at + j.TOUCHED] = 1;
+  r[at + j.TURN_UNDONE] = r[at + j.TURN_UNDONE]! + share * r[at + j.TURN_ERROR]!;
+}
+
 /** The error noted last is above JOINT_OPEN. */
-export function isOpenTurn(r: Float64Array, { at, layout }: Joint): boolean {
-  return Math.abs(r[at + layout.left]!) > JOINT_OPEN && r[at + j.PUSH] !== 0;
+export function isOpenTurn(r: Float64Array, at: number): boolean {
+  return Math.abs(r[at + j.TURN_LEFT]!) > JOINT_OPEN && r[at + j.PUSH] !== 0;
 }
 
 /** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
 export function finishTurns(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints } = data.joints;
   const { velocity: v } = data;
-  const { layout } = joints[start]!;
-  const { impulse, push, given, turned, size } = layout;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const ratio = r[i + turned + j.TURN_RATIO]!;
-    const pushed = r[i + j.CARRY]! * r[i + push]!;
-    const lambda = r[i + impulse]! + pushed;
+    const ratio = r[i + j.TURN_RATIO]!;
+    const pushed = r[i + j.CARRY]! * r[i + j.TURN_PUSH]!;
+    const lambda = r[i + j.TURN_IMPULSE]! + pushed;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * pushed;
     v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * pushed * ratio;
-    r[i + given + 2] = r[i + given + 2]! - lambda;
-    r[i + given + 5] = r[i + given + 5]! + lambda * ratio;
+    r[i + j.TURN_GIVEN_A] = r[i + j.TURN_GIVEN_A]! - lambda;
+    r[i + j.TURN_GIVEN_B] = r[i + j.TURN_GIVEN_B]! + lambda * ratio;
   }
 }
