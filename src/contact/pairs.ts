@@ -159,6 +159,9 @@ export class Pairs {
   /** Merges the pairs that arrived into the sorted list, from the back, in place: they are few, and all the others need not be looked at. */
   merge(): void {
     const { sorted, arriving } = this;
+    if (arriving.count === 0) {
+      return;
+    }
     const { items } = sorted;
     sortFirst(arriving.items, arriving.count, before);
     let rest = sorted.count;

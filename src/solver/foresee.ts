@@ -25,6 +25,9 @@ import { smoothMeeting } from './seams.js';
  */
 export function foresee(world: World, dt: number): void {
   const { movers } = world;
+  if (world.liveDynamics.length + world.liveKinematics.length === 0) {
+    return;
+  }
   const average = (world.substeps + 1) / (2 * world.substeps);
   movers.ahead = dt;
   movers.bouncy = true;

@@ -63,7 +63,7 @@ export function packContacts(world: World): void {
       }
     }
   }
-  packWindow(solver, count, timeStamp);
+  if (count > 0) packWindow(solver, count, timeStamp);
   solver.drive[d.TOUCHED] = 0;
   sorted.count = kept;
   // Asked first, here and elsewhere: to set a length takes its time even where that changes nothing.
