@@ -257,12 +257,14 @@ function solvePoint(pair: Arbiter, point: Point): boolean {
   }
   const approach = nx * relative.x + ny * relative.y + point.leave;
   const normal = Math.max(0, point.normal - approach * point.normalMass);
-  const hasChanged = tangent !== before || normal !== point.normal;
+  if (normal === point.normal) {
+    return tangent !== before;
+  }
   impulse.x = nx * (normal - point.normal);
   impulse.y = ny * (normal - point.normal);
   push(pair, point);
   point.normal = normal;
-  return hasChanged;
+  return true;
 }
 
 /** Gives B the impulse and A the opposite. */
