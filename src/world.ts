@@ -101,6 +101,7 @@ export class World extends WorldState {
     }
     body.place();
     body.placeStale = false;
+    body.refreshMass();
     body.owner = this;
     body.index = this.rigidBodies.push(body) - 1;
     body.order = this.nextOrder;

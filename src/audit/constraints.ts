@@ -38,13 +38,16 @@ function auditSleeping(audit: Audit, constraint: Constraint): void {
   audit.demand(isLive === (enabled && !asleep), constraint, 'must be live just while it is enabled and awake');
   audit.demand(isLive || liveIndex === -1, constraint, 'is not live, but has a place in the live list');
   audit.demand(island === null || asleep, constraint, 'is in an island, but does not sleep there');
-  const isNoted = !constraint.woken || world.events.woken.includes(constraint);
+  const isNoted = !constraint.woken || world.events.woken.has(constraint);
   audit.demand(isNoted, constraint, 'waits for a wake event that is not noted');
 }
 
 function auditNumbers(audit: Audit, constraint: Constraint): void {
   for (const part of constraint.impulse) {
     audit.finite(constraint, 'impulse', part);
+  }
+  for (const part of constraint.undone) {
+    audit.finite(constraint, 'error made by contacts', part);
   }
   for (const part of constraint.given) {
     audit.finite(constraint, 'impulse given to a body', part);

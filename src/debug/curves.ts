@@ -74,13 +74,14 @@ export function addCurve(
   cy: number,
   x2: number,
   y2: number,
+  most = MAX_PIECES,
 ): void {
   const ax = x1 - 2 * cx + x2;
   const ay = y1 - 2 * cy + y2;
   const maxError = debug.curveMaxError * debug.screenToPhysics2D;
   let gap = Math.sqrt(ax * ax + ay * ay) / 4;
   let count = 1;
-  while (gap >= maxError && count < MAX_PIECES) {
+  while (gap >= maxError && count < most) {
     gap /= 4;
     count *= 2;
   }
@@ -98,15 +99,15 @@ export function addCurve(
   lines.lineToNext();
 }
 
-/** From `near` to `far`: the Bézier curve with their tangents, or a straight line if these do not meet between them. */
-function addPiece(debug: Physics2DDebugDraw): void {
+/** From `near` to `far`: the Bézier curve with their tangents, of so many pieces at most, or a straight line if these do not meet between them. */
+function addPiece(debug: Physics2DDebugDraw, most: number): void {
   const dx = far[X]! - near[X]!;
   const dy = far[Y]! - near[Y]!;
   const bend = near[U]! * far[V]! - near[V]! * far[U]!;
   const s = (dx * far[V]! - dy * far[U]!) / bend;
   const q = (near[U]! * dy - near[V]! * dx) / bend;
   if (Math.abs(bend) >= debug.spiralEpsilon && s > 0 && q > 0) {
-    addCurve(debug, near[X]!, near[Y]!, near[X]! + s * near[U]!, near[Y]! + s * near[V]!, far[X]!, far[Y]!);
+    addCurve(debug, near[X]!, near[Y]!, near[X]! + s * near[U]!, near[Y]! + s * near[V]!, far[X]!, far[Y]!, most);
   } else {
     debug.lines.add(near[X]!, near[Y]!, far[X]!, far[Y]!);
   }
@@ -191,7 +192,7 @@ function addWaves(
     near.set(far);
     goTo(x, y, i === count ? end : start + t * (end - start), radius, slope + amplitude * pace * turn[1]!);
     if (i > 0) {
-      addPiece(debug);
+      addPiece(debug, MAX_PIECES / count);
     }
   }
 }

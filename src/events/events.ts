@@ -39,7 +39,7 @@ export class EventQueue {
   /** Of them hits of this step; by their arbiters. */
   private readonly struck: Arbiter[] = [];
   /** @internal bodies and constraints that woke since this was last looked at */
-  readonly woken: (RigidBody | Constraint)[] = [];
+  readonly woken = new Set<RigidBody | Constraint>();
   private failure: { readonly error: unknown } | null = null;
 
   /** Notes an event of an interaction: its type as a bit, and when it was found. */
@@ -111,13 +111,15 @@ export class EventQueue {
   woke(object: RigidBody | Constraint): void {
     if (!object.woken) {
       object.woken = true;
-      this.woken.push(object);
+      // Last, even if it is still there from a time of which nobody is to be told any more.
+      this.woken.delete(object);
+      this.woken.add(object);
     }
   }
 
   /** Notes the `wake` events of what woke since the last call. */
   noteWoken(world: World): void {
-    if (this.woken.length === 0) {
+    if (this.woken.size === 0) {
       return;
     }
     for (const object of this.woken) {
@@ -133,7 +135,7 @@ export class EventQueue {
         }
       }
     }
-    this.woken.length = 0;
+    this.woken.clear();
   }
 
   /**
@@ -234,7 +236,7 @@ export class EventQueue {
     for (const list of [...this.lists, ...this.handed]) {
       list.clear();
     }
-    this.woken.length = 0;
+    this.woken.clear();
   }
 }
 

@@ -82,11 +82,17 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: num
   if (mover.body.kind !== DYNAMIC) {
     return;
   }
+  const isDeeper = partner.body.kind !== DYNAMIC && pair.metAgain();
+  if (isDeeper && mover.body.mass === Infinity) {
+    // Nothing moves it, but it may be turned out of what it is in.
+    mover.goOn();
+    return;
+  }
   mover.stop();
   if (partner.body.kind === KINEMATIC) {
     mover.ride(partner);
   }
-  if (partner.body.kind !== DYNAMIC && pair.metAgain()) {
+  if (isDeeper) {
     slide(mover, partner, pair, dt);
     stopShort(world, mover, mover.body === pair.bodyA ? pair.shapeB : pair.shapeA);
   }

@@ -80,7 +80,7 @@ export function sleepIslands(world: World, dt: number): void {
   }
   const { liveConstraints } = world;
   for (let i = 0; i < liveConstraints.length; i += 1) {
-    if (isDriven(world, liveConstraints[i]!)) {
+    if (isDriven(world, liveConstraints[i]!) && acts(world, liveConstraints[i]!)) {
       keepAwake(liveConstraints[i]!, stamp);
     }
   }

@@ -219,6 +219,16 @@ export class Mover {
     this.turn = 0;
   }
 
+  /** From where the body was put on it goes the rest of its way. */
+  goOn(): void {
+    const { from, dx, dy, turn } = this;
+    this.stop();
+    const share = from < 1 ? (1 - this.from) / (1 - from) : 0;
+    this.dx = share * dx;
+    this.dy = share * dy;
+    this.turn = share * turn;
+  }
+
   /** From a stop on is carried along by another body, as if it were part of that. */
   ride(carrier: Mover): void {
     const { body } = this;

@@ -12,14 +12,22 @@ function gather(handle: BroadphaseHandle): void {
   count += 1;
 }
 
+function gatherStatic(handle: BroadphaseHandle): void {
+  if (handle.isStatic) {
+    gather(handle);
+  }
+}
+
 /**
  * Puts into `nearby` the shapes that have something to do with `bounds`, by their ids, as broadphases differ in the order in which they find them: all,
- * or at least the static and sleeping ones. @returns how many.
+ * or the static and sleeping ones. @returns how many.
  */
 export function findNearby({ broadphase }: World, bounds: Float64Array, all: boolean): number {
   count = 0;
-  if (all || broadphase.sampleStatic === undefined) {
+  if (all) {
     broadphase.sample(bounds, gather);
+  } else if (broadphase.sampleStatic === undefined) {
+    broadphase.sample(bounds, gatherStatic);
   } else {
     broadphase.sampleStatic(bounds, gather);
   }

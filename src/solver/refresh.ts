@@ -39,6 +39,7 @@ function refreshBodies(world: World): void {
     }
     body.place();
     body.placeStale = false;
+    body.refreshMass();
     const { shapes } = body;
     for (let k = 0; k < shapes.length; k += 1) {
       const shape = shapes[k]!;

@@ -47,10 +47,8 @@ export function untie(world: World, constraint: Constraint): void {
 /** Resets what a constraint had from its world. */
 export function release(constraint: Constraint): void {
   for (const { constraints } of distinct(constraint)) {
-    const last = constraints.pop()!;
-    if (last !== constraint) {
-      constraints[constraints.indexOf(constraint)] = last;
-    }
+    // The others keep their order, which hashes tell: a body that is in no world may have constraints of several.
+    constraints.splice(constraints.indexOf(constraint), 1);
   }
   constraint.owner = null;
   constraint.asleep = false;

@@ -92,7 +92,8 @@ function find(tape: Tape, ids: readonly number[], scene: Scene, finder: Finder):
   const ranked: Shape[] = [];
   for (let i = 0; i < attached + loose; i += 1, at += 2) {
     const kind = ids[at + 1]! & 1;
-    const shape = i < attached ? finder.find(ids[at]!, Shape, 'a shape') : standIn(kind);
+    const shape =
+      i < attached ? finder.find(ids[at]!, Shape, 'a shape') : (finder.loose(ids[at]!, kind) ?? standIn(kind));
     demand(tape, shape.kind === kind, 'a shape of it is of another kind');
     shapes.push(shape);
     if (i < attached) {
@@ -111,11 +112,8 @@ function find(tape: Tape, ids: readonly number[], scene: Scene, finder: Finder):
 }
 
 /** What is in another world cannot come back; a shape that only an event names need not. */
-function refuseOthers(tape: Tape, world: World, { bodies, shapes, constraints, inside, attached }: Scene): void {
-  let isRefused = constraints.some(({ owner }) => isOther(world, owner));
-  for (let i = 0; i < bodies.length; i += 1) {
-    isRefused ||= i < inside ? isOther(world, bodies[i]!.owner) : bodies[i]!.owner !== null;
-  }
+function refuseOthers(tape: Tape, world: World, { bodies, shapes, constraints, attached }: Scene): void {
+  let isRefused = [...constraints, ...bodies].some(({ owner }) => isOther(world, owner));
   for (let i = 0; i < attached; i += 1) {
     isRefused ||= isElsewhere(world, shapes[i]!);
   }
@@ -138,7 +136,7 @@ function isOther(world: World, owner: World | null | undefined): boolean {
   return owner !== undefined && owner !== null && owner !== world;
 }
 
-/** A shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
+/** For a shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
 export function standIn(kind: number): Shape {
   const vertices = createBoxVertices(1, 1);
   return kind === CIRCLE ? new Circle({ radius: 1 }) : new Polygon({ vertices });
@@ -173,6 +171,12 @@ class Finder {
     if (object instanceof RigidBody || object instanceof Shape || object instanceof Constraint) {
       this.found.set(object.order, object);
     }
+  }
+
+  /** A shape that was gone when the snapshot was taken, if it is held. */
+  loose(order: number, kind: number): Shape | null {
+    const object = this.found.get(order);
+    return object instanceof Shape && object.kind === kind ? object : null;
   }
 
   find<T>(order: number, kind: abstract new (...args: never[]) => T, name: string): T {

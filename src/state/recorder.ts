@@ -13,7 +13,7 @@ export interface RecordedCall {
   readonly object: Recorded;
   /** Which of its methods. */
   readonly method: string;
-  /** As given; arrays are copies. */
+  /** As given; arrays, and those in them, are copies. */
   readonly args: readonly unknown[];
   /** Of a call that added something, which may be in another state by now; else `null`. */
   readonly added: {
@@ -69,7 +69,7 @@ export class Recorder {
 
   /**
    * Calls a method of the world or of one of its bodies, shapes or constraints, and notes it: `recorder.call(body, 'applyImpulse', [0, -5])`. Arrays among
-   * the arguments are copied. @returns what the method returns.
+   * the arguments are copied, typed ones and those in others, too. @returns what the method returns.
    */
   call<T extends Recorded, K extends keyof T>(
     object: T,
@@ -78,7 +78,7 @@ export class Recorder {
   ): T[K] extends (...args: never[]) => infer R ? R : never {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
-    const kept = args.map((argument) => (Array.isArray(argument) ? [...argument] : argument));
+    const kept = args.map(copyOf);
     const before = ADDING.includes(method) ? this.world.hash() : null;
     const result = made.apply(object, args);
     const added = before === null ? null : { before, after: this.world.snapshot() };
@@ -86,11 +86,17 @@ export class Recorder {
     return result as never;
   }
 
-  /** Steps the world, and notes its hash. */
+  /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
   step(deltaTime: number): void {
-    this.world.step(deltaTime);
-    this.frames.push({ calls: this.calls, deltaTime, hash: this.world.hash() });
-    this.calls = [];
+    const { timeStamp } = this.world;
+    try {
+      this.world.step(deltaTime);
+    } finally {
+      if (this.world.timeStamp !== timeStamp) {
+        this.frames.push({ calls: this.calls, deltaTime, hash: this.world.hash() });
+        this.calls = [];
+      }
+    }
   }
 
   /** What was recorded up to the last step. */
@@ -100,7 +106,8 @@ export class Recorder {
 }
 
 /**
- * Brings a world back to where a recording began, and does again what was done.
+ * Brings a world back to where a recording began, and does again what was done. What handlers throw in a step, which is done all the same, is not
+ * passed on.
  *
  * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
  * @throws TypeError for what is no recording, or names what is no method of the object; RangeError for a damaged snapshot.
@@ -118,9 +125,28 @@ export function replay(world: World, recording: Recording): number {
     if (!calls.every((call) => repeat(world, call))) {
       return true;
     }
-    world.step(deltaTime);
+    stepAgain(world, deltaTime);
     return world.hash() !== hash;
   });
+}
+
+function stepAgain(world: World, deltaTime: number): void {
+  const { timeStamp } = world;
+  try {
+    world.step(deltaTime);
+  } catch (error) {
+    if (world.timeStamp === timeStamp) {
+      throw error;
+    }
+  }
+}
+
+/** Arrays, which callers may use again, with those that are in them. */
+function copyOf(argument: unknown): unknown {
+  if (Array.isArray(argument)) {
+    return argument.map(copyOf);
+  }
+  return ArrayBuffer.isView(argument) && 'slice' in argument ? (argument as Float64Array).slice() : argument;
 }
 
 /** A method that can be recorded; not what every object has. */
@@ -142,9 +168,6 @@ function repeat(world: World, { object, method, args, added }: RecordedCall): bo
     world.restore(added.after);
     return isRight;
   }
-  methodOf('replay', object, method).apply(
-    object,
-    args.map((argument) => (Array.isArray(argument) ? [...argument] : argument)),
-  );
+  methodOf('replay', object, method).apply(object, args.map(copyOf));
   return true;
 }

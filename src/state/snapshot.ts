@@ -33,7 +33,8 @@ const known = /* @__PURE__ */ new WeakMap<ArrayBuffer, Known>();
 function hashOf(world: World): string {
   gather(world, scene);
   tape.hash();
-  tape.integers(ranksOf(scene.shapes));
+  // Of shapes that only an event names the others are just told.
+  tape.integers(ranksOf(scene.shapes.slice(0, scene.attached)));
   tape.integers(ranksOf(scene.constraints.map(({ order }) => ({ id: order }))));
   walk(tape, world, scene);
   walkGroups(tape, world);
@@ -245,6 +246,7 @@ function place(world: World, { bodies, inside }: Scene): void {
   world.stale.clear();
   for (let i = 0; i < inside; i += 1) {
     const body = bodies[i]!;
+    body.refreshMass();
     for (const shape of body.shapes) {
       if (shape.handle === null) {
         body.place();

@@ -165,7 +165,7 @@ function walkMembers<T extends RigidBody | Constraint>(
 /** What woke since the last step, and has not been told. */
 function walkWoken(tape: Tape, world: World, { bodies, constraints, inside }: Scene): void {
   const { woken } = world.events;
-  const own = tape.holds ? [] : [...new Set(woken)].filter((object) => object.woken && object.owner === world);
+  const own = tape.holds ? [] : [...woken].filter((object) => object.woken && object.owner === world);
   const most = inside + constraints.length;
   const count = tape.count(own.length, most);
   for (let i = 0; i < count; i += 1) {
@@ -173,7 +173,7 @@ function walkWoken(tape: Tape, world: World, { bodies, constraints, inside }: Sc
     const at = object === undefined ? 0 : 'shapes' in object ? object.index : inside + object.index;
     const which = tape.index(at, most);
     if (tape.reads) {
-      woken.push(which < inside ? bodies[which]! : constraints[which - inside]!);
+      woken.add(which < inside ? bodies[which]! : constraints[which - inside]!);
     }
   }
 }

@@ -132,6 +132,13 @@ describe('curves', () => {
 });
 
 describe('spirals', () => {
+  it('of millions of turns end, too', () => {
+    for (const end of [1e6, 1e7, 1e12]) {
+      const count = draw((debug) => debug.drawSpiral(0, 0, 0, end, 1, 3, RED)).length;
+      expect(count).toBeLessThan(4 * 16384);
+    }
+  });
+
   const spiral = (angle1: number, angle2: number, radius1: number, radius2: number) => (debug: Physics2DDebugDraw) =>
     debug.drawSpiral(0, 0, angle1, angle2, radius1, radius2, RED);
 

@@ -112,6 +112,27 @@ describe('kinematic bodies at speed', () => {
   });
 });
 
+describe('a body of infinite mass', () => {
+  it.each(['kinematic', 'static'] as const)('is turned out of what it overlaps, but not moved: %s', (type) => {
+    const world = weightless();
+    const block = phys2D.createRigidBody({
+      type,
+      position: [-0.341, -0.664],
+      rotation: -4.3,
+      shapes: [box(0.852, 1.11)],
+    });
+    const paddle = phys2D.createRigidBody({
+      position: [-0.074, -1.19],
+      mass: Infinity,
+      shapes: [phys2D.createPolygonShape({ vertices: phys2D.createRectangleVertices(-0.564, -0.814, 0.466, 0.256) })],
+    });
+    add(world, block, paddle);
+    steps(world, 20);
+    expect(paddle.getPosition()).toEqual([-0.074, -1.19]);
+    expect(paddle.getRotation()).not.toBe(0);
+  });
+});
+
 describe('a bar of 20 km that turns', () => {
   it('does not stop what flies along it, a millimetre away', () => {
     for (const type of ['kinematic', 'dynamic'] as const) {

@@ -37,6 +37,52 @@ describe('a recording', () => {
     expect(recording.frames).toHaveLength(100);
   });
 
+  it('keeps what typed arrays and arrays in arrays had when they were given', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const box = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) });
+    world.addRigidBody(phys2D.createRigidBody({ position: [-12, -2], shapes: [box] }));
+    const recorder = Recorder.create(world);
+    const wind = new Float32Array(2);
+    const vertices = phys2D.createBoxVertices(1, 1);
+    for (let i = 0; i < 30; i += 1) {
+      wind[0] = i % 7;
+      vertices[2]![0] = 0.5 + 0.01 * i;
+      recorder.call(ball, 'setForce', wind);
+      recorder.call(box, 'setVertices', vertices);
+      recorder.step(1 / 60);
+    }
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
+  it('has the step in which a handler threw', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    let left = 1;
+    ball.shapes[0]!.addEventListener('begin', () => {
+      left -= 1;
+      if (left >= 0) {
+        throw new Error('in a handler');
+      }
+    });
+    let thrown = 0;
+    for (let i = 0; i < 100; i += 1) {
+      recorder.call(ball, 'applyImpulse', [0.1, 0]);
+      try {
+        recorder.step(1 / 60);
+      } catch {
+        thrown += 1;
+      }
+    }
+    expect(() => recorder.step(-1)).toThrow(RangeError);
+    expect(thrown).toBe(1);
+    expect(recorder.recording.frames).toHaveLength(100);
+    left = 1;
+    expect(replay(world, recorder.recording)).toBe(-1);
+    expect(left).toBeLessThan(1);
+  });
+
   it('tells the first step that went another way', () => {
     const { world, ball } = scene();
     const { recording } = record(world, ball);
