@@ -62,7 +62,7 @@ export interface WorldSaving {
   /** @internal */
   snapshot(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer;
   /** @internal */
-  restore(where: string, world: World, snapshot: ArrayBuffer, held: Iterable<unknown>): void;
+  restore(where: string, world: World, snapshot: ArrayBuffer | ArrayBufferView, held: Iterable<unknown>): void;
 }
 
 const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 'sample'] as const;

@@ -206,41 +206,41 @@ export class World extends WorldState {
     this.events.clear();
   }
 
-  /** The shapes that contain a point, written to the start of `store`; boundaries count. @returns how many. */
+  /** The shapes that contain a point, in the order in which they were made, written to the start of `store`; boundaries count. @returns how many. */
   shapePointQuery(point: Vec2Like, store: Shape[]): number {
     return put(this.atPoint('World.shapePointQuery', point, store), store);
   }
 
-  /** The bodies with a shape that contains a point; as `shapePointQuery`. */
+  /** The bodies with a shape that contains a point, in the order of their first such shapes; as `shapePointQuery`. */
   bodyPointQuery(point: Vec2Like, store: RigidBody[]): number {
     return put(bodiesOf(this.atPoint('World.bodyPointQuery', point, store)), store);
   }
 
-  /** The shapes that a disc meets, written to the start of `store`; touching counts. `radius` > 0, may be `Infinity`. @returns how many. */
+  /** The shapes that a disc meets; as `shapePointQuery`, touching counts. `radius` > 0, may be `Infinity`. @returns how many. */
   shapeCircleQuery(center: Vec2Like, radius: number, store: Shape[]): number {
     return put(this.inCircle('World.shapeCircleQuery', center, radius, store), store);
   }
 
-  /** The bodies that a disc meets; as `shapeCircleQuery`. */
+  /** The bodies that a disc meets; as `bodyPointQuery` and `shapeCircleQuery`. */
   bodyCircleQuery(center: Vec2Like, radius: number, store: RigidBody[]): number {
     return put(bodiesOf(this.inCircle('World.bodyCircleQuery', center, radius, store)), store);
   }
 
   /**
-   * The shapes that an upright rectangle meets, written to the start of `store`; touching counts. Two opposite corners in any order, which may be
+   * The shapes that an upright rectangle meets; as `shapePointQuery`, touching counts. Two opposite corners in any order, which may be
    * infinite. @returns how many.
    */
   shapeRectangleQuery(rectangle: RectLike, store: Shape[]): number {
     return put(this.inRectangle('World.shapeRectangleQuery', rectangle, store), store);
   }
 
-  /** The bodies that a rectangle meets; as `shapeRectangleQuery`. */
+  /** The bodies that a rectangle meets; as `bodyPointQuery` and `shapeRectangleQuery`. */
   bodyRectangleQuery(rectangle: RectLike, store: RigidBody[]): number {
     return put(bodiesOf(this.inRectangle('World.bodyRectangleQuery', rectangle, store)), store);
   }
 
   /**
-   * The shapes of other bodies that a shape meets where its body is now, in this world or not, written to the start of `store`; touching counts.
+   * The shapes of other bodies that a shape meets where its body is now, in this world or not; as `shapePointQuery`, touching counts.
    *
    * @returns how many.
    */
@@ -325,11 +325,12 @@ export class World extends WorldState {
    * A buffer that `snapshot` returned names its objects, so they always come back. A copy of its bytes names them by when they were added:
    * what is not in the world then has to be in `held`.
    *
+   * @param snapshot may be bytes in another buffer, such as a Node `Buffer`: a copy then.
    * @param held bodies, shapes and constraints that are not in the world.
    * @throws RangeError if the snapshot is damaged, none, or of another version; Error if an object of it cannot be found, or is in another world.
    * Nothing has changed then.
    */
-  restore(snapshot: ArrayBuffer, held: Iterable<RigidBody | Shape | Constraint> = []): void {
+  restore(snapshot: ArrayBuffer | ArrayBufferView, held: Iterable<RigidBody | Shape | Constraint> = []): void {
     const where = 'World.restore';
     this.saved(where).restore(where, this, snapshot, held);
   }

@@ -5,9 +5,8 @@ import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
 import { crosses, crossing } from '../geometry/crossing.js';
 import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
-import { sortFirst } from '../math/sort.js';
 import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
-import { isOlder, type Shape } from '../shape/shape.js';
+import type { Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 import { boundsOf, near } from './queries.js';
@@ -142,7 +141,6 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   let best: CastResult | null = null;
   let limit = deltaTime;
   const candidates = near(world, sweptBounds(start, sweep.a, deltaTime));
-  sortFirst(candidates, candidates.length, isOlder);
   for (let i = 0; i < candidates.length; i += 1) {
     const other = candidates[i]!;
     const { owner } = other;

@@ -3,8 +3,9 @@ import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { containsPoint } from '../collide/contains.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
+import { sortFirst } from '../math/sort.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
-import type { Shape } from '../shape/shape.js';
+import { isOlder, type Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 
@@ -13,11 +14,12 @@ const own = /* @__PURE__ */ new Outline();
 const other = /* @__PURE__ */ new Outline();
 const distance = /* @__PURE__ */ new Distance();
 
-/** All shapes whose bounds may meet `bounds`, at their present placement. */
+/** All shapes whose bounds may meet `bounds`, at their present placement; by their ids, as broadphases and copies of a world find them in other orders. */
 export function near(world: World, bounds: RectLike): Shape[] {
   refreshPlaces(world);
   const found: Shape[] = [];
   world.broadphase.sample(bounds, (handle: BroadphaseHandle) => found.push(handle.data as Shape));
+  sortFirst(found, found.length, isOlder);
   return found;
 }
 

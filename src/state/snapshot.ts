@@ -65,9 +65,15 @@ function remember(buffer: ArrayBuffer): void {
 }
 
 /** Brings a world back to a state; nothing changes unless all is right. */
-function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Iterable<unknown>): void {
+function restoreTo(
+  where: string,
+  world: World,
+  snapshot: ArrayBuffer | ArrayBufferView,
+  held: Iterable<unknown>,
+): void {
   const list = checkedHeld(where, held);
-  instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer');
+  const buffer = ArrayBuffer.isView(snapshot) ? bytesOf(snapshot) : snapshot;
+  instance(where, 'snapshot', buffer, ArrayBuffer, 'an ArrayBuffer or a view of one');
   tape.load(where, buffer);
   const found = known.get(buffer);
   const own = found?.checksum === tape.checksum ? found : null;
@@ -89,6 +95,11 @@ function restoreTo(where: string, world: World, buffer: ArrayBuffer, held: Itera
   }
   walkGroups(tape, world);
   place(world, scene);
+}
+
+/** A copy, in a buffer of its own. */
+function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): ArrayBuffer {
+  return new Uint8Array(buffer, byteOffset, byteLength).slice().buffer;
 }
 
 function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constraint)[] {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { validate } from '../../src/audit/index.js';
-import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
+import { type Broadphase, phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
 import { deserialize, serialize } from '../../src/state/index.js';
 
 // What goes on must follow from what hash and snapshots tell: nothing that is only remembered may have a say in it.
@@ -10,8 +10,8 @@ const box = (width: number, height: number) =>
 const disc = (radius: number) => phys2D.createCircleShape({ radius });
 
 /** Whirling slats and balls between three walls: wide walls, as it is their radius that is asked for. */
-function whirl(): World {
-  const world = phys2D.createWorld();
+function whirl(broadphase: Broadphase = phys2D.createBoxTreeBroadphase()): World {
+  const world = phys2D.createWorld({ broadphase });
   const walls: [number, number, number, number][] = [
     [0, 5, 20, 1],
     [-5, 0, 1, 20],
@@ -170,6 +170,41 @@ describe('what hash and snapshots do not tell', () => {
     removed.one.removeConstraint(removed.rope);
     expect(restored.other.hash()).toBe(before);
     expect(removed.other.hash()).toBe(before);
+  });
+});
+
+describe('queries', () => {
+  it('of worlds of the same hash find the same in the same order', () => {
+    const world = whirl();
+    const apart = whirl(phys2D.createSweepAndPruneBroadphase());
+    const asked = (on: World) => {
+      const shapes: Shape[] = [];
+      const bodies: RigidBody[] = [];
+      const results: string[] = [];
+      const ranks = new Map(on.rigidBodies.map((body, i) => [body, i]));
+      const note = (count: number) =>
+        results.push([...bodies.slice(0, count)].map((body) => ranks.get(body)).join(' '));
+      on.shapeCircleQuery([0, 0], 9, shapes);
+      results.push(shapes.map(({ owner }) => ranks.get(owner!)).join(' '));
+      note(on.bodyCircleQuery([0, 0], 9, bodies));
+      note(on.bodyRectangleQuery([-3, -3, 3, 5], bodies));
+      note(on.bodyPointQuery([0, 5], bodies));
+      return results;
+    };
+    for (let i = 0; i < 60; i += 1) {
+      world.step(1 / 60);
+      apart.step(1 / 60);
+    }
+    const found = asked(world);
+    expect(found[0]!.split(' ').length).toBeGreaterThan(5);
+    expect(asked(apart)).toEqual(found);
+    expect(asked(deserialize(phys2D, serialize(world)))).toEqual(found);
+    const snapshot = world.snapshot();
+    for (let i = 0; i < 100; i += 1) {
+      world.step(1 / 60);
+    }
+    world.restore(snapshot);
+    expect(asked(world)).toEqual(found);
   });
 });
 

@@ -180,6 +180,23 @@ describe('World.restore', () => {
     expect(two.hash()).toBe(one.hash());
   });
 
+  it('restores bytes in part of another buffer, as those of a file that Node has read', () => {
+    const world = pile(20);
+    const snapshot = world.snapshot();
+    const before = world.hash();
+    const pool = new Uint8Array(snapshot.byteLength + 100);
+    pool.set(new Uint8Array(snapshot), 52);
+    steps(world, 30);
+    world.restore(pool.subarray(52, 52 + snapshot.byteLength));
+    expect(world.hash()).toBe(before);
+    steps(world, 30);
+    world.restore(new DataView(pool.buffer, 52, snapshot.byteLength));
+    expect(world.hash()).toBe(before);
+    expect(() => {
+      world.restore(pool);
+    }).toThrow(RangeError);
+  });
+
   it('tells what is wrong where the copy of another world does not fit', () => {
     const circle = (radius: number): RigidBody => plainBody({ shapes: [phys2D.createCircleShape({ radius })] });
     const [one, two, three] = [weightless(), weightless(), weightless()];
@@ -219,13 +236,14 @@ describe('World.restore', () => {
 
   it('refuses what is no snapshot', () => {
     const world = pile(1);
-    for (const wrong of [undefined, null, 'snapshot', new Uint8Array(100), {}]) {
+    for (const wrong of [undefined, null, 'snapshot', [1, 2], {}]) {
       expect(() => world.restore(wrong as never)).toThrow(TypeError);
     }
     expect(() => world.snapshot([] as never)).toThrow(
       'World.snapshot: target must be an ArrayBuffer, got an array of length 0',
     );
     expect(() => world.restore(new ArrayBuffer(0))).toThrow('World.restore: this is no snapshot of a world');
+    expect(() => world.restore(new Uint8Array(100))).toThrow('World.restore: this is no snapshot of a world');
     expect(() => world.restore(new ArrayBuffer(4096))).toThrow('World.restore: this is no snapshot of a world');
     const foreign = world.snapshot();
     new Int32Array(foreign)[1] = 4;
