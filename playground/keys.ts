@@ -43,6 +43,19 @@ export function listen(shortcuts: readonly Shortcut[], controls: Controls): void
       controls[arrow] = false;
     }
   });
+  // Who set something with the pointer goes on with keys that are meant for the scene; who came to it with the keyboard is left there.
+  let byPointer = false;
+  addEventListener('pointerdown', () => {
+    byPointer = true;
+  });
+  addEventListener('keydown', () => {
+    byPointer = false;
+  });
+  addEventListener('change', ({ target }) => {
+    if (byPointer && target instanceof HTMLElement) {
+      target.blur();
+    }
+  });
   addEventListener('blur', () => {
     for (const arrow of Object.values(ARROWS)) {
       controls[arrow] = false;

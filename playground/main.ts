@@ -239,11 +239,13 @@ class Playground {
 
   private copyLink(): void {
     const link = this.link();
+    const { playing, touched } = this.simulation;
+    const from = !playing && touched ? ': from the start, as a hand was in it' : '';
     history.replaceState(null, '', link);
     const done = navigator.clipboard?.writeText(link) ?? Promise.reject(new Error('no clipboard'));
     done.then(
-      () => this.say('The link is copied'),
-      () => this.say('The link is in the address bar'),
+      () => this.say(`The link is copied${from}`),
+      () => this.say(`The link is in the address bar${from}`),
     );
   }
 

@@ -97,7 +97,7 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       still('tower', 'Tower', '16 boxes, each a little off the one below.', [-9, -17.5, 9, 1], (phys2D, world) =>
         buildTower(phys2D, world, { count: 16, offset: 0.1, friction: 0.6 }),
       ),
-      still('dominoes', 'Dominoes', 'A ball tips over the first.', [-2.4, -3.4, 12.4, 1], buildDominoes),
+      still('dominoes', 'Dominoes', 'A ball tips over the first.', [-4, -3.4, 12.4, 1], buildDominoes),
       still('arch', 'Arch', '17 wedges without mortar carry four boxes.', [-12, -15, 12, 1], buildArch),
       still(
         'cards',
@@ -124,7 +124,13 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
       }),
       still('gears', 'Gear train', 'A motor drives the first wheel.', [-1.4, -2, 4.6, 2], buildGearTrain),
       still('lift', 'Pulley lift', 'One rope, with a tackle on the right.', [-6, -9, 6, 5], buildPulleyLift),
-      still('cradle', "Newton's cradle", 'What hits on one side leaves on the other.', [-5, -5, 5, 1.4], buildCradle),
+      still(
+        'cradle',
+        "Newton's cradle",
+        'What hits on one side leaves on the other.',
+        [-6.2, -5, 6.2, 1.4],
+        buildCradle,
+      ),
       still('grid', 'Joint grid', 'A net of 400 discs.', [-5, -2, 25, 26], (phys2D, world) =>
         buildJointGrid(phys2D, world, 20),
       ),

@@ -253,6 +253,17 @@ describe('playing', () => {
     expect(await page.getByRole('dialog').isVisible()).toBe(false);
   });
 
+  it('leaves the keys to the scene after something was set with the pointer', async () => {
+    await show('scene=platformer', 3);
+    await page.getByLabel('Contacts').click();
+    await page.keyboard.down('ArrowRight');
+    expect(await ask('playground.simulation.controls.right')).toBe(true);
+    await page.keyboard.up('ArrowRight');
+    await page.keyboard.press('.');
+    expect(await steps()).toBe(4);
+    await page.getByLabel('Contacts').click();
+  });
+
   it('moves the player by the arrow keys', async () => {
     await show('scene=platformer', 30);
     const before = await ask<number>('playground.simulation.play.player.getPosition()[0]');
