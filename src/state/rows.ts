@@ -29,7 +29,7 @@ import {
   USED,
   USUAL,
 } from './layout.js';
-import { Row, type Tape } from './tape.js';
+import { areSame, Row, type Tape } from './tape.js';
 
 // What of each object influences the future, field by field. What can be worked out from other fields is not there, nor are listeners and user data.
 
@@ -308,16 +308,11 @@ function isUsual(
     strain === as[4] &&
     n[o + g.FACE_STAMP] === as[5] &&
     (as.length === 6 ||
-      (isSame(n[o + c.ELASTICITY]!, as[6]!) &&
-        isSame(n[o + c.STATIC_FRICTION]!, as[7]!) &&
-        isSame(n[o + c.DYNAMIC_FRICTION]!, as[8]!) &&
-        isSame(n[o + c.ROLLING_FRICTION]!, as[9]!)))
+      (areSame(n[o + c.ELASTICITY]!, as[6]!) &&
+        areSame(n[o + c.STATIC_FRICTION]!, as[7]!) &&
+        areSame(n[o + c.DYNAMIC_FRICTION]!, as[8]!) &&
+        areSame(n[o + c.ROLLING_FRICTION]!, as[9]!)))
   );
-}
-
-/** Zeros have signs. */
-function isSame(a: number, b: number): boolean {
-  return a === b && (a !== 0 || 1 / a === 1 / b);
 }
 
 /** In what steps the shapes met, for which shapes the edges were chosen and, if they did meet, the combined material. */
