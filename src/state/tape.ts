@@ -170,8 +170,12 @@ export class Tape {
   /** Within a check: something has to be so. What comes here has the right checksum, so it was forged. */
   require(holds: boolean): void {
     if (!holds && this.mode === CHECK) {
-      throw new RangeError(`${this.where}: the snapshot is damaged: it contradicts itself`);
+      throw this.contradiction();
     }
+  }
+
+  private contradiction(): Error {
+    return new RangeError(`${this.where}: the snapshot is damaged: it contradicts itself`);
   }
 
   /** An error that tells why a snapshot, though right, cannot be restored. */
@@ -264,12 +268,17 @@ export class Tape {
       copy(values, from, this.numbers, first, end);
       return;
     }
-    const { numbers } = this;
-    for (let i = first; i < end && this.mode === CHECK; i += 1) {
-      this.require(!Number.isNaN(numbers[i]));
+    if (this.mode === CHECK) {
+      this.checkNumbers(first, end);
     }
     if (this.takes) {
-      copy(numbers, first, values, from, to);
+      copy(this.numbers, first, values, from, to);
+    }
+  }
+
+  private checkNumbers(first: number, end: number): void {
+    for (let i = first; i < end; i += 1) {
+      this.require(!Number.isNaN(this.numbers[i]));
     }
   }
 
@@ -394,21 +403,30 @@ export class Tape {
     return this.words.subarray(first, this.atWord);
   }
 
-  /** Makes sure that there is room up to here, and for a row. */
+  /** Makes sure that there is room up to here, and for a row. Short, as is all that is called for each field: engines put into a caller what is. */
   private roomForNumbers(end: number): void {
     if (end + ROOM > this.numbers.length) {
-      const wider = widened(this.numbers, new Float64Array(2 * (end + ROOM)));
-      this.numbers = wider;
-      this.ownNumbers = wider;
-      this.halves = new Int32Array(wider.buffer);
+      this.widenNumbers();
     }
   }
 
   private roomForWords(end: number): void {
     if (end + ROOM > this.words.length) {
-      this.words = widened(this.words, new Int32Array(2 * (end + ROOM)));
-      this.ownWords = this.words;
+      this.widenWords();
     }
+  }
+
+  private widenNumbers(): void {
+    const { numbers } = this;
+    this.ownNumbers = widened(numbers, new Float64Array(2 * numbers.length + ROOM));
+    this.halves = new Int32Array(this.ownNumbers.buffer);
+    this.numbers = this.ownNumbers;
+  }
+
+  private widenWords(): void {
+    const { words } = this;
+    this.ownWords = widened(words, new Int32Array(2 * words.length + ROOM));
+    this.words = this.ownWords;
   }
 }
 
