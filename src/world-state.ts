@@ -251,7 +251,7 @@ export abstract class WorldState {
     this.gravityX = tape.number(this.gravityX);
     this.gravityY = tape.number(this.gravityY);
     this.time = tape.number(this.time);
-    this.stamp = tape.number(this.stamp);
+    this.stamp = tape.number(this.stamp) | 0;
     this.velocityTotal = tape.integer(this.velocityTotal, 1, 0x3fffffff);
     this.positionTotal = tape.integer(this.positionTotal, 1, 0x3fffffff);
     this.parts = tape.integer(this.parts, 1, 0x3fffffff);

@@ -36,6 +36,8 @@ export class Pairs {
 
   /** @internal */
   readonly table = new PairTable();
+  /** @internal the awake pairs that there were, while a world is restored */
+  readonly earlier = new List<Arbiter>();
   /** @internal */
   readonly arriving = new List<Arbiter>();
   /** What lies beyond the count is old. */

@@ -1,6 +1,5 @@
 import type { Arbiter } from '../contact/arbiter.js';
 import { isBefore, NEVER, type Pairs } from '../contact/pairs.js';
-import { drop } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 
 // The pairs of a world that is restored: those that are there are brought back, what is missing is made, and what is left over goes.
@@ -8,18 +7,16 @@ import type { Shape } from '../shape/shape.js';
 /** In place of a step in which the broadphase reported a pair: it was brought back. */
 const CLAIMED = -2;
 
-/** The awake pairs there were: scratch. */
-const earlier: Arbiter[] = [];
-/** Where among them the next one is looked for, as both are in the order of their shapes' ids. */
+/** Where among the awake pairs that there were the next one is looked for, as both are in the order of their shapes' ids. */
 let next = 0;
 /** How many are left in the table that were not brought back. */
 let unclaimed = 0;
 
 /** Takes all pairs out of the lists; those in the table may be brought back. */
 export function beginClaims(pairs: Pairs): void {
-  drop(earlier);
-  for (let i = 0; i < pairs.sorted.count; i += 1) {
-    earlier.push(pairs.sorted.items[i]!);
+  const { sorted, earlier } = pairs;
+  for (let i = 0; i < sorted.count; i += 1) {
+    earlier.add(sorted.items[i]!);
   }
   next = 0;
   unclaimed = pairs.table.size;
@@ -30,7 +27,7 @@ export function beginClaims(pairs: Pairs): void {
     list.length = 0;
   }
   pairs.sightings.fill(NEVER);
-  pairs.sorted.clear();
+  sorted.clear();
   pairs.arriving.clear();
 }
 
@@ -50,13 +47,18 @@ export function claim(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
 
 /** Mostly it is the one after the last. */
 function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
-  while (next < earlier.length && isBefore(earlier[next]!, shapeA, shapeB)) {
-    next += 1;
+  const { items, count } = pairs.earlier;
+  for (; next < count; next += 1) {
+    const pair = items[next]!;
+    if (pair.shapeA === shapeA && pair.shapeB === shapeB && !pair.dead) {
+      next += 1;
+      return pair;
+    }
+    if (!isBefore(pair, shapeA, shapeB)) {
+      break;
+    }
   }
-  const pair = earlier[next];
-  return pair !== undefined && pair.shapeA === shapeA && pair.shapeB === shapeB && !pair.dead
-    ? pair
-    : pairs.find(shapeA, shapeB);
+  return pairs.find(shapeA, shapeB);
 }
 
 /** A pair that was cut off, and is named by an `end` event. */
@@ -69,13 +71,22 @@ export function claimCut(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
 
 /** Drops the pairs that were not brought back. What is moved up in the table has been looked at, or will be. */
 export function endClaims(pairs: Pairs): void {
-  drop(earlier);
-  const { arbiters } = pairs.table;
-  for (let i = 0; unclaimed > 0; i += 1) {
-    for (let pair = arbiters[i]!; pair !== null && pairs.sightings[pair.number] === NEVER; pair = arbiters[i]!) {
+  const { earlier, table, sightings } = pairs;
+  // Mostly those that were awake, which lie in memory as they are walked through.
+  for (let i = 0; i < earlier.count && unclaimed > 0; i += 1) {
+    const pair = earlier.items[i]!;
+    if (!pair.dead && sightings[pair.number] === NEVER) {
       unclaimed -= 1;
       pairs.retire(pair);
     }
   }
-  pairs.sightings.fill(NEVER);
+  earlier.clear();
+  const { arbiters } = table;
+  for (let i = 0; unclaimed > 0; i += 1) {
+    for (let pair = arbiters[i]!; pair !== null && sightings[pair.number] === NEVER; pair = arbiters[i]!) {
+      unclaimed -= 1;
+      pairs.retire(pair);
+    }
+  }
+  sightings.fill(NEVER);
 }

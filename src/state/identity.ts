@@ -1,47 +1,62 @@
 import { RigidBody } from '../body.js';
 import { Constraint } from '../constraint/constraint.js';
 import { createBoxVertices } from '../geometry/vertices.js';
-import { drop } from '../math/list.js';
 import { Circle } from '../shape/circle.js';
 import { Polygon } from '../shape/polygon.js';
 import { Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
-import { clear, copyObjects, type Objects, type Scene } from './scene.js';
+import { copyObjects, emptyScene, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
 /** How many integers come first. */
 const HEAD = 6;
 
 /**
- * Puts into `ids` which objects a snapshot is of, as integers: `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,
+ * Writes which objects a snapshot is of, as integers: how many, then `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,
  * constraints; then `order` and number of shapes of each body; `order` of each shape, and kind plus twice its rank among their ids; `order` of each constraint;
  * and for each body outside a constraint and which of its members it is.
  */
-export function describe(world: World, scene: Scene, ids: number[]): void {
+export function describe(tape: Tape, world: World, scene: Scene): void {
   const { bodies, inside, shapes, attached, counts, constraints } = scene;
-  drop(ids);
-  ids.push(world.nextOrder, inside, bodies.length - inside, attached, shapes.length - attached, constraints.length);
+  const ties = constraints.length;
+  tape.word(lengthOf(bodies.length, shapes.length, ties));
+  for (const word of [world.nextOrder, inside, bodies.length - inside, attached, shapes.length - attached, ties]) {
+    tape.word(word);
+  }
   for (let i = 0; i < inside; i += 1) {
-    ids.push(bodies[i]!.order, counts[i]!);
+    tape.word(bodies[i]!.order);
+    tape.word(counts[i]!);
   }
   const ranks = ranksOf(shapes);
   for (let i = 0; i < shapes.length; i += 1) {
-    ids.push(shapes[i]!.order, shapes[i]!.kind + 2 * ranks[i]!);
+    tape.word(shapes[i]!.order);
+    tape.word(shapes[i]!.kind + 2 * ranks[i]!);
   }
   for (const { order } of constraints) {
-    ids.push(order);
+    tape.word(order);
   }
   for (const body of bodies.slice(inside)) {
     const which = constraints.findIndex(({ members }) => members.includes(body));
-    ids.push(which, constraints[which]!.members.indexOf(body));
+    tape.word(which);
+    tape.word(constraints[which]!.members.indexOf(body));
   }
+}
+
+/** How many integers tell of so many objects. */
+function lengthOf(bodies: number, shapes: number, constraints: number): number {
+  return HEAD + 2 * bodies + 2 * shapes + constraints;
 }
 
 /** The place of each shape if they were sorted by their ids, as which decides in what order pairs are solved. */
 export function ranksOf(shapes: readonly { readonly id: number }[]): number[] {
-  const ranks = shapes.map((_, i) => i);
-  if (shapes.some(({ id }, i) => i > 0 && id < shapes[i - 1]!.id)) {
+  const ranks: number[] = [];
+  let isSorted = true;
+  for (let i = 0; i < shapes.length; i += 1) {
+    ranks.push(i);
+    isSorted &&= i === 0 || shapes[i]!.id > shapes[i - 1]!.id;
+  }
+  if (!isSorted) {
     ranks
       .sort((a, b) => shapes[a]!.id - shapes[b]!.id)
       .slice()
@@ -56,7 +71,7 @@ export function ranksOf(shapes: readonly { readonly id: number }[]): number[] {
 export function resolve(
   tape: Tape,
   world: World,
-  ids: readonly number[],
+  ids: Int32Array,
   known: Objects | null,
   held: Iterable<unknown>,
   scene: Scene,
@@ -64,16 +79,18 @@ export function resolve(
   const [, inside = -1, outside = -1, attached = -1, loose = -1, ties = -1] = ids;
   const isWhole =
     Math.min(inside, outside, attached, loose, ties) >= 0 &&
-    ids.length === HEAD + 2 * inside + 2 * (attached + loose) + ties + 2 * outside;
+    ids.length === lengthOf(inside + outside, attached + loose, ties);
   tape.require(isWhole);
-  clear(scene);
+  const { counts } = scene;
   scene.inside = inside;
   scene.attached = attached;
   scene.isCopy = known === null;
   for (let i = 0; i < inside; i += 1) {
-    scene.counts.push(ids[HEAD + 2 * i + 1]!);
+    counts[i] = ids[HEAD + 2 * i + 1]!;
   }
+  counts.length = inside;
   if (known === null) {
+    copyObjects(emptyScene(), scene);
     find(tape, ids, scene, new Finder(tape, world, held));
   } else {
     copyObjects(known, scene);
@@ -81,8 +98,8 @@ export function resolve(
   refuseOthers(tape, world, scene);
 }
 
-function find(tape: Tape, ids: readonly number[], scene: Scene, finder: Finder): void {
-  const [, inside, outside, attached, loose, ties] = ids as [number, number, number, number, number, number];
+function find(tape: Tape, ids: Int32Array, scene: Scene, finder: Finder): void {
+  const [, inside = 0, outside = 0, attached = 0, loose = 0, ties = 0] = ids;
   const { bodies, shapes, counts, constraints } = scene;
   let at = HEAD;
   for (let i = 0; i < inside; i += 1, at += 2) {

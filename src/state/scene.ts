@@ -52,18 +52,24 @@ export function emptyScene(): Scene {
 
 /** Lists what there is in a world between two steps. */
 export function gather(world: World, scene: Scene): void {
-  clear(scene);
-  const { bodies, constraints } = scene;
-  for (const body of world.rigidBodies) {
-    bodies.push(body);
-    scene.counts.push(body.shapes.length);
+  const { bodies, shapes, counts, constraints, materials, islands } = scene;
+  for (const list of [constraints, materials, islands]) {
+    drop(list);
+  }
+  replace(bodies, world.rigidBodies);
+  scene.inside = bodies.length;
+  scene.attached = 0;
+  for (let i = 0; i < scene.inside; i += 1) {
+    const body = bodies[i]!;
+    counts[i] = body.shapes.length;
     for (const shape of body.shapes) {
-      addShape(scene, shape);
+      addShape(scene, shape, scene.attached);
+      scene.attached += 1;
     }
     noteIsland(scene, body);
   }
-  scene.inside = bodies.length;
-  scene.attached = scene.shapes.length;
+  counts.length = scene.inside;
+  shapes.length = scene.attached;
   for (const constraint of world.constraints) {
     constraints.push(constraint);
     noteIsland(scene, constraint);
@@ -76,14 +82,6 @@ export function gather(world: World, scene: Scene): void {
   gatherPairs(world, scene);
 }
 
-/** Forgets everything. */
-export function clear(scene: Scene): void {
-  const { bodies, shapes, counts, constraints, materials, pairs, islands } = scene;
-  for (const list of [bodies, shapes, counts, constraints, materials, pairs, islands]) {
-    drop(list);
-  }
-}
-
 /** Lists the same objects elsewhere. */
 export function copyObjects(from: Objects, to: Objects): void {
   replace(to.bodies, from.bodies);
@@ -92,6 +90,7 @@ export function copyObjects(from: Objects, to: Objects): void {
   replace(to.materials, from.materials);
 }
 
+/** In place: emptied and filled again, a list of thousands takes three times as long. */
 function replace<T>(list: T[], by: readonly T[]): void {
   for (let i = 0; i < by.length; i += 1) {
     list[i] = by[i]!;
@@ -99,8 +98,9 @@ function replace<T>(list: T[], by: readonly T[]): void {
   list.length = by.length;
 }
 
-function addShape({ shapes, materials }: Scene, shape: Shape): void {
-  shape.stateIndex = shapes.push(shape) - 1;
+function addShape({ shapes, materials }: Scene, shape: Shape, at: number): void {
+  shapes[at] = shape;
+  shape.stateIndex = at;
   if (materials[materials.length - 1] !== shape.material && !materials.includes(shape.material)) {
     materials.push(shape.material);
   }
@@ -118,16 +118,23 @@ function isIn(world: World, { owner }: Shape): boolean {
 
 function gatherPairs(world: World, scene: Scene): void {
   const { pairs, shapes } = scene;
-  const { sorted } = world.pairs;
+  const { sorted, table } = world.pairs;
   world.pairs.merge();
+  let sleeping = table.size;
+  let count = 0;
   for (let i = 0; i < sorted.count; i += 1) {
     const pair = sorted.items[i]!;
-    if (!pair.dead && isIn(world, pair.shapeA) && isIn(world, pair.shapeB)) {
-      pairs.push(pair);
+    if (!pair.dead) {
+      sleeping -= 1;
+      if (isIn(world, pair.shapeA) && isIn(world, pair.shapeB)) {
+        pairs[count] = pair;
+        count += 1;
+      }
     }
   }
-  scene.awake = pairs.length;
-  for (let i = 0; i < scene.attached; i += 1) {
+  pairs.length = count;
+  scene.awake = count;
+  for (let i = 0; i < scene.attached && sleeping > 0; i += 1) {
     const { arbiters } = shapes[i]!;
     for (let k = 0; k < arbiters.length; k += 1) {
       const pair = arbiters[k]!;
@@ -136,12 +143,12 @@ function gatherPairs(world: World, scene: Scene): void {
       }
     }
   }
-  const { all, count } = world.events.ended;
-  for (let i = 0; i < count; i += 1) {
-    const pair = all[i]!.arbiter!;
+  const { ended } = world.events;
+  for (let i = 0; i < ended.count; i += 1) {
+    const pair = ended.all[i]!.arbiter!;
     for (const shape of [pair.shapeA, pair.shapeB]) {
       if (shapes[shape.stateIndex] !== shape) {
-        addShape(scene, shape);
+        addShape(scene, shape, shapes.length);
       }
     }
     pairs.push(pair);

@@ -20,7 +20,6 @@ import { walk } from './walk.js';
 /** Scratch: nothing in them lives on. */
 const tape = /* @__PURE__ */ new Tape(ROWS);
 const scene = /* @__PURE__ */ emptyScene();
-const ids: number[] = [];
 
 /** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
 interface Known extends Objects {
@@ -34,8 +33,13 @@ function hashOf(world: World): string {
   gather(world, scene);
   tape.hash();
   // Of shapes that only an event names the others are just told.
-  tape.integers(ranksOf(scene.shapes.slice(0, scene.attached)));
-  tape.integers(ranksOf(scene.constraints.map(({ order }) => ({ id: order }))));
+  const attached = scene.shapes.slice(0, scene.attached);
+  for (const ranks of [ranksOf(attached), ranksOf(scene.constraints.map(({ order }) => ({ id: order })))]) {
+    tape.word(ranks.length);
+    for (let i = 0; i < ranks.length; i += 1) {
+      tape.word(ranks[i]!);
+    }
+  }
   walk(tape, world, scene);
   walkGroups(tape, world);
   return tape.hashed();
@@ -48,8 +52,7 @@ function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined
   }
   gather(world, scene);
   tape.write();
-  describe(world, scene, ids);
-  tape.integers(ids);
+  describe(tape, world, scene);
   walk(tape, world, scene);
   walkGroups(tape, world);
   const buffer = tape.written(target);
@@ -77,24 +80,24 @@ function restoreTo(
   tape.load(where, buffer);
   const found = known.get(buffer);
   const own = found?.checksum === tape.checksum ? found : null;
-  tape.integers(ids);
+  const ids = tape.integers();
   const from = tape.passed;
   resolve(tape, world, ids, own, list, scene);
   if (own === null) {
     walk(tape, world, scene);
     walkGroups(tape, world);
     tape.finish();
-    drop(scene.pairs);
   }
   tape.read(from);
   empty(world, scene);
-  assemble(world, scene);
+  assemble(world, scene, ids);
   walk(tape, world, scene);
   for (const constraint of scene.constraints) {
     countIgnoring(constraint, 1);
   }
   walkGroups(tape, world);
   place(world, scene);
+  tape.unload();
 }
 
 /** A copy, in a buffer of its own. */
@@ -144,29 +147,34 @@ function empty(world: World, { bodies, inside }: Scene): void {
     countIgnoring(constraint, -1);
     release(constraint);
   }
-  for (const body of world.rigidBodies) {
+  takeOutOthers(world, bodies, inside);
+  beginClaims(world.pairs);
+  world.events.clear();
+  for (const list of [world.constraints, world.dynamicArbiters, world.staticArbiters]) {
+    drop(list);
+  }
+}
+
+/** Takes out of the world the bodies that are not to stay; mostly all are, in this order. */
+function takeOutOthers(world: World, bodies: readonly RigidBody[], inside: number): void {
+  const { rigidBodies } = world;
+  let areSame = rigidBodies.length === inside;
+  for (let i = 0; i < inside && areSame; i += 1) {
+    areSame = rigidBodies[i] === bodies[i];
+  }
+  if (areSame) {
+    return;
+  }
+  for (const body of rigidBodies) {
     body.index = -1;
   }
   for (let i = 0; i < inside; i += 1) {
     bodies[i]!.index = i;
   }
-  for (const body of world.rigidBodies) {
+  for (const body of rigidBodies) {
     if (body.index < 0) {
       takeOut(world, body);
     }
-  }
-  beginClaims(world.pairs);
-  world.events.clear();
-  for (const list of [
-    world.rigidBodies,
-    world.constraints,
-    world.liveDynamics,
-    world.liveKinematics,
-    world.liveConstraints,
-    world.dynamicArbiters,
-    world.staticArbiters,
-  ]) {
-    drop(list);
   }
 }
 
@@ -178,7 +186,7 @@ function takeOut(world: World, body: RigidBody): void {
 }
 
 /** Puts the bodies, their shapes and the constraints into the world. */
-function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene): void {
+function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene, ids: Int32Array): void {
   let at = 6;
   let first = 0;
   world.nextOrder = ids[0]!;
@@ -191,8 +199,9 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     body.liveIndex = -1;
     body.slot = 0;
     body.island = null;
-    world.rigidBodies.push(body);
+    world.rigidBodies[i] = body;
   }
+  world.rigidBodies.length = inside;
   for (let i = 0; i < shapes.length; i += 1, at += 2) {
     if (isElsewhere(world, shapes[i]!)) {
       continue;

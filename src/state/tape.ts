@@ -1,3 +1,4 @@
+import { widened } from '../math/doubles.js';
 import { Digest, hex } from './digest.js';
 import { opened, packed } from './format.js';
 import { CHECK, HASH, READ, WRITE } from './layout.js';
@@ -46,9 +47,13 @@ export class Tape {
   /** Fields are replaced by what is stored. */
   takes = false;
   private where = '';
-  private numbers = new Float64Array(1024);
-  private halves = new Int32Array(this.numbers.buffer);
-  private words = new Int32Array(1024);
+  /** What is written, as long as it is. */
+  private ownNumbers: Float64Array = new Float64Array(1024);
+  private halves = new Int32Array(this.ownNumbers.buffer);
+  private ownWords: Int32Array = new Int32Array(1024);
+  /** The tracks: those, or what is in a snapshot that was loaded. */
+  private numbers = this.ownNumbers;
+  private words = this.ownWords;
   /** Where the next ones are, and on reading where they end. */
   private atNumber = 0;
   private atWord = 0;
@@ -95,11 +100,19 @@ export class Tape {
   }
 
   write(): void {
+    this.unload();
     this.begin(WRITE);
   }
 
   hash(): void {
+    this.unload();
     this.begin(HASH);
+  }
+
+  /** Lets go of the snapshot that was loaded. */
+  unload(): void {
+    this.numbers = this.ownNumbers;
+    this.words = this.ownWords;
   }
 
   /** Ends a digest. @returns 16 hexadecimal digits. */
@@ -131,12 +144,11 @@ export class Tape {
   load(where: string, buffer: ArrayBuffer): void {
     this.where = where;
     const { numbers, words } = opened(where, buffer, this.digest);
-    this.roomFor(numbers.length, words.length);
-    this.numbers.set(numbers);
-    this.words.set(words);
+    this.begin(CHECK);
+    this.numbers = numbers;
+    this.words = words;
     this.endNumber = numbers.length;
     this.endWord = words.length;
-    this.begin(CHECK);
   }
 
   /** Ends a check. */
@@ -158,8 +170,12 @@ export class Tape {
   /** Within a check: something has to be so. What comes here has the right checksum, so it was forged. */
   require(holds: boolean): void {
     if (!holds && this.mode === CHECK) {
-      throw new RangeError(`${this.where}: the snapshot is damaged: it contradicts itself`);
+      throw this.contradiction();
     }
+  }
+
+  private contradiction(): Error {
+    return new RangeError(`${this.where}: the snapshot is damaged: it contradicts itself`);
   }
 
   /** An error that tells why a snapshot, though right, cannot be restored. */
@@ -182,7 +198,8 @@ export class Tape {
   }
 
   private put({ bits, bitsBefore, integers, integersBefore }: Row): void {
-    this.roomFor(this.atNumber, this.atWord);
+    this.roomForNumbers(this.atNumber);
+    this.roomForWords(this.atWord);
     const { words, halves } = this;
     let mask = 0;
     let bit = 1;
@@ -203,7 +220,7 @@ export class Tape {
     for (let i = 0; i < bits.length; i += 2) {
       const low = bits[i]!;
       const high = bits[i + 1]!;
-      if (low !== bitsBefore[i] || high !== bitsBefore[i + 1]) {
+      if (((low ^ bitsBefore[i]!) | (high ^ bitsBefore[i + 1]!)) !== 0) {
         bitsBefore[i] = low;
         bitsBefore[i + 1] = high;
         halves[at] = low;
@@ -230,7 +247,7 @@ export class Tape {
     }
     this.atWord = at;
     at = this.atNumber;
-    for (let i = 0; i < numbers.length; i += 1) {
+    for (let i = 0; mask !== 0 && i < numbers.length; i += 1) {
       if ((mask & 1) !== 0) {
         numbers[i] = track[at]!;
         at += 1;
@@ -247,16 +264,21 @@ export class Tape {
     const end = first + to - from;
     this.atNumber = end;
     if (this.writes) {
-      this.roomFor(end, this.atWord);
+      this.roomForNumbers(end);
       copy(values, from, this.numbers, first, end);
       return;
     }
-    const { numbers } = this;
-    for (let i = first; i < end && this.mode === CHECK; i += 1) {
-      this.require(!Number.isNaN(numbers[i]));
+    if (this.mode === CHECK) {
+      this.checkNumbers(first, end);
     }
     if (this.takes) {
-      copy(numbers, first, values, from, to);
+      copy(this.numbers, first, values, from, to);
+    }
+  }
+
+  private checkNumbers(first: number, end: number): void {
+    for (let i = first; i < end; i += 1) {
+      this.require(!Number.isNaN(this.numbers[i]));
     }
   }
 
@@ -282,7 +304,7 @@ export class Tape {
     const at = this.atNumber;
     this.atNumber = at + 1;
     if (this.writes) {
-      this.roomFor(at, this.atWord);
+      this.roomForNumbers(at);
       this.numbers[at] = value;
       return value;
     }
@@ -366,34 +388,45 @@ export class Tape {
     const at = this.atWord;
     this.atWord = at + 1;
     if (this.writes) {
-      this.roomFor(this.atNumber, at);
+      this.roomForWords(at);
       this.words[at] = value;
       return value;
     }
     return this.words[at]!;
   }
 
-  /** Integers in a list of any length. */
-  integers(values: number[]): void {
-    values.length = this.count(values.length);
-    for (let i = 0; i < values.length; i += 1) {
-      values[i] = this.word(values[i]!);
+  /** What is stored as words, after how many they are: part of the snapshot itself. */
+  integers(): Int32Array {
+    const length = this.count(0);
+    const first = this.atWord;
+    this.atWord += length;
+    return this.words.subarray(first, this.atWord);
+  }
+
+  /** Makes sure that there is room up to here, and for a row. Short, as is all that is called for each field: engines put into a caller what is. */
+  private roomForNumbers(end: number): void {
+    if (end + ROOM > this.numbers.length) {
+      this.widenNumbers();
     }
   }
 
-  /** Makes sure that there is room up to here, and for a row. */
-  private roomFor(numbers: number, words: number): void {
-    if (numbers + ROOM > this.numbers.length) {
-      const wider = new Float64Array(2 * (numbers + ROOM));
-      wider.set(this.numbers);
-      this.numbers = wider;
-      this.halves = new Int32Array(wider.buffer);
+  private roomForWords(end: number): void {
+    if (end + ROOM > this.words.length) {
+      this.widenWords();
     }
-    if (words + ROOM > this.words.length) {
-      const wider = new Int32Array(2 * (words + ROOM));
-      wider.set(this.words);
-      this.words = wider;
-    }
+  }
+
+  private widenNumbers(): void {
+    const { numbers } = this;
+    this.ownNumbers = widened(numbers, new Float64Array(2 * numbers.length + ROOM));
+    this.halves = new Int32Array(this.ownNumbers.buffer);
+    this.numbers = this.ownNumbers;
+  }
+
+  private widenWords(): void {
+    const { words } = this;
+    this.ownWords = widened(words, new Int32Array(2 * words.length + ROOM));
+    this.words = this.ownWords;
   }
 }
 
@@ -410,7 +443,12 @@ function areEqual(a: Float64Array, b: Float64Array): boolean {
   }
   let isSame = a.length === b.length;
   for (let i = 0; i < a.length && isSame; i += 1) {
-    isSame = Object.is(a[i], b[i]);
+    isSame = areSame(a[i]!, b[i]!);
   }
   return isSame;
+}
+
+/** Zeros have signs; none is NaN. Not by `Object.is`, which is a call for each. */
+export function areSame(a: number, b: number): boolean {
+  return a === b && (a !== 0 || 1 / a === 1 / b);
 }

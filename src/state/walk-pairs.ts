@@ -40,14 +40,11 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
       tape.require(isNext && (isCut || shapes[a]!.id < shapes[b]!.id));
       scratch.reuse(shapes[a]!, shapes[b]!);
       scratch.dead = isCut;
-      pairs[i] = scratch;
-    } else if (tape.reads) {
-      pairs[i] = (isCut ? claimCut : claim)(world.pairs, shapes[a]!, shapes[b]!);
     }
-    const pair = pairs[i]!;
+    const pair = scratch ?? (tape.reads ? (isCut ? claimCut : claim)(world.pairs, shapes[a]!, shapes[b]!) : pairs[i]!);
     keepPair(tape, pair);
     if (pair.listed) {
-      keepPlaces(tape, world, pair, a, b, i);
+      keepPlaces(tape, world, pair, a, b);
     }
     if (tape.reads) {
       enlist(world, pair, i < awake, isCut);
@@ -57,13 +54,15 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
   if (tape.reads) {
     endClaims(world.pairs);
   }
-  link(tape, world, scene, places);
+  if (tape.checks) {
+    tape.require(places.ofShapes.isRight(attached) && places.ofWorld.isRight(2));
+  }
 }
 
 /**
  * Where a pair is in the lists of its shapes `a` and `b`, of which the order has a say in which wakes first, and in the world's, whose order has none: the dynamic one is 0, the static one 1; place −1: in none.
  */
-function keepPlaces(tape: Tape, world: World, pair: Arbiter, a: number, b: number, i: number): void {
+function keepPlaces(tape: Tape, world: World, pair: Arbiter, a: number, b: number): void {
   const { listIndex } = pair;
   pair.indexA = tape.word(pair.indexA);
   pair.indexB = tape.word(pair.indexB);
@@ -77,13 +76,28 @@ function keepPlaces(tape: Tape, world: World, pair: Arbiter, a: number, b: numbe
     place = list === 0 || world.staticArbiters[listIndex] === pair ? listIndex : -1;
   }
   const where = tape.word(2 * place + list);
-  if (tape.holds) {
-    places.ofShapes.add(a, pair.indexA, i);
-    places.ofShapes.add(b, pair.indexB, i);
+  if (tape.checks) {
+    places.ofShapes.add(a, pair.indexA);
+    places.ofShapes.add(b, pair.indexB);
     if (where >= 0) {
-      places.ofWorld.add(where & 1, where >> 1, i);
+      places.ofWorld.add(where & 1, where >> 1);
+    }
+  } else if (tape.reads) {
+    put(pair.shapeA.arbiters, pair.indexA, pair);
+    put(pair.shapeB.arbiters, pair.indexB, pair);
+    if (where >= 0) {
+      pair.listIndex = where >> 1;
+      put((where & 1) === 0 ? world.dynamicArbiters : world.staticArbiters, pair.listIndex, pair);
     }
   }
+}
+
+/** Puts a pair at its place in a list that has a pair at each of its places in the end. Until then others stand there, as a list with holes is slow for good. */
+function put(list: Arbiter[], place: number, pair: Arbiter): void {
+  while (list.length <= place) {
+    list.push(pair);
+  }
+  list[place] = pair;
 }
 
 function enlist(world: World, pair: Arbiter, isAwake: boolean, isCut: boolean): void {
@@ -92,26 +106,5 @@ function enlist(world: World, pair: Arbiter, isAwake: boolean, isCut: boolean): 
   } else if (isAwake) {
     pair.awake = true;
     world.pairs.sorted.add(pair);
-  }
-}
-
-/** Puts the pairs into their lists. */
-function link(tape: Tape, world: World, { pairs, shapes, attached }: Scene, { ofShapes, ofWorld }: Places): void {
-  tape.require(ofShapes.sort(attached) && ofWorld.sort(2));
-  if (!tape.reads) {
-    return;
-  }
-  for (let shape = 0; shape < attached; shape += 1) {
-    const { arbiters } = shapes[shape]!;
-    for (let at = ofShapes.start(shape); at < ofShapes.start(shape + 1); at += 1) {
-      arbiters.push(pairs[ofShapes.item(at)]!);
-    }
-  }
-  for (let list = 0; list < 2; list += 1) {
-    const arbiters = list === 0 ? world.dynamicArbiters : world.staticArbiters;
-    for (let at = ofWorld.start(list); at < ofWorld.start(list + 1); at += 1) {
-      const pair = pairs[ofWorld.item(at)]!;
-      pair.listIndex = arbiters.push(pair) - 1;
-    }
   }
 }

@@ -133,6 +133,9 @@ function walkAwake<T extends RigidBody | Constraint>(tape: Tape, list: T[], all:
       list[i]!.liveIndex = i;
     }
   }
+  if (tape.reads) {
+    list.length = count;
+  }
 }
 
 function walkIslands(tape: Tape, { islands, bodies, constraints, inside }: Scene): void {
