@@ -2,6 +2,7 @@ import type { BodyHandler } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { BodyNumbers } from './body-numbers.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
+import { presentBounds } from './collide/presently.js';
 import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
 import { cos, cosSin, sin } from './math/trig.js';
@@ -148,12 +149,12 @@ export abstract class BodyState extends BodyNumbers {
     result[1] = Infinity;
     result[2] = -Infinity;
     result[3] = -Infinity;
-    this.place();
-    for (const { numbers, at } of this.shapes) {
-      result[0] = Math.min(result[0]!, numbers[at]!);
-      result[1] = Math.min(result[1]!, numbers[at + 1]!);
-      result[2] = Math.max(result[2]!, numbers[at + 2]!);
-      result[3] = Math.max(result[3]!, numbers[at + 3]!);
+    for (const shape of this.shapes) {
+      const [minX, minY, maxX, maxY] = presentBounds(shape);
+      result[0] = Math.min(result[0]!, minX);
+      result[1] = Math.min(result[1]!, minY);
+      result[2] = Math.max(result[2]!, maxX);
+      result[3] = Math.max(result[3]!, maxY);
     }
     return result;
   }

@@ -75,8 +75,12 @@ function rayCircle({ numbers: n, at, radius }: Circle, ray: RayTest): boolean {
   const half = Math.sqrt(chord / squared);
   const outer = middle - half >= 0;
   const factor = outer ? middle - half : middle + half;
-  const side = outer ? 1 / radius : -1 / radius;
-  return accept(ray, outer, factor, side * (px + dx * factor), side * (py + dy * factor));
+  const nx = px + dx * factor;
+  const ny = py + dy * factor;
+  // Far away the hit is not as near to the circle as its normal has to be to 1.
+  const length = Math.sqrt(nx * nx + ny * ny) || 1;
+  const side = outer ? 1 / length : -1 / length;
+  return accept(ray, outer, factor, side * nx, side * ny);
 }
 
 function accept(ray: RayTest, outer: boolean, factor: number, nx: number, ny: number): boolean {

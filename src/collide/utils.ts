@@ -5,6 +5,7 @@ import { Shape } from '../shape/shape.js';
 import { boolean, checkedRay, instance, positive, sink, typeError, vector } from '../validate.js';
 import { containsPoint } from './contains.js';
 import { gapBetween } from './gap.js';
+import { presently } from './presently.js';
 import { RayTest, rayShape } from './rays.js';
 
 const sweep = /* @__PURE__ */ new Sweep();
@@ -23,9 +24,9 @@ export class CollisionUtils {
   /** Whether a shape contains a world point; its boundary counts. */
   containsPoint(shape: Shape, point: Vec2Like): boolean {
     const where = 'CollisionUtils.containsPoint';
-    const { x, y } = placed(where, 'shape', shape);
+    const { x, y } = bodyOf(where, 'shape', shape);
     vector(where, 'point', point, 2);
-    return containsPoint(shape, point[0]! - x, point[1]! - y);
+    return presently(shape, () => containsPoint(shape, point[0]! - x, point[1]! - y));
   }
 
   /**
@@ -34,8 +35,8 @@ export class CollisionUtils {
    */
   signedDistance(shapeA: Shape, shapeB: Shape, witnessA: NumberSink, witnessB: NumberSink, axis: NumberSink): number {
     const where = 'CollisionUtils.signedDistance';
-    const { x, y } = placed(where, 'shapeA', shapeA);
-    placed(where, 'shapeB', shapeB);
+    const { x, y } = bodyOf(where, 'shapeA', shapeA);
+    bodyOf(where, 'shapeB', shapeB);
     sink(where, 'witnessA', witnessA);
     sink(where, 'witnessB', witnessB);
     sink(where, 'axis', axis);
@@ -52,8 +53,8 @@ export class CollisionUtils {
   /** Whether two shapes intersect; touching counts. */
   intersects(shapeA: Shape, shapeB: Shape): boolean {
     const where = 'CollisionUtils.intersects';
-    placed(where, 'shapeA', shapeA);
-    placed(where, 'shapeB', shapeB);
+    bodyOf(where, 'shapeA', shapeA);
+    bodyOf(where, 'shapeB', shapeB);
     return gapBetween(shapeA, shapeB).value <= 0;
   }
 
@@ -63,7 +64,7 @@ export class CollisionUtils {
    */
   rayTest(shape: Shape, ray: Ray, normal: NumberSink, ignoreInnerSurfaces: boolean = false): number | undefined {
     const where = 'CollisionUtils.rayTest';
-    const { x, y } = placed(where, 'shape', shape);
+    const { x, y } = bodyOf(where, 'shape', shape);
     const { origin, direction, maxFactor } = checkedRay(where, ray);
     sink(where, 'normal', normal);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
@@ -74,7 +75,7 @@ export class CollisionUtils {
     test.dy = direction[1]! / scale;
     test.most = maxFactor * scale;
     test.outerOnly = ignoreInnerSurfaces;
-    if (!rayShape(shape, test) || !(test.factor / scale < maxFactor)) {
+    if (!presently(shape, () => rayShape(shape, test)) || !(test.factor / scale < maxFactor)) {
       return undefined;
     }
     normal[0] = test.nx + 0;
@@ -94,8 +95,8 @@ export class CollisionUtils {
     normal: NumberSink,
   ): number | undefined {
     const where = 'CollisionUtils.sweepTest';
-    const a = placed(where, 'shapeA', shapeA);
-    const b = placed(where, 'shapeB', shapeB);
+    const a = bodyOf(where, 'shapeA', shapeA);
+    const b = bodyOf(where, 'shapeB', shapeB);
     positive(where, 'deltaTime', deltaTime);
     sink(where, 'point', point);
     sink(where, 'normal', normal);
@@ -114,12 +115,11 @@ export class CollisionUtils {
   }
 }
 
-/** The body of a shape, with its shapes where it is. */
-function placed(where: string, name: string, shape: Shape) {
+/** The body of a shape. */
+function bodyOf(where: string, name: string, shape: Shape) {
   const body = instance(where, name, shape, Shape, 'a Shape').owner;
   if (body === null) {
     throw typeError(where, name, 'a shape of a body', shape);
   }
-  body.place();
   return body;
 }

@@ -107,6 +107,9 @@ export class Sweep {
   cautious = false;
 }
 
+/** Of a way, by how much its end may be off by rounding. */
+const ROUNDING = 4 * Number.EPSILON;
+
 /**
  * How far along the axis, now `(nx, ny)`, the outline of a travel reaches at most after another `dt`: every corner goes on at its present rate, as seen
  * from the axis, and the curvature of its way is added by the caller.
@@ -194,6 +197,8 @@ export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, fr
 export function findImpact(sweep: Sweep): boolean {
   const { a, b, cautious, distance, most } = sweep;
   const enough = sweep.target + sweep.tolerance;
+  // m/s. How much less sure places are of which they come nearer to each other from far away.
+  const blur = ROUNDING * (Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy));
   for (let i = 0; i < sweep.patience; i += 1) {
     const { time: t } = sweep;
     bound.turning = i < STILL_LOOKS || i % 3 === 0 ? 0 : i % 3 === 1 ? a.w : b.w;
@@ -202,7 +207,7 @@ export function findImpact(sweep: Sweep): boolean {
     a.place();
     b.place();
     measureDistance(a.outline, b.outline, distance);
-    if (distance.value <= enough) {
+    if (distance.value <= enough + blur * t) {
       return true;
     }
     if (i === 0) {
@@ -214,6 +219,10 @@ export function findImpact(sweep: Sweep): boolean {
       return false;
     }
     sweep.time = t + sweep.safe;
+    if (sweep.time === t) {
+      // Far from each other they cannot be told to be nearer than this.
+      return true;
+    }
   }
   // Nothing is asked of an object here, where hardly any sweep gets: that would make compiled code bail out.
   return cautious;

@@ -1,5 +1,6 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { presentBounds } from '../collide/presently.js';
 import { RayTest, rayShape } from '../collide/rays.js';
 import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
 import { crosses, crossing } from '../geometry/crossing.js';
@@ -9,7 +10,7 @@ import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
-import { boundsOf, near } from './queries.js';
+import { near } from './queries.js';
 
 /** What a cast hit. */
 export interface CastResult {
@@ -184,9 +185,8 @@ function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor:
 /** Bounds of a shape where its body is; of all its turns about the body origin if it turns. */
 function startBounds(shape: Shape): number[] {
   const body = shape.owner!;
-  body.place();
   if (body.w === 0) {
-    return boundsOf(shape);
+    return presentBounds(shape);
   }
   const reach = shape.reach();
   return [body.x - reach, body.y - reach, body.x + reach, body.y + reach];

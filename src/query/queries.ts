@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { containsPoint } from '../collide/contains.js';
+import { presentBounds } from '../collide/presently.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
 import { sortFirst } from '../math/sort.js';
@@ -21,11 +22,6 @@ export function near(world: World, bounds: RectLike): Shape[] {
   world.broadphase.sample(bounds, (handle: BroadphaseHandle) => found.push(handle.data as Shape));
   sortFirst(found, found.length, isOlder);
   return found;
-}
-
-/** [minX, minY, maxX, maxY] of a shape as it is placed. */
-export function boundsOf({ numbers: n, at }: Shape): number[] {
-  return [n[at]!, n[at + 1]!, n[at + 2]!, n[at + 3]!];
 }
 
 /** Writes what was found to the start of `store`. @returns how many. */
@@ -84,9 +80,9 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
 /** Shapes of other bodies that intersect a shape where its body is now. */
 export function shapesMeeting(world: World, shape: Shape): Shape[] {
   const body = shape.owner!;
-  body.place();
+  const bounds = presentBounds(shape);
   shape.outline(own.put(0, 0, body.cos, body.sin));
-  return near(world, boundsOf(shape)).filter((found) => found.owner !== body && meets(found, body.x, body.y));
+  return near(world, bounds).filter((found) => found.owner !== body && meets(found, body.x, body.y));
 }
 
 /** Whether a shape meets the outline in `own`, which is given relative to `(x, y)`; touching counts. */

@@ -139,7 +139,9 @@ export class Circle extends BaseShape {
   /** @internal */
   protected override mapGeometry(m: ArrayLike<number>): boolean {
     const { originX, originY } = this;
-    const radius = this.radius * Math.sqrt(m[0]! * m[3]! - m[2]! * m[1]!);
+    const area = m[0]! * m[3]! - m[2]! * m[1]!;
+    // Of a turn it is 1, up to rounding, which would add up.
+    const radius = Math.abs(area - 1) < 1e-15 ? this.radius : this.radius * Math.sqrt(area);
     const x = m[0]! * originX + m[2]! * originY + m[4]!;
     const y = m[1]! * originX + m[3]! * originY + m[5]!;
     if (!(radius > 0 && radius <= MAX_SIZE && Math.abs(x) <= MAX_SIZE && Math.abs(y) <= MAX_SIZE)) {

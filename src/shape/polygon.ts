@@ -3,7 +3,7 @@ import { MAX_SIZE } from '../config.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
-import { convexVertices, repeatedVertex } from '../geometry/vertices.js';
+import { convexVertices, createBoxVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import { options } from '../validate.js';
@@ -151,11 +151,10 @@ export class Polygon extends BaseShape {
   }
 
   override clone(): this {
-    const vertices: Vec2[] = [];
-    for (let i = 0; i < this.vertices.length; i += 2) {
-      vertices.push([this.vertices[i]!, this.vertices[i + 1]!]);
-    }
-    return new Polygon({ ...this.commonParams(), vertices }) as this;
+    // Its own corners are not asked for again: stretched, they may be no more what is asked of a new one.
+    const copy = new Polygon({ ...this.commonParams(), vertices: createBoxVertices(1, 1) });
+    copy.takeVertices(this.vertices);
+    return copy as this;
   }
 
   /** @internal */

@@ -168,6 +168,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
     Material: { good: phys2D.getDefaultMaterial(), bad: [...NO_OBJECT, {}, one] },
     World: { good: world, bad: [...NO_OBJECT, {}, one] },
     ArrayBuffer: { good: world.snapshot(), bad: [...NO_OBJECT, {}, new Uint8Array(9)] },
+    'ArrayBuffer | ArrayBufferView': { good: world.snapshot(), bad: [...NO_OBJECT, {}] },
     'BroadphaseHandle<T>': { good: handles[owner as keyof typeof handles], bad: [...NO_OBJECT, {}] },
     Broadphase: { good: boxes, bad: [...NO_OBJECT, {}] },
     DebugGraphicsDevice: { good: device, bad: [...NO_OBJECT, {}] },

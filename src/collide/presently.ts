@@ -1,0 +1,28 @@
+import { CIRCLE_NUMBERS, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import type { Shape } from '../shape/shape.js';
+import { POLYGON } from '../shape/shape-kind.js';
+
+/**
+ * Asks something about a shape where its body is now. In a step the shape is put back after that: there the solver needs it where the step began, or
+ * where something met it, and who looks must not change what comes.
+ */
+export function presently<T>(shape: Shape, ask: () => T): T {
+  const body = shape.owner!;
+  if (body.owner === null || !body.owner.stepping) {
+    body.place();
+    return ask();
+  }
+  const { numbers, at } = shape;
+  const count = shape.kind === POLYGON ? EDGES + EDGE_STRIDE * shape.offsets.length : CIRCLE_NUMBERS;
+  const before = numbers.slice(at, at + count);
+  shape.place(body);
+  const answer = ask();
+  numbers.set(before, at);
+  return answer;
+}
+
+/** [minX, minY, maxX, maxY], likewise. */
+export function presentBounds(shape: Shape): [number, number, number, number] {
+  const { numbers: n, at } = shape;
+  return presently(shape, () => [n[at]!, n[at + 1]!, n[at + 2]!, n[at + 3]!]);
+}
