@@ -24,7 +24,7 @@ const UNMEASURED = 'Speed beside the same engines: `npm run bench -- --write`.';
 function qualityOf(page) {
   const rows = tableBelow(page, /^\| +\| rows led /m);
   return `**Quality**, how well scenes with a known answer come out: in how many rows an engine is the best, and how many targets it meets, as measured
-on ${dateOf(page)} by \`npm run quality -- --write\`; all rows are in [bench/QUALITY.md](bench/QUALITY.md).
+on ${dateOf(page)} by \`${commandOf(page)}\`; all rows are in [bench/QUALITY.md](bench/QUALITY.md).
 
 ${rows.join('\n')}`;
 }
@@ -36,13 +36,25 @@ function speedOf(page) {
     throw new Error(`bench/RESULTS.md has none of the scenes ${SCENES.join(', ')}`);
   }
   return `**Speed**, the median of a step in ms (in parentheses how well it was solved, less is better), as measured on ${dateOf(page)} by
-\`npm run bench -- --write\`; more scenes, and how they are measured, are in [bench/RESULTS.md](bench/RESULTS.md).
+\`${commandOf(page)}\`. phys2d meets ${metOf(page)} of its targets of speed and garbage; they, more scenes, and how they are measured, are in
+[bench/RESULTS.md](bench/RESULTS.md).
 
 ${[head, line, ...chosen].join('\n')}`;
 }
 
 function dateOf(page) {
   return /^Written on (\d{4}-\d\d-\d\d)/m.exec(page)[1];
+}
+
+/** What was run. */
+function commandOf(page) {
+  return /^Written on [^`]*`([^`]+)`/m.exec(page)[1];
+}
+
+/** How many targets are met, and of how many. */
+function metOf(page) {
+  const [, met, all] = /^(\d+) of (\d+) targets are met\.$/m.exec(page);
+  return `${met} / ${all}`;
 }
 
 /** Lines of the first table from a place on. */

@@ -1,3 +1,9 @@
+/**
+ * The engine: worlds, bodies, shapes, materials, constraints, and `phys2D`, which makes them.
+ *
+ * @module phys2d
+ */
+
 export type { BodyEventType, BodyHandler } from './body.js';
 export { RigidBody } from './body.js';
 export type { BodyType, RigidBodyParams } from './body-params.js';

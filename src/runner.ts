@@ -1,3 +1,9 @@
+/**
+ * Steps at a fixed rate, whatever the frame rate.
+ *
+ * @module phys2d/runner
+ */
+
 import type { RigidBody } from './body.js';
 import { ANGLE, writePose, X, Y } from './body-pose.js';
 import { type NumberSink, type Vec2, vec2 } from './math/vectors.js';

@@ -1,3 +1,9 @@
+/**
+ * A check that a world is consistent.
+ *
+ * @module phys2d/validate
+ */
+
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import type { World } from '../world.js';
 import { Audit } from './audit.js';

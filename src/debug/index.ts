@@ -1,3 +1,9 @@
+/**
+ * Debug drawing, and devices that it draws with.
+ *
+ * @module phys2d/debug
+ */
+
 export type { CanvasContextLike, CanvasDebugDeviceParams } from './canvas.js';
 export { CanvasDebugDevice } from './canvas.js';
 export type { ColorLike, DebugGraphicsDevice, DebugLines } from './device.js';

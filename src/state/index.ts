@@ -1,3 +1,9 @@
+/**
+ * Worlds as plain data, recordings, and poses for a renderer.
+ *
+ * @module phys2d/state
+ */
+
 export { deserialize } from './deserialize.js';
 export type { PoseBufferParams } from './poses.js';
 export { POSE_STRIDE, PoseBuffer } from './poses.js';

@@ -43,9 +43,9 @@ it('the README has the figures of the last runs beside other engines', () => {
   // The formatter sets the width of columns.
   const loose = (text: string): string => text.replace(/ {2,}/g, ' ').replace(/-{3,}/g, '---');
   expect(loose(withFigures(readme, read('bench/QUALITY.md'), speed))).toBe(loose(readme));
-  const page = `Written on 2020-01-02 by\n\n## Median of a step, ms\n\n| | phys2d |\n|---|---|\n| mud (m) | 3 |\n| rain (m) | 7 |\n\n`;
+  const page = `Written on 2020-01-02 by \`node x.mjs --y\`, Node\n\n3 of 7 targets are met.\n\n## Median of a step, ms\n\n| | phys2d |\n|---|---|\n| mud (m) | 3 |\n| rain (m) | 7 |\n\n`;
   const changed = withFigures(readme, read('bench/QUALITY.md'), page);
-  expect(changed).toContain('measured on 2020-01-02 by');
+  expect(changed).toContain('measured on 2020-01-02 by\n`node x.mjs --y`. phys2d meets 3 / 7 of its targets');
   expect(changed).toContain('| | phys2d |\n|---|---|\n| rain (m) | 7 |\n\n');
 });
 
