@@ -2,11 +2,11 @@ import type { BodyHandler } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { BodyNumbers } from './body-numbers.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
-import { presentBounds } from './collide/presently.js';
 import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
 import { cos, cosSin, sin } from './math/trig.js';
 import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
+import { presentBounds } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
 import type { UserDataOf } from './user-data.js';
@@ -145,16 +145,14 @@ export abstract class BodyState extends BodyNumbers {
   computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
     const result = dst === undefined ? ([0, 0, 0, 0] as Rect) : dst;
     sink('RigidBody.computeWorldBounds', 'dst', result);
-    result[0] = Infinity;
-    result[1] = Infinity;
-    result[2] = -Infinity;
-    result[3] = -Infinity;
+    for (let k = 0; k < 4; k += 1) {
+      result[k] = k < 2 ? Infinity : -Infinity;
+    }
     for (const shape of this.shapes) {
-      const [minX, minY, maxX, maxY] = presentBounds(shape);
-      result[0] = Math.min(result[0]!, minX);
-      result[1] = Math.min(result[1]!, minY);
-      result[2] = Math.max(result[2]!, maxX);
-      result[3] = Math.max(result[3]!, maxY);
+      const bounds = presentBounds(shape);
+      for (let k = 0; k < 4; k += 1) {
+        result[k] = (k < 2 ? Math.min : Math.max)(result[k]!, bounds[k]!);
+      }
     }
     return result;
   }

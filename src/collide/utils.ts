@@ -1,11 +1,11 @@
 import { CAST_TOLERANCE } from '../config.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { NumberSink, Ray, Vec2Like } from '../math/vectors.js';
+import { presently } from '../shape/presently.js';
 import { Shape } from '../shape/shape.js';
 import { boolean, checkedRay, instance, positive, sink, typeError, vector } from '../validate.js';
 import { containsPoint } from './contains.js';
 import { gapBetween } from './gap.js';
-import { presently } from './presently.js';
 import { RayTest, rayShape } from './rays.js';
 
 const sweep = /* @__PURE__ */ new Sweep();

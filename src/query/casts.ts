@@ -1,12 +1,12 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
-import { presentBounds } from '../collide/presently.js';
 import { RayTest, rayShape } from '../collide/rays.js';
 import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
 import { crosses, crossing } from '../geometry/crossing.js';
 import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
 import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
+import { presentBounds } from '../shape/presently.js';
 import type { Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
@@ -183,7 +183,7 @@ function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor:
 }
 
 /** Bounds of a shape where its body is; of all its turns about the body origin if it turns. */
-function startBounds(shape: Shape): number[] {
+function startBounds(shape: Shape): ArrayLike<number> {
   const body = shape.owner!;
   if (body.w === 0) {
     return presentBounds(shape);

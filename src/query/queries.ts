@@ -1,11 +1,11 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { containsPoint } from '../collide/contains.js';
-import { presentBounds } from '../collide/presently.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
 import { sortFirst } from '../math/sort.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
+import { presentBounds } from '../shape/presently.js';
 import { isOlder, type Shape } from '../shape/shape.js';
 import { refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
@@ -80,9 +80,8 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
 /** Shapes of other bodies that intersect a shape where its body is now. */
 export function shapesMeeting(world: World, shape: Shape): Shape[] {
   const body = shape.owner!;
-  const bounds = presentBounds(shape);
   shape.outline(own.put(0, 0, body.cos, body.sin));
-  return near(world, bounds).filter((found) => found.owner !== body && meets(found, body.x, body.y));
+  return near(world, presentBounds(shape)).filter((found) => found.owner !== body && meets(found, body.x, body.y));
 }
 
 /** Whether a shape meets the outline in `own`, which is given relative to `(x, y)`; touching counts. */

@@ -141,7 +141,7 @@ export class Circle extends BaseShape {
     const { originX, originY } = this;
     const area = m[0]! * m[3]! - m[2]! * m[1]!;
     // Of a turn it is 1, up to rounding, which would add up.
-    const radius = Math.abs(area - 1) < 1e-15 ? this.radius : this.radius * Math.sqrt(area);
+    const radius = this.radius * (Math.abs(area - 1) < 1e-15 ? 1 : Math.sqrt(area));
     const x = m[0]! * originX + m[2]! * originY + m[4]!;
     const y = m[1]! * originX + m[3]! * originY + m[5]!;
     if (!(radius > 0 && radius <= MAX_SIZE && Math.abs(x) <= MAX_SIZE && Math.abs(y) <= MAX_SIZE)) {

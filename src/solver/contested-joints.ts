@@ -46,30 +46,41 @@ export function dropMomentum(data: SolverData, group: Group): void {
   worst[0] = 0;
   noteErrors(data, group, true);
   const isContested = worst[0] > JOINT_CONTESTED * JOINT_CONTESTED;
-  const isOpen = group.error > JOINT_OPEN * JOINT_OPEN;
   if (isContested || group.contested) {
     data.joints.isTouched = true;
     for (let k = group.start; k < group.end; k += 1) {
-      calm(joints[k]!, records, isOpen ? CONTESTED_KEEP : 1);
+      calm(joints[k]!, records);
     }
     noteErrors(data, group, false);
   }
-  group.contested = isContested || (group.contested && isOpen);
+  group.contested = isContested || (group.contested && isOpen(group));
 }
 
-/** Takes its momentum from a joint, which from now on counts as in contact, and all but a share of its impulse. */
-function calm(joint: Joint, records: Float64Array, share: number): void {
-  const { kernel, at, layout } = joint;
+/** An error was large when the sub-step began. */
+function isOpen({ error }: Group): boolean {
+  return error > JOINT_OPEN * JOINT_OPEN;
+}
+
+/** Takes its momentum from a joint, which from now on counts as in contact. */
+function calm({ kernel, at }: Joint, records: Float64Array): void {
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
   records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 1;
+}
+
+/** All but a share of what a joint gave is forgotten by the next sub-step. */
+function forgetPart(joint: Joint, records: Float64Array): void {
   const from = impulseOf(joint);
-  for (let n = from; n < from + layout.rows; n += 1) {
-    records[n] = records[n]! * share;
+  for (let n = from; n < from + joint.layout.rows; n += 1) {
+    records[n] = records[n]! * CONTESTED_KEEP;
   }
 }
 
-/** Ends a sub-step: joints that contacts hold open have the last word. */
+/** Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. */
 export function closeOpen(data: SolverData, group: Group): void {
+  const { joints, records } = data.joints;
+  for (let k = group.start; k < group.end && group.contested && isOpen(group); k += 1) {
+    forgetPart(joints[k]!, records);
+  }
   for (let round = 0; round < CLOSING_ROUNDS && group.contested && closeOnce(data, group); round += 1) {
     noteErrors(data, group, true);
   }
@@ -81,7 +92,7 @@ function closeOnce(data: SolverData, { start, end, left }: Group): boolean {
   let found = false;
   for (let k = start; k < end && left > JOINT_OPEN * JOINT_OPEN; k += 1) {
     const joint = joints[k]!;
-    if (!isOpen(data, joint)) {
+    if (!isToClose(data, joint)) {
       continue;
     }
     found = true;
@@ -101,7 +112,7 @@ function closeOnce(data: SolverData, { start, end, left }: Group): boolean {
  * Far from being met as of the last note. Joints with something immovable are left as they are, as these would drag bodies through a wall at once, and so
  * are those whose own bodies lie in each other's way.
  */
-function isOpen({ joints: { records } }: SolverData, joint: Joint): boolean {
+function isToClose({ joints: { records } }: SolverData, joint: Joint): boolean {
   return isFar(records, joint) && joint.constraint.members.every(canBeMoved) && !hasContact(joint.constraint);
 }
 

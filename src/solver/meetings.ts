@@ -21,6 +21,7 @@ import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby, nearby } from './nearby.js';
 import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
+import { isTied } from './ties.js';
 
 const sweep = new Sweep();
 sweep.patience = 1000;
@@ -292,7 +293,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
 }
 
 function isJointed(a: Shape, b: Shape): boolean {
-  return a.owner!.constraints.length + b.owner!.constraints.length > 0;
+  return isTied(a.owner!) || isTied(b.owner!);
 }
 
 /** How deep two shapes have to get for an impact, to `least`: jointed bodies more, as stopping one of them alone opens its joints. */

@@ -6,6 +6,7 @@ import type { Shape } from '../shape/shape.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
+import { isTied } from './ties.js';
 import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */
@@ -157,7 +158,7 @@ export class Mover {
     const bounced =
       square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
       body.vx * dx + body.vy * dy > TURNED_BACK * square &&
-      body.constraints.length === 0;
+      !isTied(body);
     const left = this.at - 1;
     body.vx += left * (bounced ? gainX : dx);
     body.vy += left * (bounced ? gainY : dy);

@@ -29,14 +29,14 @@ const angular = /* @__PURE__ */ new Keep();
 /** Packs awake bodies, live constraints and accepted contacts for sub-steps of length h. */
 export function prepare(world: World, h: number): void {
   const data = world.solver;
-  // Where nothing is awake nothing is packed: such a step takes a microsecond, of which this is a tenth.
   if (world.liveDynamics.length + world.liveKinematics.length + world.liveConstraints.length > 0) {
     packBodies(world, h);
+    data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
+    data.previousH = h;
   } else {
+    // Where nothing is awake nothing is packed, and what sleeps is to start from the step that it fell asleep in.
     data.bodyCount = 1;
   }
-  data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
-  data.previousH = h;
   packContacts(world);
   if (world.jointSolver === null) {
     world.jointsStale = false;

@@ -121,6 +121,15 @@ export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
   return false;
 }
 
+/** Some constraint of its world that is enabled has the body. */
+export function isTied(body: RigidBody): boolean {
+  return body.constraints.some(ties, body);
+}
+
+function ties(this: RigidBody, { enabled, owner }: Constraint): boolean {
+  return enabled && owner === this.owner;
+}
+
 /** Wakes the sleeping constraints of a body, as it joins the world. */
 export function wakeTies(world: World, body: RigidBody): void {
   for (const constraint of body.constraints) {

@@ -29,7 +29,7 @@ const GZIP_LIMITS = {
   'debug.min.js': 9_900,
   'runner.min.js': 1_100,
   'state.min.js': 4_200,
-  'validate.min.js': 3_900,
+  'validate.min.js': 3_950,
 };
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */

@@ -225,6 +225,39 @@ describe('a constraint with a body of another world', () => {
   });
 });
 
+describe('a constraint that does nothing', () => {
+  it.each(['elsewhere', 'disabled'])('does not change how deep things get where they are fast: %s', (which) => {
+    const run = (isTied: boolean) => {
+      const [world, other] = [phys2D.createWorld({ gravity: [0, 0] }), phys2D.createWorld()];
+      const wall = phys2D.createRigidBody({
+        type: 'static',
+        shapes: [phys2D.createPolygonShape({ vertices: phys2D.createRectangleVertices(0, -50, 0.3, 50) })],
+      });
+      const material = phys2D.createMaterial({ elasticity: 0.5 });
+      const slat = phys2D.createRigidBody({
+        shapes: [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.4, 0.1), material })],
+        position: [-3, 0],
+        velocity: [86, 10],
+        angularVelocity: 20,
+      });
+      const far = phys2D.createRigidBody({ position: [5, 30], shapes: [disc(0.1)] });
+      world.addRigidBody(wall);
+      world.addRigidBody(slat);
+      if (isTied) {
+        const owner = which === 'disabled' ? world : other;
+        const disabled = which === 'disabled';
+        owner.addRigidBody(far);
+        owner.addConstraint(phys2D.createDistanceConstraint({ bodyA: wall, bodyB: far, upperBound: 1000, disabled }));
+      }
+      for (let i = 0; i < 6; i += 1) {
+        world.step(1 / 60);
+      }
+      return slat.getPosition();
+    };
+    expect(run(true)).toEqual(run(false));
+  });
+});
+
 describe('a world that is restored', () => {
   it('is consistent although what sleeps is another set', () => {
     const world = phys2D.createWorld();

@@ -1,6 +1,6 @@
 import { CIRCLE_NUMBERS, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
-import type { Shape } from '../shape/shape.js';
-import { POLYGON } from '../shape/shape-kind.js';
+import type { Shape } from './shape.js';
+import { POLYGON } from './shape-kind.js';
 
 /**
  * Asks something about a shape where its body is now. In a step the shape is put back after that: there the solver needs it where the step began, or
@@ -8,7 +8,7 @@ import { POLYGON } from '../shape/shape-kind.js';
  */
 export function presently<T>(shape: Shape, ask: () => T): T {
   const body = shape.owner!;
-  if (body.owner === null || !body.owner.stepping) {
+  if (!body.owner?.stepping) {
     body.place();
     return ask();
   }
@@ -22,7 +22,7 @@ export function presently<T>(shape: Shape, ask: () => T): T {
 }
 
 /** [minX, minY, maxX, maxY], likewise. */
-export function presentBounds(shape: Shape): [number, number, number, number] {
-  const { numbers: n, at } = shape;
-  return presently(shape, () => [n[at]!, n[at + 1]!, n[at + 2]!, n[at + 3]!]);
+export function presentBounds(shape: Shape): Float64Array {
+  const { numbers, at } = shape;
+  return presently(shape, () => numbers.slice(at, at + 4));
 }
