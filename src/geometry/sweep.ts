@@ -219,10 +219,6 @@ export function findImpact(sweep: Sweep): boolean {
       return false;
     }
     sweep.time = t + sweep.safe;
-    if (sweep.time === t) {
-      // Far from each other they cannot be told to be nearer than this.
-      return true;
-    }
   }
   // Nothing is asked of an object here, where hardly any sweep gets: that would make compiled code bail out.
   return cautious;
