@@ -239,11 +239,7 @@ export class World extends WorldState {
     return put(bodiesOf(this.inRectangle('World.bodyRectangleQuery', rectangle, store)), store);
   }
 
-  /**
-   * The shapes of other bodies that a shape meets where its body is now, in this world or not; as `shapePointQuery`, touching counts.
-   *
-   * @returns how many.
-   */
+  /** The shapes of other bodies that a shape meets where its body is now, in this world or not; as `shapePointQuery`, touching counts. @returns how many. */
   shapeQuery(shape: Shape, store: Shape[]): number {
     const where = 'World.shapeQuery';
     shapeOfBody(where, shape);

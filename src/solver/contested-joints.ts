@@ -4,8 +4,8 @@ import { CLOSING_ROUNDS, CONTESTED_KEEP, JOINT_CONTESTED, JOINT_OPEN } from '../
 import type { Constraint } from '../constraint/constraint.js';
 import { isOpenBlock, lineariseBlock, noteBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, impulseOf, type Joint } from './joint-data.js';
-import { CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, TOUCHED, TURN } from './joint-layout.js';
+import { type Group, impulseOf, type Joint, steady } from './joint-data.js';
+import { CUSTOM, POINT, TURN } from './joint-layout.js';
 import { isOpenPoint, notePoints, pushPoints } from './point-joints.js';
 import { isOpenTurn, noteTurns, pushTurns } from './turn-joints.js';
 
@@ -49,7 +49,7 @@ export function dropMomentum(data: SolverData, group: Group): void {
   if (isContested || group.contested) {
     data.joints.isTouched = true;
     for (let k = group.start; k < group.end; k += 1) {
-      calm(joints[k]!, records);
+      steady(joints[k]!, records, 1);
     }
     noteErrors(data, group, false);
   }
@@ -59,12 +59,6 @@ export function dropMomentum(data: SolverData, group: Group): void {
 /** An error was large when the sub-step began. */
 function isOpen({ error }: Group): boolean {
   return error > JOINT_OPEN * JOINT_OPEN;
-}
-
-/** Takes its momentum from a joint, which from now on counts as in contact. */
-function calm({ kernel, at }: Joint, records: Float64Array): void {
-  records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
-  records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 1;
 }
 
 /** All but a share of what a joint gave is forgotten by the next sub-step. */
@@ -78,8 +72,10 @@ function forgetPart(joint: Joint, records: Float64Array): void {
 /** Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. */
 export function closeOpen(data: SolverData, group: Group): void {
   const { joints, records } = data.joints;
-  for (let k = group.start; k < group.end && group.contested && isOpen(group); k += 1) {
-    forgetPart(joints[k]!, records);
+  if (group.contested && isOpen(group)) {
+    for (let k = group.start; k < group.end; k += 1) {
+      forgetPart(joints[k]!, records);
+    }
   }
   for (let round = 0; round < CLOSING_ROUNDS && group.contested && closeOnce(data, group); round += 1) {
     noteErrors(data, group, true);

@@ -23,7 +23,9 @@ import {
   MAX_BIAS,
   MAX_ERROR,
   POINT,
+  POINT_CARRY,
   POINT_STRIDE,
+  POINT_TOUCHED,
   PUSH,
   RATE,
   SNAPPED,
@@ -115,6 +117,12 @@ export function keepsNumbers(kernel: number): boolean {
 /** Where the impulse of a joint stands. */
 export function impulseOf({ kernel, at, layout }: Joint): number {
   return at + (kernel === POINT ? IMPULSE_X : kernel === TURN ? TURN_IMPULSE : layout.impulse);
+}
+
+/** Makes no momentum of what corrects a joint in this step; from now on it counts as in contact, 1, or not, 0. */
+export function steady({ kernel, at }: Joint, records: Float64Array, touched: number): void {
+  records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
+  records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = touched;
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */

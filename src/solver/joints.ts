@@ -20,8 +20,8 @@ import {
 } from './block-joints.js';
 import { closeOpen, dropMomentum, noteErrors } from './contested-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run } from './joint-data.js';
-import { BLOCK, CARRY, CUSTOM, POINT, POINT_CARRY, POINT_TOUCHED, PUSH, ROW, TOUCHED, TURN } from './joint-layout.js';
+import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run, steady } from './joint-data.js';
+import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
@@ -105,16 +105,10 @@ function steadyFresh({ joints, groups, records }: JointData): void {
       if (constraint.fresh) {
         constraint.fresh = false;
         group.fresh = true;
-        steady(joints[k]!, records);
+        steady(joints[k]!, records, 0);
       }
     }
   }
-}
-
-/** Makes no momentum of what corrects a joint in this step. */
-function steady({ kernel, at }: Joint, records: Float64Array): void {
-  records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
-  records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = 0;
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
@@ -123,7 +117,7 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(joints[k]!, records);
+    steady(joints[k]!, records, 0);
   }
 }
 

@@ -130,7 +130,8 @@ function find(tape: Tape, ids: Int32Array, scene: Scene, finder: Finder): void {
 
 /** What is in another world cannot come back; a shape that only an event names need not. */
 function refuseOthers(tape: Tape, world: World, { bodies, shapes, constraints, attached }: Scene): void {
-  let isRefused = [...constraints, ...bodies].some(({ owner }) => isOther(world, owner));
+  const isForeign = ({ owner }: RigidBody | Constraint) => isOther(world, owner);
+  let isRefused = constraints.some(isForeign) || bodies.some(isForeign);
   for (let i = 0; i < attached; i += 1) {
     isRefused ||= isElsewhere(world, shapes[i]!);
   }
