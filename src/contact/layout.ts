@@ -1,6 +1,6 @@
 /** Offsets into the record of a pair of what the contacts keep there, after the 24 numbers of the collision itself: see `collide/layout.ts`. */
 
-/** Impulses of the first point: in the last sub-step, where the next starts from, and in the whole step. N·s */
+/** Impulses of the first point: what the next step starts from, about that of the last sub-step, and that of the whole step. N·s */
 export const NORMAL = 24;
 export const TANGENT = 25;
 export const STEP_NORMAL = 26;

@@ -1,7 +1,12 @@
 import { impactDepth } from '../collide/gap.js';
-import { BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
-import type { ContactBatch, SolverData } from './data.js';
+import { BOUNCE_SWEEPS, BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
+import type { BounceList, ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
+import { solveVelocityOne } from './one-point.js';
+import { solveVelocityTwo } from './two-point.js';
+
+/** A mark of a body that bounces; those that `markHard` gives are not needed any more. */
+const BOUNCES = -1;
 
 function normalVelocity(data: SolverData, batch: ContactBatch, k: number, shift: number): number {
   const r = batch.records;
@@ -109,6 +114,58 @@ export function applyBounces(data: SolverData): void {
       r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
   }
+}
+
+/**
+ * After the sweeps: more of them over what bounces in this sub-step and over what touches that and could bounce, until nothing changes. Where such points share a body,
+ * as of a ball that is hit while it lies at a wall, a few sweeps leave some of the bounce undone, and its energy would be lost.
+ */
+export function finishBounces(data: SolverData, h: number): void {
+  const { bounces: list, velocity: v } = data;
+  const count = listBouncing(data);
+  let changed = count > 0;
+  for (let i = 0; i < BOUNCE_SWEEPS && changed; i += 1) {
+    changed = false;
+    for (let n = 0; n < count; n += 1) {
+      const k = list.bouncing[n]!;
+      const solve = list.batches[k] === data.two ? solveVelocityTwo : solveVelocityOne;
+      changed = solve(data, list.index[k]!, list.index[k]! + 1, h) || changed;
+    }
+  }
+  for (let k = 0; k < list.count && count > 0; k += 1) {
+    v[bodyOf(list, k, 0) + d.MARK] = 0;
+    v[bodyOf(list, k, 1) + d.MARK] = 0;
+  }
+}
+
+/** Marks the bodies that bounce, and lists their contacts: by the first point of each. @returns how many there are. */
+function listBouncing({ bounces: list, velocity: v }: SolverData): number {
+  let found = false;
+  for (let k = 0; k < list.count; k += 1) {
+    if (list.bias[k]! < 0) {
+      found = true;
+      v[bodyOf(list, k, 0) + d.MARK] = BOUNCES;
+      v[bodyOf(list, k, 1) + d.MARK] = BOUNCES;
+    }
+  }
+  // What stands for all that cannot move.
+  v[d.MARK] = 0;
+  let count = 0;
+  for (let k = 0; k < list.count && found; k += 1) {
+    if (
+      list.shift[k] === 0 &&
+      (v[bodyOf(list, k, 0) + d.MARK] === BOUNCES || v[bodyOf(list, k, 1) + d.MARK] === BOUNCES)
+    ) {
+      list.bouncing[count] = k;
+      count += 1;
+    }
+  }
+  return count;
+}
+
+/** Offset of the record of body A, 0, or B, 1, of a point. */
+function bodyOf({ batches, index }: BounceList, k: number, which: number): number {
+  return batches[k]!.bodies[2 * index[k]! + which]!;
 }
 
 /**

@@ -185,6 +185,8 @@ export class BounceList {
   index = new Int32Array(16);
   shift = new Int32Array(16);
   bias = new Float64Array(16);
+  /** Places in the list of what is swept over more often, see `finishBounces`. */
+  bouncing = new Int32Array(16);
   /** Of the pair, to be written where a point is added: in each sub-step its arbiter would be waited for. */
   elasticity = new Float64Array(16);
 
@@ -207,6 +209,7 @@ export class BounceList {
     this.index = widened(this.index, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
     this.bias = widened(this.bias, new Float64Array(size));
+    this.bouncing = new Int32Array(size);
     this.elasticity = widened(this.elasticity, new Float64Array(size));
   }
 }

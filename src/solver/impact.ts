@@ -1,7 +1,14 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { BOUNCE_THRESHOLD, CONTACT_SLOP, IMPACT_ITERATIONS, STATIC_FRICTION_SPEED_SQUARED } from '../config.js';
+import {
+  BOUNCE_THRESHOLD,
+  CONTACT_SLOP,
+  IMPACT_ITERATIONS,
+  IMPACT_TOLERANCE,
+  MAX_CONDITION,
+  STATIC_FRICTION_SPEED_SQUARED,
+} from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
@@ -89,20 +96,29 @@ function rouse(world: World, body: RigidBody, begins: boolean): void {
   }
 }
 
-/** One point of an impact: arms, effective masses, what has to be reached, and what has been given. */
+/** One point of an impact. */
 class Point {
   /** Whether it takes part. */
   isUsed = false;
-  ax = 0.5;
-  ay = 0.5;
-  bx = 0.5;
-  by = 0.5;
-  normalMass = 0.5;
+  /** Arms, as in the records of contacts. */
+  rnA = 0.5;
+  rnB = 0.5;
+  rtA = 0.5;
+  rtB = 0.5;
+  /** What an impulse along the normal adds to the velocity there, and what impulse adds one along the tangent. */
+  give = 0.5;
   tangentMass = 0.5;
+  /** What has to be reached along the normal, with the sign changed. */
   leave = 0.5;
   friction = 0.5;
+  /** Velocity of B against A there. */
+  comes = 0.5;
+  slides = 0.5;
+  /** What has been given, and what is to be. */
   normal = 0.5;
   tangent = 0.5;
+  nextNormal = 0.5;
+  nextTangent = 0.5;
 }
 
 /** Both points, and the inverse masses and inertias of the bodies: scratch. */
@@ -110,8 +126,8 @@ const points = [new Point(), new Point()] as const;
 const inverse = { massA: 0.5, massB: 0.5, inertiaA: 0.5, inertiaB: 0.5 };
 
 /**
- * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, by sequential impulses (Catto, GDC 2006). They
- * are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
+ * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, first the friction of each point, then both normals
+ * together, until nothing changes. They are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
  */
 export function solveImpact(world: World, pair: Arbiter): void {
   const { count, numbers: n, at: o } = pair;
@@ -124,20 +140,12 @@ export function solveImpact(world: World, pair: Arbiter): void {
   inverse.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
   inverse.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
   for (let which = 0; which < 2; which += 1) {
-    const point = points[which]!;
-    point.isUsed = which < count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP;
-    if (point.isUsed) {
-      setPoint(world.solver, pair, which);
-    }
+    setPoint(world.solver, pair, which, which < count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }
-  let isSolved = false;
-  for (let i = 0; i < IMPACT_ITERATIONS && !isSolved; i += 1) {
-    isSolved = true;
-    for (let which = 0; which < 2; which += 1) {
-      if (points[which]!.isUsed && solvePoint(pair, points[which]!)) {
-        isSolved = false;
-      }
-    }
+  for (let i = 0, changed = true; i < IMPACT_ITERATIONS && changed; i += 1) {
+    const rubbed = rub(pair, points[0]);
+    changed = rub(pair, points[1]) || rubbed;
+    changed = solveNormals(pair) || changed;
   }
   for (let which = 0; which < 2; which += 1) {
     const { isUsed, normal, tangent } = points[which]!;
@@ -160,18 +168,15 @@ function stopComing(pair: Arbiter): void {
   if (n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
     return;
   }
-  const point = points[0];
-  const ofA = a.kind === DYNAMIC ? 0 : 1;
-  point.ax = ofA * n[o + g.DX]!;
-  point.ay = ofA * n[o + g.DY]!;
-  point.bx = (ofA - 1) * n[o + g.DX]!;
-  point.by = (ofA - 1) * n[o + g.DY]!;
-  measureRelative(pair, point);
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const across = n[o + g.DX]! * ny - n[o + g.DY]! * nx;
+  const turning = a.kind === DYNAMIC ? across * b.w : across * a.w;
+  const coming = nx * (a.vx - b.vx) + ny * (a.vy - b.vy) + turning;
   const mass = inverse.massA + inverse.massB;
-  const coming = -(n[o + g.NX]! * relative.x + n[o + g.NY]! * relative.y);
   if (coming > 0 && mass > 0) {
-    const x = (n[o + g.NX]! * coming) / mass;
-    const y = (n[o + g.NY]! * coming) / mass;
+    const x = (nx * coming) / mass;
+    const y = (ny * coming) / mass;
     a.vx -= x * inverse.massA;
     a.vy -= y * inverse.massA;
     b.vx += x * inverse.massB;
@@ -181,47 +186,43 @@ function stopComing(pair: Arbiter): void {
   }
 }
 
-/** Velocity of B against A at a point. */
-const relative = { x: 0.5, y: 0.5 };
-/** What `push` gives. */
-const impulse = { x: 0.5, y: 0.5 };
-
-function measureRelative({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point): void {
-  relative.x = b.vx - b.w * by - a.vx + a.w * ay;
-  relative.y = b.vy + b.w * bx - a.vy - a.w * ax;
+/** Velocities of B against A at a point. */
+function measure({ bodyA: a, bodyB: b, numbers: n, at: o }: Arbiter, point: Point): void {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const dvx = b.vx - a.vx;
+  const dvy = b.vy - a.vy;
+  point.comes = nx * dvx + ny * dvy + point.rnB * b.w - point.rnA * a.w;
+  point.slides = nx * dvy - ny * dvx + point.rtB * b.w - point.rtA * a.w;
 }
 
-function setPoint(data: SolverData, pair: Arbiter, which: number): void {
+/** One that takes no part has no arms and no friction, and never comes. */
+function setPoint(data: SolverData, pair: Arbiter, which: number, isUsed: boolean): void {
   const point = points[which]!;
-  const { numbers: n, at: o } = pair;
-  const { bodyA: a, bodyB: b } = pair;
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   const { massA, massB, inertiaA, inertiaB } = inverse;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
-  const ax = n[o + g.X0 + g.POINT * which]!;
-  const ay = n[o + g.Y0 + g.POINT * which]!;
-  const bx = ax - n[o + g.DX]!;
-  const by = ay - n[o + g.DY]!;
+  const ax = isUsed ? n[o + g.X0 + g.POINT * which]! : 0;
+  const ay = isUsed ? n[o + g.Y0 + g.POINT * which]! : 0;
+  const bx = isUsed ? ax - n[o + g.DX]! : 0;
+  const by = isUsed ? ay - n[o + g.DY]! : 0;
   const mass = massA + massB;
-  const rnA = ax * ny - ay * nx;
-  const rnB = bx * ny - by * nx;
-  const rtA = ax * nx + ay * ny;
-  const rtB = bx * nx + by * ny;
-  const kn = mass + inertiaA * rnA * rnA + inertiaB * rnB * rnB;
-  const kt = mass + inertiaA * rtA * rtA + inertiaB * rtB * rtB;
-  point.ax = ax;
-  point.ay = ay;
-  point.bx = bx;
-  point.by = by;
-  measureRelative(pair, point);
-  const comes = nx * relative.x + ny * relative.y;
-  const slide = nx * relative.y - ny * relative.x;
+  point.isUsed = isUsed;
+  point.rnA = ax * ny - ay * nx;
+  point.rnB = bx * ny - by * nx;
+  point.rtA = ax * nx + ay * ny;
+  point.rtB = bx * nx + by * ny;
+  const kn = mass + inertiaA * point.rnA * point.rnA + inertiaB * point.rnB * point.rnB;
+  const kt = mass + inertiaA * point.rtA * point.rtA + inertiaB * point.rtB * point.rtB;
+  measure(pair, point);
+  const { comes, slides } = point;
   const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
-  point.normalMass = kn > 0 ? 1 / kn : 0;
+  point.give = kn > 0 ? kn : d.IMMOVABLE;
   point.tangentMass = kt > 0 ? 1 / kt : 0;
-  point.leave = bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY);
+  point.leave = isUsed ? bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY) : d.OFF;
   point.friction =
-    slide * slide > STATIC_FRICTION_SPEED_SQUARED ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+    slides * slides > STATIC_FRICTION_SPEED_SQUARED ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
   point.normal = 0;
   point.tangent = 0;
 }
@@ -237,43 +238,56 @@ function bounceSpeed(elasticity: number, comes: number, gain: number): number {
   return leaves > BOUNCE_THRESHOLD ? leaves : leaves < -BOUNCE_THRESHOLD ? leaves + 0.5 * (elasticity + 1) * gain : 0;
 }
 
-/** @returns whether that changed an impulse. */
-function solvePoint(pair: Arbiter, point: Point): boolean {
-  const { bodyA: a, bodyB: b } = pair;
-  const { numbers: n, at: o } = pair;
-  const nx = n[o + g.NX]!;
-  const ny = n[o + g.NY]!;
-  measureRelative(pair, point);
-  const { tangent: before } = point;
+/** Friction at a point. @returns as `push`. */
+function rub(pair: Arbiter, point: Point): boolean {
+  measure(pair, point);
+  const slide = point.slides - (pair.bodyA.surfaceX + pair.bodyB.surfaceX);
   const limit = point.friction * point.normal;
-  const slide = nx * relative.y - ny * relative.x - (a.surfaceX + b.surfaceX);
-  const tangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
-  if (tangent !== before) {
-    impulse.x = -ny * (tangent - before);
-    impulse.y = nx * (tangent - before);
-    push(pair, point);
-    point.tangent = tangent;
-    measureRelative(pair, point);
-  }
-  const approach = nx * relative.x + ny * relative.y + point.leave;
-  const normal = Math.max(0, point.normal - approach * point.normalMass);
-  if (normal === point.normal) {
-    return tangent !== before;
-  }
-  impulse.x = nx * (normal - point.normal);
-  impulse.y = ny * (normal - point.normal);
-  push(pair, point);
-  point.normal = normal;
-  return true;
+  point.nextNormal = point.normal;
+  point.nextTangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
+  return push(pair, point);
 }
 
-/** Gives B the impulse and A the opposite. */
-function push({ bodyA: a, bodyB: b }: Arbiter, { ax, ay, bx, by }: Point): void {
-  const { x, y } = impulse;
+/** Both normals, as `solveVelocityTwo`: one after the other they would come near very slowly where points lie close together. @returns as `push`. */
+function solveNormals(pair: Arbiter): boolean {
+  const [one, two] = points;
+  const { massA, massB, inertiaA, inertiaB } = inverse;
+  measure(pair, one);
+  measure(pair, two);
+  const k11 = one.give;
+  const k22 = two.give;
+  const k12 = massA + massB + inertiaA * one.rnA * two.rnA + inertiaB * one.rnB * two.rnB;
+  const det = k11 * k22 - k12 * k12;
+  const b1 = one.comes + one.leave - k11 * one.normal - k12 * two.normal;
+  const b2 = two.comes + two.leave - k12 * one.normal - k22 * two.normal;
+  one.nextNormal = (k12 * b2 - k22 * b1) / det;
+  two.nextNormal = (k12 * b1 - k11 * b2) / det;
+  if (!(k11 * k11 < MAX_CONDITION * det && one.nextNormal >= 0 && two.nextNormal >= 0)) {
+    const first = Math.max(0, -b1 / k11);
+    const second = Math.max(0, -b2 / k22);
+    const isFirst = k12 * first + b2 >= 0 || k12 * second + b1 < 0;
+    one.nextNormal = isFirst ? first : 0;
+    two.nextNormal = isFirst ? 0 : second;
+  }
+  one.nextTangent = one.tangent;
+  two.nextTangent = two.tangent;
+  const pushed = push(pair, one);
+  return push(pair, two) || pushed;
+}
+
+/** Gives B what a point is to have more than it has, and A the opposite. @returns whether that changed a velocity. */
+function push({ bodyA: a, bodyB: b, numbers: n, at: o }: Arbiter, point: Point): boolean {
+  const p = point.nextNormal - point.normal;
+  const t = point.nextTangent - point.tangent;
+  const x = n[o + g.NX]! * p - n[o + g.NY]! * t;
+  const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
   a.vx -= x * inverse.massA;
   a.vy -= y * inverse.massA;
-  a.w -= (ax * y - ay * x) * inverse.inertiaA;
+  a.w -= (point.rnA * p + point.rtA * t) * inverse.inertiaA;
   b.vx += x * inverse.massB;
   b.vy += y * inverse.massB;
-  b.w += (bx * y - by * x) * inverse.inertiaB;
+  b.w += (point.rnB * p + point.rtB * t) * inverse.inertiaB;
+  point.normal = point.nextNormal;
+  point.tangent = point.nextTangent;
+  return Math.abs(p) * point.give > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;
 }

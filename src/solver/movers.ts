@@ -1,6 +1,8 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
 import { SAME_TIME, SPECULATIVE_MARGIN } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import * as c from '../contact/layout.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 import type { SolverData } from './data.js';
@@ -140,8 +142,8 @@ export class Mover {
   }
 
   /**
-   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did
-   * what joints and contacts added, unless it turned the body back: then it bounced before.
+   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what joints and
+   * contacts added, unless it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite.
    */
   slow({ drive }: SolverData, substeps: number): void {
     if (this.stopped) {
@@ -157,7 +159,7 @@ export class Mover {
     const square = dx * dx + dy * dy;
     const bounced =
       square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
-      body.vx * dx + body.vy * dy > TURNED_BACK * square &&
+      (body.vx * dx + body.vy * dy > TURNED_BACK * square || wasPushed(body)) &&
       !isTied(body);
     const left = this.at - 1;
     body.vx += left * (bounced ? gainX : dx);
@@ -259,6 +261,17 @@ export class Mover {
     body.lastTurn = body.angle - this.startAngle;
     body.moved();
   }
+}
+
+/** Whether another dynamic body gave it an impulse in this step. */
+function wasPushed({ shapes }: RigidBody): boolean {
+  return shapes.some(({ arbiters }) => arbiters.some(pushes));
+}
+
+function pushes(pair: Arbiter): boolean {
+  const { bodyA, bodyB, numbers: n, at: o } = pair;
+  const isPushed = n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0;
+  return isPushed && pair.isSolved() && bodyA.kind === DYNAMIC && bodyB.kind === DYNAMIC;
 }
 
 /** A body that moves by more than half the margin within which pairs are solved may meet something that is not: whether it does with its velocities. */

@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import {
   FAR,
+  IMPULSE_MEMORY,
   SPECULATIVE_MARGIN,
   STRAIN_DELAY,
   STRAIN_PART,
@@ -87,10 +88,10 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     }
     const used = pair.usedPoints;
     if (two) {
-      storePoint(batch, k, 0, 0);
-      storePoint(batch, k, d.SECOND, 1);
+      storePoint(data, batch, k, 0, 0);
+      storePoint(data, batch, k, d.SECOND, 1);
     } else {
-      storeOne(batch, k);
+      storeOne(data, batch, k);
     }
     pair.strain = isStrained(data, batch, k) ? pair.strain + 1 : 0;
     if (pair.strain >= STRAIN_DELAY) {
@@ -124,7 +125,7 @@ function isStrained({ two, velocity: v, drive }: SolverData, batch: ContactBatch
 }
 
 /** A contact of one point; a second point that the solver did not see has no impulse. */
-function storeOne(batch: ContactBatch, index: number): void {
+function storeOne(data: SolverData, batch: ContactBatch, index: number): void {
   const pair = batch.arbiters[index]!;
   const { numbers: n, at: o } = pair;
   const at = index * batch.stride;
@@ -133,14 +134,17 @@ function storeOne(batch: ContactBatch, index: number): void {
   if ((point & d.ONE_OF_TWO) !== 0) {
     pair.dropPoint(which === 0 ? 1 : 0);
   }
-  storePoint(batch, index, 0, which);
+  storePoint(data, batch, index, 0, which);
   const roll = batch.records[at + d.ROLL]! + 0;
   n[o + c.ROLL] = roll;
   n[o + c.STEP_ROLL] = batch.records[at + d.ROLL_SUM]! + roll;
 }
 
-/** The impulses of point 0 or 1; a zero is never negative, as users and snapshots read them. A point that was apart from the start and met nothing was not used. */
-function storePoint(batch: ContactBatch, index: number, shift: number, which: number): void {
+/**
+ * The impulses of point 0 or 1; a zero is never negative, as users and snapshots read them. A point that was apart from the start and met nothing was not used.
+ * The next step does not start from all that this one changed: see IMPULSE_MEMORY.
+ */
+function storePoint(data: SolverData, batch: ContactBatch, index: number, shift: number, which: number): void {
   const r = batch.records;
   const record = index * batch.stride;
   const i = record + shift;
@@ -151,7 +155,9 @@ function storePoint(batch: ContactBatch, index: number, shift: number, which: nu
   const normal = r[i + d.NORMAL1]!;
   const tangent = r[record + d.TANGENT]!;
   const total = r[i + d.NORMAL_SUM1]! + normal;
-  n[o + c.NORMAL + to] = normal;
+  const before = n[o + c.NORMAL + to]! * data.impulseScale;
+  // Of an impact, which is over, nothing is to be left.
+  n[o + c.NORMAL + to] = Math.min(before + IMPULSE_MEMORY * (normal - before), 2 * normal);
   n[o + c.TANGENT + to] = part * tangent + 0;
   n[o + c.STEP_NORMAL + to] = total;
   const slid = part * (r[record + d.TANGENT_SUM]! + tangent) + 0;
