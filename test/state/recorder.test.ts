@@ -55,6 +55,59 @@ describe('a recording', () => {
     expect(replay(world, recorder.recording)).toBe(-1);
   });
 
+  it('keeps what options had when they were given', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const other = phys2D.createRigidBody({ position: [-10, -2] });
+    world.addRigidBody(other);
+    const rod = phys2D.createDistanceConstraint({ bodyA: ball, bodyB: other, lowerBound: 1, upperBound: 1 });
+    world.addConstraint(rod);
+    const recorder = Recorder.create(world);
+    const options = { stiff: false, frequency: 1 };
+    for (let i = 0; i < 10; i += 1) {
+      options.frequency = 1 + i;
+      recorder.call(rod, 'configure', options);
+      recorder.step(1 / 60);
+    }
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
+  it('has the properties that were set', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    recorder.step(1 / 60);
+    recorder.set(ball, 'bullet', true);
+    recorder.set(world, 'substeps', 2);
+    recorder.set(world, 'velocityIterations', 3);
+    recorder.set(world, 'positionIterations', 5);
+    recorder.set(world, 'allowSleeping', false);
+    recorder.step(1 / 60);
+    expect([ball.bullet, world.substeps, world.allowSleeping]).toEqual([true, 2, false]);
+    expect(replay(world, recorder.recording)).toBe(-1);
+    expect([ball.bullet, world.substeps, world.allowSleeping]).toEqual([true, 2, false]);
+  });
+
+  it('has no property that cannot be set', () => {
+    const { world, ball } = scene();
+    const recorder = Recorder.create(world);
+    const set = (property: string, value: unknown) => () =>
+      recorder.set(world, property as 'substeps', value as number);
+    expect(set('substep', 2)).toThrow('Recorder.set: object.substep must be a property, got undefined');
+    expect(set('step', 2)).toThrow('Recorder.set: object.step must be a property');
+    expect(set('__proto__', {})).toThrow('Recorder.set: object.__proto__ must be a property');
+    expect(set('substeps', 0)).toThrow('World: substeps must be');
+    expect(set('timeStamp', 0)).toThrow(TypeError);
+    recorder.set(ball, 'bullet', true);
+    recorder.step(1 / 60);
+    const { snapshot, frames } = recorder.recording;
+    expect(frames[0]!.calls).toHaveLength(1);
+    const call = { ...frames[0]!.calls[0]!, method: 'bulet' };
+    expect(() => replay(world, { snapshot, frames: [{ ...frames[0]!, calls: [call] }] })).toThrow(
+      'replay: object.bulet must be a function',
+    );
+  });
+
   it('has the step in which a handler threw', () => {
     const { world, ball } = scene();
     world.addRigidBody(ball);
