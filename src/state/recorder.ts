@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { callable, typeError } from '../validate.js';
+import { boolean, callable, integer, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -11,7 +11,7 @@ type Recorded = World | RigidBody | Shape | Constraint;
 export interface RecordedCall {
   /** What it was made on. */
   readonly object: Recorded;
-  /** Which of its methods; or which of its properties was set, to the only argument. */
+  /** Which of its methods; or which setting was given the only argument. */
   readonly method: string;
   /** As given; arrays and plain objects, and those in them, are copies. */
   readonly args: readonly unknown[];
@@ -23,6 +23,17 @@ export interface RecordedCall {
     readonly after: ArrayBuffer;
   } | null;
 }
+
+/** What `Recorder.set` sets: of worlds and, the last one, of bodies. */
+export type RecordedSetting = 'substeps' | 'velocityIterations' | 'positionIterations' | 'allowSleeping' | 'bullet';
+
+const SETTINGS: readonly RecordedSetting[] = [
+  'substeps',
+  'velocityIterations',
+  'positionIterations',
+  'allowSleeping',
+  'bullet',
+];
 
 const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
 
@@ -86,10 +97,10 @@ export class Recorder {
     return result as never;
   }
 
-  /** Sets a property of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. @throws as the property does. */
-  set<T extends Recorded, K extends keyof T>(object: T, property: K & string, value: T[K]): void {
-    assign('Recorder.set', object, property, value);
-    this.calls.push({ object, method: property, args: [value], added: null });
+  /** Sets what is a property, not a method, of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. */
+  set(object: World | RigidBody, setting: RecordedSetting, value: number | boolean): void {
+    assign('Recorder.set', object, setting, value);
+    this.calls.push({ object, method: setting, args: [value], added: null });
   }
 
   /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
@@ -116,7 +127,7 @@ export class Recorder {
  * passed on.
  *
  * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
- * @throws TypeError for what is no recording, or names what is no method or property of the object; RangeError for a damaged snapshot.
+ * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot.
  */
 export function replay(world: World, recording: Recording): number {
   if (typeof world?.restore !== 'function') {
@@ -170,13 +181,21 @@ function methodOf(where: string, object: Recorded, method: string): (...args: un
   return made as unknown as (...args: unknown[]) => unknown;
 }
 
-/** Sets a property that the object has; not one that every object has, nor a method. */
-function assign(where: string, object: Recorded, property: string, value: unknown): void {
-  const is = property in Object.prototype ? undefined : object?.[property as keyof Recorded];
-  if (is === undefined || typeof is === 'function') {
-    throw typeError(where, `object.${property}`, 'a property', is);
+/** Sets what `Recorder.set` can, and nothing else. */
+function assign(where: string, object: Recorded, setting: string, value: unknown): void {
+  if (!isSetting(setting)) {
+    throw typeError(where, 'setting', `one of ${SETTINGS.join(', ')}`, setting);
   }
-  (object as unknown as Record<string, unknown>)[property] = value;
+  const holder = Object(object) as Record<RecordedSetting, unknown>;
+  if (!(setting in holder)) {
+    throw typeError(where, 'object', `something that has ${setting}`, object);
+  }
+  const isFlag = typeof holder[setting] === 'boolean';
+  holder[setting] = isFlag ? boolean(where, 'value', value) : integer(where, 'value', value, 1);
+}
+
+function isSetting(name: string): name is RecordedSetting {
+  return (SETTINGS as readonly string[]).includes(name);
 }
 
 /** @returns whether all is as it was then. */
@@ -186,7 +205,7 @@ function repeat(world: World, { object, method, args, added }: RecordedCall): bo
     world.restore(added.after);
     return isRight;
   }
-  if (args.length === 1 && typeof object?.[method as keyof Recorded] !== 'function' && method in Object(object)) {
+  if (isSetting(method)) {
     assign('replay', object, method, args[0]);
   } else {
     methodOf('replay', object, method).apply(object, args.map(copyOf));
