@@ -53,9 +53,9 @@ function integrate(world: World, h: number, substeps: number): void {
     warmStartContacts(solver, h);
     applyBounces(solver);
     const turns = share(world.velocityIterations, part, substeps);
-    // Joints take all their turns, even where no contact changes anything.
+    // Joints take all their turns, even where no contact changes anything; that there once were some has no say.
     let changed = true;
-    for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && jointSolver !== null)); i += 1) {
+    for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && solver.joints.runs.length > 0)); i += 1) {
       if (i < turns) jointSolver?.solveVelocities(solver, i, turns);
       changed = solveVelocityContacts(solver, h);
     }

@@ -7,7 +7,7 @@
 export { deserialize } from './deserialize.js';
 export type { PoseBufferParams } from './poses.js';
 export { POSE_STRIDE, PoseBuffer } from './poses.js';
-export type { RecordedCall, RecordedStep, Recording } from './recorder.js';
+export type { RecordedCall, RecordedSetting, RecordedStep, Recording } from './recorder.js';
 export { Recorder, replay } from './recorder.js';
 export type {
   DeserializeOptions,

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { callable, typeError } from '../validate.js';
+import { boolean, callable, integer, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -11,9 +11,9 @@ type Recorded = World | RigidBody | Shape | Constraint;
 export interface RecordedCall {
   /** What it was made on. */
   readonly object: Recorded;
-  /** Which of its methods. */
+  /** Which of its methods; or which setting was given the only argument. */
   readonly method: string;
-  /** As given; arrays, and those in them, are copies. */
+  /** As given; arrays and plain objects, and those in them, are copies. */
   readonly args: readonly unknown[];
   /** Of a call that added something, which may be in another state by now; else `null`. */
   readonly added: {
@@ -23,6 +23,17 @@ export interface RecordedCall {
     readonly after: ArrayBuffer;
   } | null;
 }
+
+/** What `Recorder.set` sets: of worlds and, the last one, of bodies. */
+export type RecordedSetting = 'substeps' | 'velocityIterations' | 'positionIterations' | 'allowSleeping' | 'bullet';
+
+const SETTINGS: readonly RecordedSetting[] = [
+  'substeps',
+  'velocityIterations',
+  'positionIterations',
+  'allowSleeping',
+  'bullet',
+];
 
 const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
 
@@ -45,7 +56,7 @@ export interface RecordedStep {
 }
 
 /**
- * Records what a game does to a world: make its calls through `call` and `step`, and `replay` makes them again, from the same snapshot, and compares the
+ * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
  * hashes. What handlers do is not recorded, as they are called again.
  */
 export class Recorder {
@@ -68,8 +79,8 @@ export class Recorder {
   }
 
   /**
-   * Calls a method of the world or of one of its bodies, shapes or constraints, and notes it: `recorder.call(body, 'applyImpulse', [0, -5])`. Arrays among
-   * the arguments are copied, typed ones and those in others, too. @returns what the method returns.
+   * Calls a method of the world or of one of its bodies, shapes or constraints, and notes it: `recorder.call(body, 'applyImpulse', [0, -5])`. Arrays and plain
+   * objects among the arguments are copied, typed ones and those in others, too. @returns what the method returns.
    */
   call<T extends Recorded, K extends keyof T>(
     object: T,
@@ -84,6 +95,12 @@ export class Recorder {
     const added = before === null ? null : { before, after: this.world.snapshot() };
     this.calls.push({ object, method, args: kept, added });
     return result as never;
+  }
+
+  /** Sets what is a property, not a method, of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. */
+  set(object: World | RigidBody, setting: RecordedSetting, value: number | boolean): void {
+    assign('Recorder.set', object, setting, value);
+    this.calls.push({ object, method: setting, args: [value], added: null });
   }
 
   /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
@@ -110,7 +127,7 @@ export class Recorder {
  * passed on.
  *
  * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
- * @throws TypeError for what is no recording, or names what is no method of the object; RangeError for a damaged snapshot.
+ * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot.
  */
 export function replay(world: World, recording: Recording): number {
   if (typeof world?.restore !== 'function') {
@@ -141,10 +158,13 @@ function stepAgain(world: World, deltaTime: number): void {
   }
 }
 
-/** Arrays, which callers may use again, with those that are in them. */
+/** Arrays and options, which callers may use again, with those that are in them. */
 function copyOf(argument: unknown): unknown {
   if (Array.isArray(argument)) {
     return argument.map(copyOf);
+  }
+  if (typeof argument === 'object' && argument !== null && Object.getPrototypeOf(argument) === Object.prototype) {
+    return Object.fromEntries(Object.entries(argument).map(([key, value]) => [key, copyOf(value)]));
   }
   return ArrayBuffer.isView(argument) && 'slice' in argument ? (argument as Float64Array).slice() : argument;
 }
@@ -161,6 +181,23 @@ function methodOf(where: string, object: Recorded, method: string): (...args: un
   return made as unknown as (...args: unknown[]) => unknown;
 }
 
+/** Sets what `Recorder.set` can, and nothing else. */
+function assign(where: string, object: Recorded, setting: string, value: unknown): void {
+  if (!isSetting(setting)) {
+    throw typeError(where, 'setting', `one of ${SETTINGS.join(', ')}`, setting);
+  }
+  const holder = Object(object) as Record<RecordedSetting, unknown>;
+  if (!(setting in holder)) {
+    throw typeError(where, 'object', `something that has ${setting}`, object);
+  }
+  const isFlag = typeof holder[setting] === 'boolean';
+  holder[setting] = isFlag ? boolean(where, 'value', value) : integer(where, 'value', value, 1);
+}
+
+function isSetting(name: string): name is RecordedSetting {
+  return (SETTINGS as readonly string[]).includes(name);
+}
+
 /** @returns whether all is as it was then. */
 function repeat(world: World, { object, method, args, added }: RecordedCall): boolean {
   if (added !== null) {
@@ -168,6 +205,10 @@ function repeat(world: World, { object, method, args, added }: RecordedCall): bo
     world.restore(added.after);
     return isRight;
   }
-  methodOf('replay', object, method).apply(object, args.map(copyOf));
+  if (isSetting(method)) {
+    assign('replay', object, method, args[0]);
+  } else {
+    methodOf('replay', object, method).apply(object, args.map(copyOf));
+  }
   return true;
 }

@@ -176,6 +176,9 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
     Physics2DDevice: { good: phys2D, bad: [...NO_OBJECT, {}] },
     PlainWorld: { good: state.serialize(phys2D.createWorld()), bad: [...NO_OBJECT, {}] },
     "T extends 'hit' ? number : boolean": { good: undefined, bad: [] },
+    'World | RigidBody': { good: world, bad: [...NO_OBJECT, {}, one] },
+    RecordedSetting: { good: 'substeps', bad: ['text', 'step', 5, null, {}] },
+    'number | boolean': { good: 2, bad: [...BAD_NUMBERS, 0, 1.5] },
     Recording: { good: state.Recorder.create(world).recording, bad: [...NO_OBJECT, {}] },
   };
   if (type.endsWith('EventType')) {

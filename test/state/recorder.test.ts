@@ -55,6 +55,54 @@ describe('a recording', () => {
     expect(replay(world, recorder.recording)).toBe(-1);
   });
 
+  it('keeps what options had when they were given', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const other = phys2D.createRigidBody({ position: [-10, -2] });
+    world.addRigidBody(other);
+    const rod = phys2D.createDistanceConstraint({ bodyA: ball, bodyB: other, lowerBound: 1, upperBound: 1 });
+    world.addConstraint(rod);
+    const recorder = Recorder.create(world);
+    const options = { stiff: false, frequency: 1 };
+    for (let i = 0; i < 10; i += 1) {
+      options.frequency = 1 + i;
+      recorder.call(rod, 'configure', options);
+      recorder.step(1 / 60);
+    }
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
+  it('has the properties that were set', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    recorder.step(1 / 60);
+    recorder.set(ball, 'bullet', true);
+    recorder.set(world, 'substeps', 2);
+    recorder.set(world, 'velocityIterations', 3);
+    recorder.set(world, 'positionIterations', 5);
+    recorder.set(world, 'allowSleeping', false);
+    recorder.step(1 / 60);
+    expect([ball.bullet, world.substeps, world.allowSleeping]).toEqual([true, 2, false]);
+    expect(replay(world, recorder.recording)).toBe(-1);
+    expect([ball.bullet, world.substeps, world.allowSleeping]).toEqual([true, 2, false]);
+  });
+
+  it('has no other property', () => {
+    const { world, ball } = scene();
+    const recorder = Recorder.create(world);
+    const set = (object: World | RigidBody, setting: string, value: unknown) => () =>
+      recorder.set(object, setting as 'substeps', value as number);
+    for (const name of ['substep', 'step', '__proto__', 'gravityX', 'userData', 'timeStamp']) {
+      expect(set(world, name, 2)).toThrow('Recorder.set: setting must be one of substeps, ');
+    }
+    expect(set(ball, 'substeps', 2)).toThrow('Recorder.set: object must be something that has substeps');
+    expect(set(world, 'substeps', 0)).toThrow('Recorder.set: value must be an integer >= 1, got 0');
+    expect(set(ball, 'bullet', 1)).toThrow('Recorder.set: value must be a boolean, got 1');
+    recorder.step(1 / 60);
+    expect(recorder.recording.frames[0]!.calls).toEqual([]);
+  });
+
   it('has the step in which a handler threw', () => {
     const { world, ball } = scene();
     world.addRigidBody(ball);
