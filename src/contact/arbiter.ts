@@ -205,7 +205,7 @@ export class Arbiter {
     sum[2] = w;
   }
 
-  /** Of this pair, of both materials unless set; `undefined` until they are combined. */
+  /** Of this pair, of both materials unless set; `undefined` for a sensor. */
   getElasticity(): number | undefined {
     return this.material(c.ELASTICITY);
   }
