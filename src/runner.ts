@@ -36,6 +36,8 @@ export class FixedStepRunner {
   readonly maxSteps: number;
   /** s that have passed and are not simulated yet; less than `deltaTime`. */
   private waiting = 0;
+  /** Steps yet to be made: more than none between two frames only if a handler threw. */
+  private due = 0;
 
   /** @internal use `create` */
   constructor(params: FixedStepRunnerParams) {
@@ -62,7 +64,7 @@ export class FixedStepRunner {
 
   /**
    * Makes the steps that are due after `elapsed` seconds (>= 0) more. What is due beyond `maxSteps`, as after a pause, is dropped: the game is late
-   * then, but it does not freeze.
+   * then, but it does not freeze. If a handler throws, the steps that were still to be made are due in the next frame.
    *
    * @param beforeStep called before each step: the place for forces and input.
    * @returns how many steps were made.
@@ -75,12 +77,14 @@ export class FixedStepRunner {
     }
     const time = this.waiting + elapsed;
     this.waiting = time % this.deltaTime;
-    const count = Math.min(Math.round((time - this.waiting) / this.deltaTime), this.maxSteps);
-    for (let i = 0; i < count; i += 1) {
+    this.due = Math.min(this.due + Math.round((time - this.waiting) / this.deltaTime), this.maxSteps);
+    let made = 0;
+    for (; this.due > 0; made += 1) {
       beforeStep?.(this.world);
+      this.due -= 1;
       this.world.step(this.deltaTime);
     }
-    return count;
+    return made;
   }
 
   /** Where to draw the origin of a body, m. */

@@ -136,13 +136,11 @@ export class World extends WorldState {
     for (const constraint of [...body.constraints]) {
       this.removeConstraint(constraint);
     }
-    for (const shape of body.shapes) {
-      cutPairs(this, shape);
-    }
     if (body.liveIndex >= 0) {
       quieten(this, body);
     }
     for (const shape of body.shapes) {
+      cutPairs(this, shape);
       this.broadphase.remove(shape.handle!);
     }
     const last = this.rigidBodies.pop()!;

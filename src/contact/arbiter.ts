@@ -184,10 +184,10 @@ export class Arbiter {
     let w = 0;
     w += sign * n[o + c.STEP_ROLL]!;
     const { before } = this;
-    if (before !== null && this.metAgain()) {
-      x += sign * before.x;
-      y += sign * before.y;
-      w += ofB === 1 ? before.wB : before.wA;
+    if (this.metAgain()) {
+      x += sign * before!.x;
+      y += sign * before!.y;
+      w += ofB === 1 ? before!.wB : before!.wA;
     }
     for (let i = 0; i < this.shown; i += 1) {
       const normal = sign * n[o + c.STEP_NORMAL + c.IMPULSES * i]!;
@@ -205,7 +205,7 @@ export class Arbiter {
     sum[2] = w;
   }
 
-  /** Of this pair, of both materials unless set; `undefined` until they are combined. */
+  /** Of this pair, of both materials unless set; `undefined` for a sensor. */
   getElasticity(): number | undefined {
     return this.material(c.ELASTICITY);
   }

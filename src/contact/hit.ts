@@ -38,18 +38,22 @@ export class Hit {
   /** @internal copies what the step made of the collision, which handlers may change */
   read(arbiter: Arbiter): void {
     this.speed = arbiter.numbers[arbiter.at + c.APPROACH]!;
-    const { contacts } = arbiter;
-    this.given = contacts.reduce((sum, contact) => sum + contact.getNormalImpulse(), 0);
     let x = 0;
     let y = 0;
-    for (const contact of contacts) {
-      const share = this.given > 0 ? contact.getNormalImpulse() / this.given : 1 / contacts.length;
+    let sum = 0;
+    for (const contact of arbiter.contacts) {
+      // Points without any impulse count alike.
+      const weight = contact.getNormalImpulse() + 1e-300;
+      sum += weight;
+      const share = weight / sum;
       contact.getPosition(this.point);
-      x += share * this.point[0];
-      y += share * this.point[1];
+      x += share * (this.point[0] - x);
+      y += share * (this.point[1] - y);
     }
     vec2(x, y, this.point);
-    arbiter.getNormal(this.normal);
+    const [nx, ny] = arbiter.getNormal(this.normal);
+    const [jx, jy] = arbiter.getImpulseForBody(arbiter.bodyB);
+    this.given = Math.max(0, nx * jx + ny * jy);
   }
 }
 

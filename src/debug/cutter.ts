@@ -42,7 +42,8 @@ export class Cutter {
     }
     const start = Math.max(0, enter[0]!, enter[1]!);
     const end = Math.min(1, leave[0]!, leave[1]!);
-    if (start > end) {
+    // Nor is it if one of them is no number: of ends that are too far away to be told in px.
+    if (!(start <= end)) {
       return false;
     }
     for (let i = 0; i < 2; i += 1) {

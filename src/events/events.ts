@@ -154,10 +154,8 @@ export class EventQueue {
       this.hits[i]!.read(this.struck[i]!);
     }
     this.struck.length = 0;
-    for (let i = 0; i < lists.length; i += 1) {
-      if (lists[i]!.count > 0) {
-        this.handOut(lists[i]!);
-      }
+    for (const list of lists) {
+      this.handOut(list);
     }
   }
 
@@ -242,7 +240,7 @@ export class EventQueue {
 
 /** Stands for a body in the order of events. */
 function placeOf({ shapes }: RigidBody): number {
-  return shapes.length > 0 ? shapes[0]!.id : -1;
+  return shapes[0]?.id ?? -1;
 }
 
 /** Someone wants to know how hard the shapes of a pair meet. */

@@ -254,9 +254,9 @@ export abstract class BaseShape {
    *
    * - `begin`, `progress`, `end`: an interaction starts, goes on for another step, is over. Told when the step is done; the handler may
    *   change anything. What had been found in the step by then is told all the same, also of a body that it removed.
-   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. Runs once a
-   *   step, within it, at the placements that the last step ended with. Such a pair is only found when it overlaps, not a moment earlier as
-   *   others are. `option`: the handler always decides alike (default `false`), so that the bodies may sleep.
+   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. Runs within
+   *   the step: where it begins, for shapes that overlap there, not a moment earlier as others are found; and where shapes meet on fast ways or, though they
+   *   touch already, get too deep into each other. So it may run twice. `option`: the handler always decides alike (default `false`), so that the bodies may sleep.
    * - `hit`: a collision that takes effect has begun; the handler is also told how hard. `option`: m/s, >= 0, slower ones are left out (default 0).
    *
    * With a `mask` the handler is only called for other shapes with `(mask & group) !== 0`; leaving it out is another listener than 0xffffffff.

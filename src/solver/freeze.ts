@@ -38,6 +38,7 @@ export function settleFrozen(world: World): void {
     body.lastDx = 0;
     body.lastDy = 0;
     body.lastTurn = 0;
+    body.clearance = 0;
     for (const { arbiters } of body.shapes) {
       for (const pair of arbiters) {
         pair.dropPoints();

@@ -71,17 +71,18 @@ export function strike(world: World, { a, b }: Meeting): Arbiter | null {
   }
   rouse(world, bodyA, begins);
   rouse(world, bodyB, begins);
-  noteApproach(pair);
+  if (begins) {
+    noteApproach(pair);
+  }
   if (world.profile !== null) {
     world.profile.impacts += 1;
   }
   solveImpact(world, pair);
-  if (!begins && (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC)) {
-    stopComing(pair);
-  }
   if (begins) {
     pair.freshPoints = pair.usedPoints;
     world.events.hit(pair, FOUND_LATE);
+  } else if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC) {
+    stopComing(pair);
   }
   return pair;
 }

@@ -279,6 +279,7 @@ function sleepPairs(world: World, body: RigidBody): void {
 export function sleepPair(world: World, pair: Arbiter): void {
   pair.sleeping = true;
   pair.active = false;
+  pair.idle();
   tellProgress(world, pair);
 }
 

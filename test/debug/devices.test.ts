@@ -96,6 +96,17 @@ describe('cutting to the clip rectangle', () => {
     debug.end();
     expect(strokes(svg).map(([, , path]) => path)).toEqual(['M0 20L100 20M30 80L30 0']);
   });
+
+  it('leaves out what is too far away for numbers, and nothing else', () => {
+    expect(
+      paths((debug) => {
+        debug.drawLine(1, 2, 30, 40, RED);
+        debug.drawRectangle(-1e308, -1e308, 1e308, 1e308, RED);
+        debug.drawCurve(0, 0, 1e308, 1e308, 1, 1, RED);
+        debug.drawLine(30, 40, 50, 60, RED);
+      }),
+    ).toEqual(['M1 2L30 40L50 60']);
+  });
 });
 
 describe('SVG', () => {

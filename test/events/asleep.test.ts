@@ -50,6 +50,31 @@ describe('sleep() and wake() by hand', () => {
     }
   });
 
+  it('while both sleep all impulses read 0, and the next step has them again', () => {
+    const world = heavy();
+    addFloor(world);
+    const shape = disc(0.5);
+    const body = phys2D.createRigidBody({ velocity: [1, 0], shapes: [shape] });
+    add(world, body);
+    steps(world, 30);
+    const [arbiter] = shape.arbiters;
+    const [contact] = arbiter!.contacts;
+    const impulses = () => [
+      ...arbiter!.getImpulseForBody(body),
+      arbiter!.getRollingImpulse(),
+      contact!.getNormalImpulse(),
+      contact!.getTangentImpulse(),
+    ];
+    expect(impulses()).not.toContain(0);
+    body.sleep();
+    steps(world, 1);
+    expect([arbiter!.sleeping, arbiter!.contacts.length]).toEqual([true, 1]);
+    expect(impulses().map(Math.abs)).toEqual(Array(6).fill(0));
+    body.wake();
+    steps(world, 1);
+    expect(impulses()).not.toContain(0);
+  });
+
   it('within one pause nothing is lost or told twice', () => {
     const programs: [string, ((a: RigidBody) => void)[], string[]][] = [
       ['sleep, wake', [(a) => a.sleep(), (a) => a.wake()], ['progressA']],

@@ -198,4 +198,30 @@ describe('hit', () => {
     }
     expect(seen.length).toBeGreaterThan(5);
   });
+
+  it.each([
+    [40, 10, -1.2, 0, 0],
+    [60, 10, -1.5, 0, 0],
+    [60, 10, -1.5, 0.3, 0.5],
+  ])('tells of all that a bar gets that strikes twice in a step, and of the first time how fast, %#', (...numbers) => {
+    const [speed, spin, y, rotation, elasticity] = numbers;
+    const world = weightless();
+    const material = phys2D.createMaterial({ elasticity });
+    add(world, phys2D.createRigidBody({ type: 'static', position: [0, 0.5], shapes: [box(20, 1)] }));
+    const bar = phys2D.createRigidBody({
+      position: [0, y],
+      rotation,
+      velocity: [0, speed],
+      angularVelocity: spin,
+      linearDrag: 0,
+      angularDrag: 0,
+      shapes: [box(2, 0.2, { material })],
+    });
+    add(world, bar);
+    const seen = listen(bar.shapes[0]!);
+    until(world, () => seen.length > 0);
+    near(seen[0]!.impulse, bar.getMass() * (speed - bar.getVelocity()[1]), 1e-9);
+    expect(seen[0]!.speed).toBeGreaterThan(speed - spin);
+    expect(seen[0]!.speed).toBeLessThan(speed + 1.01 * spin);
+  });
 });

@@ -75,6 +75,48 @@ describe('beforeStep', () => {
   });
 });
 
+describe('what throws', () => {
+  const setting = (deltaTime: number, maxSteps?: number) => {
+    const world = weightless();
+    const body = plainBody();
+    add(world, body);
+    let awake = false;
+    body.addEventListener('wake', () => {
+      awake = true;
+      throw new Error('a handler');
+    });
+    body.sleep();
+    body.setVelocity([1, 0]);
+    return { world, runner: FixedStepRunner.create({ world, deltaTime, maxSteps }), wasTold: () => awake };
+  };
+
+  it('a handler: its step is made, those after it are in the next frame', () => {
+    const { world, runner, wasTold } = setting(0.25);
+    expect(() => runner.advance(0.875)).toThrow('a handler');
+    expect([wasTold(), world.timeStamp, runner.interpolation]).toEqual([true, 1, 0.5]);
+    expect([runner.advance(0), world.timeStamp]).toEqual([2, 3]);
+    expect([runner.advance(0.125), world.timeStamp]).toEqual([1, 4]);
+  });
+
+  it('a handler: no more than maxSteps are left over', () => {
+    const { world, runner } = setting(0.25, 3);
+    expect(() => runner.advance(0.75)).toThrow('a handler');
+    expect([runner.advance(0.5), world.timeStamp]).toEqual([3, 4]);
+    expect(runner.advance(0)).toBe(0);
+  });
+
+  it('beforeStep: its step is made in the next frame', () => {
+    const world = weightless();
+    const runner = FixedStepRunner.create({ world, deltaTime: 0.25 });
+    const refuse = () => {
+      throw new Error('no');
+    };
+    expect(() => runner.advance(0.5, refuse)).toThrow('no');
+    expect(world.timeStamp).toBe(0);
+    expect([runner.advance(0.25), world.timeStamp]).toEqual([3, 3]);
+  });
+});
+
 describe('placements', () => {
   it('go from those before the last step to those after it', () => {
     const world = weightless();

@@ -120,6 +120,25 @@ describe('what becomes not finite all the same is frozen, told, and touches noth
     expect(world.addEventListener('wake' as 'nonfinite', listen)).toBe(false);
   });
 
+  it('nothing is left of the way that it would have gone: put elsewhere, it passes no wall', () => {
+    const material = phys2D.createMaterial({ elasticity: 1 });
+    const world = phys2D.createWorld({ gravity: [0, 0] });
+    const wall = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.01, 10), material });
+    world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [10, 0], shapes: [wall] }));
+    const shapes = [phys2D.createCircleShape({ radius: 0.05, material })];
+    const place = [0.99 * FAR, 0];
+    const body = phys2D.createRigidBody({ position: place, velocity: place, linearDrag: 0, shapes });
+    world.addRigidBody(body);
+    const told = vi.fn();
+    world.addEventListener('nonfinite', told);
+    world.step(1 / 60);
+    expect(told).toHaveBeenCalledOnce();
+    body.setPosition([0, 0]);
+    body.setVelocity([3000, 0]);
+    world.step(1 / 60);
+    expect(body.getPosition()[0]).toBeLessThan(10);
+  });
+
   it('what throws in its handler reaches the caller, and the next step works', () => {
     const world = makePile();
     world.addEventListener('nonfinite', () => {
