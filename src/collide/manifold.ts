@@ -11,6 +11,11 @@ export function overlaps(n: Float64Array, o: number): boolean {
   return count === 2 ? n[o + g.S0]! < 0 || n[o + g.S1]! < 0 : count === 1 && n[o + g.S0]! <= 0;
 }
 
+/** The separation of the point that is deepest, of the one or two that were found. */
+export function leastSeparation(n: Float64Array, o: number): number {
+  return n[o + g.COUNT] === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!;
+}
+
 /** The bodies have hardly moved since the choice of edges, and the shapes are the same: `stamp` is the sum of theirs. */
 export function keepsFace(n: Float64Array, o: number, stamp: number): boolean {
   const x = n[o + g.DX]! - n[o + g.FACE_DX]!;

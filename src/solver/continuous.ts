@@ -1,5 +1,7 @@
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
+import { impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
+import { leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { cos, sin } from '../math/trig.js';
@@ -46,7 +48,7 @@ function comesTo(world: World, shape: Shape, time: number): boolean {
 function settle(world: World, dt: number): void {
   const { movers } = world;
   const { meetings } = movers;
-  for (let next = meetings.first(); next !== null; next = meetings.first()) {
+  for (let next = meetings.first(); next !== null && next.time < Infinity; next = meetings.first()) {
     if (next.isOpen) {
       findTime(world, next);
       continue;
@@ -77,7 +79,7 @@ function come(mover: Mover, { time }: Meeting): void {
   mover.met = mover.body.kind !== STATIC;
 }
 
-/** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along. */
+/** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along, also after something else met it. */
 function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
   if (mover.body.kind !== DYNAMIC) {
     return;
@@ -88,9 +90,10 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: num
     mover.goOn();
     return;
   }
+  const carrier = partner.body.kind === KINEMATIC ? partner : mover.carrier;
   mover.stop();
-  if (partner.body.kind === KINEMATIC) {
-    mover.ride(partner);
+  if (carrier !== null) {
+    mover.ride(carrier);
   }
   if (isDeeper) {
     slide(mover, partner, pair, dt);
@@ -100,9 +103,10 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: num
 
 /**
  * What touched before, and only got too deep as it turned, goes on along the surface and out of it, without turning: else it would never get away.
- * The surface itself may turn until the end of the step.
+ * The surface itself may turn until the end of the step: no farther than where half-way, on the straight, that would lead to its other side.
  */
-function slide(mover: Mover, under: Mover, { count, numbers: n, at: o, bodyA }: Arbiter, dt: number): void {
+function slide(mover: Mover, under: Mover, pair: Arbiter, dt: number): void {
+  const { numbers: n, at: o, bodyA } = pair;
   const { body } = mover;
   const { body: base } = under;
   const rest = 1 - mover.from;
@@ -111,46 +115,55 @@ function slide(mover: Mover, under: Mover, { count, numbers: n, at: o, bodyA }: 
   const ny = sign * n[o + g.NY]!;
   const vx = body.vx - (base.vx - base.w * (body.y - base.y));
   const vy = body.vy - (base.vy + base.w * (body.x - base.x));
-  const way = (nx * vy - ny * vx) * rest * dt;
-  const depth = -(count === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!);
-  const out = PUSH_SHARE_STATIC * Math.max(depth - CONTACT_SLOP, 0);
+  const turn = under.turn * rest;
+  const far = (nx * vy - ny * vx) * rest * dt;
+  const bend = Math.abs(far * turn) / (4 * impactDepth(pair.shapeA, pair.shapeB, IMPACT_DEPTH));
+  const way = far / Math.max(1, bend);
+  const out = PUSH_SHARE_STATIC * Math.max(-leastSeparation(n, o) - CONTACT_SLOP, 0);
   const x = out * nx - way * ny;
   const y = out * ny + way * nx;
-  const turn = under.turn * rest;
   mover.dx += cos(turn) * x - sin(turn) * y;
   mover.dy += sin(turn) * x + cos(turn) * y;
 }
 
-/** Such a way ends at the next thing on it that is not on its own way: what the body has to do with that comes in the next step. */
+/**
+ * Such a way ends at the next thing on it that is not on its own way: what the body has to do with that comes in the next step. It is not even begun if that
+ * goes along with what the body lies on.
+ */
 function stopShort(world: World, mover: Mover, under: Shape): void {
-  const { body, from, x, y, dx, dy } = mover;
-  bounds[0] = x + Math.min(dx, 0) - body.radius;
-  bounds[1] = y + Math.min(dy, 0) - body.radius;
-  bounds[2] = x + Math.max(dx, 0) + body.radius;
-  bounds[3] = y + Math.max(dy, 0) + body.radius;
+  const { body, carrier, dx, dy } = mover;
+  const reach = Math.abs(dx) + Math.abs(dy) + body.radius;
+  bounds[0] = mover.x - reach;
+  bounds[1] = mover.y - reach;
+  bounds[2] = mover.x + reach;
+  bounds[3] = mover.y + reach;
   const size = findNearby(world, bounds, true);
   let end = 1;
   for (let i = 0; i < size; i += 1) {
     const other = nearby[i]!;
-    const isInTheWay = other !== under && (other.owner!.kind !== DYNAMIC || other.owner!.asleep);
-    for (let k = 0; k < body.shapes.length && isInTheWay; k += 1) {
-      end = Math.min(end, timeToMeet(world, body.shapes[k]!, other));
+    const owner = other.owner!;
+    for (let k = 0; k < body.shapes.length && other !== under && (owner.kind !== DYNAMIC || owner.asleep); k += 1) {
+      const time = timeToMeet(world, body.shapes[k]!, other);
+      if (carrier === null || owner !== carrier.body) {
+        end = Math.min(end, time);
+      } else if (time < 1) {
+        mover.stop();
+        mover.ride(carrier);
+      }
     }
   }
-  const share = end < 1 ? (end - from) / (1 - from) : 1;
-  mover.dx *= share;
-  mover.dy *= share;
-  mover.turn *= share;
+  if (end < 1) {
+    mover.scale((end - mover.from) / (1 - mover.from));
+  }
 }
 
 /** 1 if the shapes do not meet, or take no notice of each other. */
 function timeToMeet(world: World, one: Shape, two: Shape): number {
-  const a = one.id < two.id ? one : two;
-  const b = one.id < two.id ? two : one;
+  const meeting = world.movers.meetings.draft(one, two);
+  const { a, b } = meeting;
   if (isSensed(a, b) || !mayInteract(a, b) || world.pairs.find(a, b)?.accepted === false) {
     return 1;
   }
-  const meeting = world.movers.meetings.draft(a, b);
   return meets(world, meeting, IMPACT_DEPTH) ? meeting.time : 1;
 }
 

@@ -49,7 +49,8 @@ export function foresee(world: World, dt: number): void {
     const { closing } = world;
     for (let i = 0; i < closing.count; i += 1) {
       if (!closing.items[i]!.near) {
-        openAtEnd(world, closing.items[i]!);
+        // It slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it.
+        openAt(world, closing.items[i]!, 1);
       }
     }
     world.pairs.merge();
@@ -153,16 +154,13 @@ function open(world: World, { a, b, time }: Meeting): void {
   if ((a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin) > SOLVED_TURN) {
     return;
   }
-  openAt(world, pair, one, two, time);
+  openAt(world, pair, time);
 }
 
-/** What slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it. */
-function openAtEnd(world: World, pair: Arbiter): void {
-  openAt(world, pair, world.movers.of(pair.bodyA), world.movers.of(pair.bodyB), 1);
-}
-
-function openAt(world: World, pair: Arbiter, one: Mover, two: Mover, time: number): void {
+function openAt(world: World, pair: Arbiter, time: number): void {
   const { shapeA: a, shapeB: b } = pair;
+  const one = world.movers.of(a.owner!);
+  const two = world.movers.of(b.owner!);
   one.putAt(time);
   two.putAt(time);
   a.place(one.body);

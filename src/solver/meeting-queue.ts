@@ -4,7 +4,7 @@ import type { Mover } from './movers.js';
 
 /** Two shapes that meet on their ways, and when. Used again and again. */
 export class Meeting {
-  /** 0 where the step began, 1 where it ended. */
+  /** 0 where the step began, 1 where it ended; infinite: they do not meet unless something stops one of them before. */
   time = 0.5;
   /** The time is not yet known, only that it is no earlier. */
   isOpen = false;
@@ -65,13 +65,13 @@ export class MeetingQueue {
   }
 
   /** A meeting of two shapes that is not among the others until it is added. */
-  draft(a: Shape, b: Shape): Meeting {
+  draft(one: Shape, two: Shape): Meeting {
     if (this.count === this.all.length) {
-      this.all.push(new Meeting(a, b));
+      this.all.push(new Meeting(one, two));
     }
     const meeting = this.all[this.count]!;
-    meeting.a = a;
-    meeting.b = b;
+    meeting.a = one.id < two.id ? one : two;
+    meeting.b = one.id < two.id ? two : one;
     meeting.slot = -1;
     meeting.isOpen = false;
     return meeting;
@@ -111,11 +111,7 @@ export class MeetingQueue {
   }
 
   /** To be called when the time of a meeting has changed. */
-  move(meeting: Meeting): void {
-    this.put(meeting, meeting.slot);
-  }
-
-  private put(meeting: Meeting, slot: number): void {
+  put(meeting: Meeting, slot = meeting.slot): void {
     this.rise(meeting, slot);
     this.sink(meeting, meeting.slot);
   }

@@ -1,5 +1,7 @@
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { impactDepth } from '../collide/gap.js';
+import * as g from '../collide/layout.js';
+import { leastSeparation } from '../collide/manifold.js';
 import {
   CLEARANCE,
   DEEPER_SHARE,
@@ -170,9 +172,9 @@ function isSwept(one: Mover, two: Mover): boolean {
 
 /** Notes two shapes that may interact, do not yet in this step, and meet. */
 function note(world: World, one: Shape, two: Shape, depth: number): void {
-  const a = one.id < two.id ? one : two;
-  const b = one.id < two.id ? two : one;
   const { movers, pairs } = world;
+  const meeting = movers.meetings.draft(one, two);
+  const { a, b } = meeting;
   if ((movers.ahead > 0 && isSensed(a, b)) || !mayInteract(a, b)) {
     return;
   }
@@ -180,32 +182,39 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
     return;
   }
   const pair = pairs.find(a, b);
-  if (isKnown(pair, movers, depth) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
+  const waits = isKnown(pair, movers, depth);
+  if ((waits && !pair!.accepted) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
   if (pair?.foreseen) {
-    recheck(world, movers.meetings.draft(a, b), depth);
-  } else if (movers.ahead > 0 && bounces(pair, a, b)) {
+    recheck(world, meeting, depth);
+  } else if (movers.ahead > 0 && !waits && bounces(pair, a, b)) {
     movers.meetings.postpone(a, b);
   } else {
-    look(world, a, b, depth);
+    look(world, meeting, depth, waits);
   }
 }
 
-/** At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. */
-function look(world: World, a: Shape, b: Shape, depth: number): void {
+/**
+ * At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. Others wait for something to stop
+ * one of both: those that would pass each other, and those that the solver kept apart as if nothing would.
+ */
+function look(world: World, meeting: Meeting, depth: number, waits: boolean): void {
   const { movers } = world;
-  if (mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b)) {
-    const meeting = movers.meetings.draft(a, b);
-    meeting.isOpen = movers.ahead === 0 && !isSensed(a, b);
-    meeting.time = crossing[REACHED]!;
-    if (meeting.isOpen || meets(world, meeting, depth)) {
-      add(world, meeting);
-    }
+  const { a, b } = meeting;
+  const comes = !waits && mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b);
+  const isOpen = movers.ahead === 0 && !isSensed(a, b);
+  if (!comes && (!isOpen || a.owner!.kind === STATIC || b.owner!.kind === STATIC)) {
+    return;
+  }
+  meeting.isOpen = isOpen;
+  meeting.time = comes ? crossing[REACHED]! : Infinity;
+  if (isOpen || meets(world, meeting, depth)) {
+    add(world, meeting);
   }
 }
 
-/** Finds the time of a meeting that waits for its turn; what has none is taken out. */
+/** Finds the time of a meeting that waits for its turn; of one that does not come as things are it is infinite. */
 export function findTime(world: World, meeting: Meeting): void {
   const { movers } = world;
   const { a, b } = meeting;
@@ -213,10 +222,9 @@ export function findTime(world: World, meeting: Meeting): void {
   const two = movers.of(b.owner!);
   meeting.isOpen = false;
   if (isElsewhere(one, a, two) || isElsewhere(two, b, one) || !meets(world, meeting, IMPACT_DEPTH)) {
-    movers.meetings.remove(meeting);
-  } else {
-    movers.meetings.move(meeting);
+    meeting.time = Infinity;
   }
+  movers.meetings.put(meeting);
 }
 
 /** Whether a shape, if nothing met it, does not come to where another body may be, from where it was stopped on; that of a static one has no radius. */
@@ -246,7 +254,7 @@ function lookAtBouncing(world: World, depth: number): void {
     const a = postponed[i]!;
     const b = postponed[i + 1]!;
     if (movers.of(a.owner!).meetings !== null || movers.of(b.owner!).meetings !== null) {
-      look(world, a, b, depth);
+      look(world, movers.meetings.draft(a, b), depth, false);
     }
   }
 }
@@ -281,7 +289,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   if (pair === null || !(pair.active || pair.near)) {
     return false;
   }
-  if (pair.sensor || !pair.accepted || movers.ahead > 0) {
+  if (!pair.accepted || movers.ahead > 0) {
     return true;
   }
   const a = movers.of(pair.bodyA);
@@ -289,7 +297,13 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
   const spin = (pair.shapeA.isRound() ? 0 : a.spin) + (pair.shapeB.isRound() ? 0 : b.spin);
   findLeast(pair.shapeA, pair.shapeB, depth);
-  return !pair.foreseen && spin * way < least[0]!;
+  return !pair.foreseen && spin * way < least[0]! && holds(pair, a, b);
+}
+
+/** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and `findLeast` allows: what is hit hard towards a wall may not stop there. */
+function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boolean {
+  const came = n[o + g.NX]! * (a.dx - b.dx) + n[o + g.NY]! * (a.dy - b.dy);
+  return count === 0 || came - Math.max(leastSeparation(n, o), 0) < least[0]!;
 }
 
 function isJointed(a: Shape, b: Shape): boolean {

@@ -62,14 +62,16 @@ export class Mover {
   meetings: Meeting | null = null;
   /** When it first met something. */
   first = Infinity;
+  /** What carries it along since it was stopped. */
+  carrier: Mover | null = null;
 
   private begin(body: RigidBody, sweeps: boolean): void {
-    this.body = body;
     this.sweeps = sweeps;
     this.met = false;
     this.stopped = false;
     this.meetings = null;
     this.first = Infinity;
+    this.carrier = null;
     this.vx = body.vx;
     this.vy = body.vy;
     this.w = body.w;
@@ -99,9 +101,7 @@ export class Mover {
 
   /** The same at the averages that are set as `dx`, `dy` and `turn`. */
   foresee(body: RigidBody, { ahead }: Movers): void {
-    this.dx *= ahead;
-    this.dy *= ahead;
-    this.turn *= ahead;
+    this.scale(ahead);
     this.unwind();
     const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
     // As `goesFar`, which called from here would have to box its numbers.
@@ -209,6 +209,13 @@ export class Mover {
     body.refreshTurn();
   }
 
+  /** Goes so many times as far. */
+  scale(share: number): void {
+    this.dx *= share;
+    this.dy *= share;
+    this.turn *= share;
+  }
+
   /** Stops where the body was put; from there on it stays. */
   stop(): void {
     const { body } = this;
@@ -217,25 +224,24 @@ export class Mover {
     this.x = body.x;
     this.y = body.y;
     this.angle = body.angle;
-    this.dx = 0;
-    this.dy = 0;
-    this.turn = 0;
+    this.scale(0);
   }
 
   /** From where the body was put on it goes the rest of its way. */
   goOn(): void {
-    const { from, dx, dy, turn } = this;
+    const { at, from, dx, dy, turn } = this;
     this.stop();
-    const share = from < 1 ? (1 - this.from) / (1 - from) : 0;
-    this.dx = share * dx;
-    this.dy = share * dy;
-    this.turn = share * turn;
+    this.dx = dx;
+    this.dy = dy;
+    this.turn = turn;
+    this.scale(from < 1 ? (1 - at) / (1 - from) : 0);
   }
 
   /** From a stop on is carried along by another body, as if it were part of that. */
   ride(carrier: Mover): void {
     const { body } = this;
     const { body: under } = carrier;
+    this.carrier = carrier;
     carrier.putAt(this.from);
     const x = under.cos * (body.x - under.x) + under.sin * (body.y - under.y);
     const y = under.cos * (body.y - under.y) - under.sin * (body.x - under.x);
@@ -300,9 +306,11 @@ export class Movers {
     if (this.count === this.all.length) {
       this.all.push(new Mover());
     }
+    const mover = this.all[this.count]!;
     body.mover = this.count;
+    mover.body = body;
     this.count += 1;
-    return this.all[body.mover]!;
+    return mover;
   }
 
   /** The mover of a body; if it has none it gets one, which does not sweep. */

@@ -2,6 +2,7 @@ import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
+import { leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -225,7 +226,7 @@ function findOpenFace(shape: Shape, ground: Polygon, other: Polygon): boolean {
 /** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */
 function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygon, other: Polygon): boolean {
   const isSecond = bodyA.kind === DYNAMIC;
-  const least = count === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!;
+  const least = leastSeparation(n, o);
   for (let at = o; at < o + count * g.POINT; at += g.POINT) {
     const separation = n[g.S0 + at]!;
     if (separation < 0 || separation === least) {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
-import { add, box, disc, near, plainBody, speed, steps, tie, weightless } from '../conformance/setting.js';
+import { add, box, disc, heavy, near, plainBody, speed, steps, tie, weightless } from '../conformance/setting.js';
+import { generator } from '../scenes/mixed.js';
 
 // Kinematic bodies that are fast or turn fast, and bodies that change their type in flight.
 
@@ -109,6 +110,54 @@ describe('kinematic bodies at speed', () => {
       expect(shot.getPosition()[0] + 0.25).toBeLessThan(wall.getPosition()[0]);
     }
     near([shot.getPosition()[0], shot.getVelocity()[0]], [wall.getPosition()[0] - 0.26, -60], 0.01);
+  });
+});
+
+describe('a thin box that moves and turns', () => {
+  const HALF = 4;
+  const THICK = 0.02;
+
+  function outside(drum: RigidBody, bodies: readonly RigidBody[]): boolean {
+    return bodies.some((body) => {
+      const [x, y] = drum.transformWorldPointToLocal(body.getPosition());
+      return !(Math.max(Math.abs(x), Math.abs(y)) < HALF + THICK);
+    });
+  }
+
+  it.each([
+    [60, 500],
+    [30, 0],
+    [10, 0],
+    [10, 5000],
+  ])('1/%d s, turns of up to %d rad/s: keeps what whirls and is shot about in it', (rate, spin) => {
+    const end = HALF + THICK;
+    for (let seed = 1; seed <= 12; seed += 1) {
+      const random = generator(seed);
+      const world = heavy();
+      const shapes = [
+        phys2D.createRectangleVertices(-end, -end, end, -HALF),
+        phys2D.createRectangleVertices(-end, HALF, end, end),
+        phys2D.createRectangleVertices(-end, -HALF, -HALF, HALF),
+        phys2D.createRectangleVertices(HALF, -HALF, end, HALF),
+      ].map((vertices) => phys2D.createPolygonShape({ vertices }));
+      const drum = phys2D.createRigidBody({ type: 'kinematic', angularVelocity: 1, velocity: [3, 0], shapes });
+      const bodies = [0, 1, 2].map((i) => {
+        const angle = 2 * Math.PI * random();
+        const v = 400 * random();
+        return phys2D.createRigidBody({
+          bullet: i === 0,
+          position: [(random() - 0.5) * HALF, (random() - 0.5) * HALF],
+          velocity: [v * Math.cos(angle), v * Math.sin(angle)],
+          angularVelocity: (random() - 0.5) * spin,
+          shapes: [box(0.1 + 0.4 * random(), 0.1 + 0.2 * random())],
+        });
+      });
+      add(world, drum, ...bodies);
+      for (let i = 0; i < 60; i += 1) {
+        world.step(1 / rate);
+        expect(outside(drum, bodies), `seed ${seed}, step ${i}`).toBe(false);
+      }
+    }
   });
 });
 

@@ -194,6 +194,61 @@ describe('a tilted box', () => {
   });
 });
 
+describe('between two', () => {
+  // The solver cannot stop what is light with so much behind it, though it knows of the contact with the wall.
+  it.each([
+    [10, 0.3, 0.03, 0.02],
+    [100, 0.3, 0.1, 0.2],
+    [300, 1, 0.1, 0.2],
+    [1000, 1, 0.03, 0.02],
+  ])(
+    '%d m/s: a heavy bullet does not drive a light ball through the wall that it rests at',
+    (v, radius, small, thick) => {
+      for (const gap of [0, 0.005]) {
+        const world = weightless();
+        const wall = phys2D.createRigidBody({ type: 'static', position: [thick / 2, 0], shapes: [box(thick, 10)] });
+        const light = phys2D.createRigidBody({ position: [-small - gap, 0], shapes: [disc(small)] });
+        const bullet = phys2D.createRigidBody({
+          position: [-3 - 2 * small - gap - radius, 0.01],
+          velocity: [v, 0],
+          bullet: true,
+          shapes: [disc(radius)],
+        });
+        add(world, wall, light, bullet);
+        for (let i = 0; i < 60; i += 1) {
+          steps(world, 1);
+          expect(light.getPosition()[0]).toBeLessThan(0);
+          expect(bullet.getPosition()[0]).toBeLessThan(0);
+        }
+      }
+    },
+  );
+
+  it('a bullet meets another one where a wall has stopped that in the same step', () => {
+    for (const first of [100, 300, 1000]) {
+      for (const aside of [0.02, 0.1]) {
+        const world = weightless();
+        const material = phys2D.createMaterial({ elasticity: 0.3 });
+        const wall = wallAt(1, 0, 0, material, 2);
+        const stopped = phys2D.createRigidBody({
+          velocity: [first, 0],
+          bullet: true,
+          shapes: [disc(0.1, { material })],
+        });
+        const second = phys2D.createRigidBody({
+          position: [0.89 - aside, -0.4 - 75 / first],
+          velocity: [0, 100],
+          bullet: true,
+          shapes: [disc(0.1, { material })],
+        });
+        add(world, wall, stopped, second);
+        steps(world, 1);
+        expect(second.getPosition()[1], `${first} m/s, ${aside} m aside`).toBeLessThan(0);
+      }
+    }
+  });
+});
+
 describe('infinite mass and inertia', () => {
   it('a body that does not turn stops without turning', () => {
     const world = weightless();

@@ -45,7 +45,7 @@ it('gives the first of the meetings that are left, those of equal times with kin
     for (const meeting of [...left].filter(() => random() < 0.05)) {
       if (random() < 0.5) {
         meeting.time = Math.floor(8 * random());
-        queue.move(meeting);
+        queue.put(meeting);
       } else {
         queue.remove(meeting);
         left.delete(meeting);
