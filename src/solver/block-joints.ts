@@ -4,7 +4,7 @@ import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import type { Joint } from './joint-data.js';
+import { type Joint, scaleOf } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
 
@@ -28,7 +28,7 @@ export function packBlock(data: SolverData, joint: Joint): void {
   r[at + layout.low] = -Infinity;
   r[at + layout.high] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
-    r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
+    r[at + layout.impulse + n] = constraint.impulse[n]! * scaleOf(data);
     r[at + layout.undone + n] = constraint.undone[n]!;
   }
   for (let k = 0; k < layout.members; k += 1) {
@@ -411,20 +411,12 @@ export function isOpenBlock(r: Float64Array, joint: Joint): boolean {
   return r[at + j.PUSH] !== 0 && length[0]! > JOINT_OPEN;
 }
 
-/** A share of the error that a sub-step begins with makes no momentum. */
-export function excuseBlock(r: Float64Array, at: number, { rows, undone, error }: j.BlockLayout, share: number): void {
-  r[at + j.TOUCHED] = 1;
-  for (let n = 0; n < rows; n += 1) {
-    r[at + undone + n] = r[at + undone + n]! + share * r[at + error + n]!;
-  }
-}
-
-/** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
-export function finishBlock(data: SolverData, joint: Joint): void {
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishBlock(data: SolverData, joint: Joint, share: number): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, members, push, impulse, jacobian, total, carried, given, turned } = layout;
-  const carry = r[at + j.CARRY]!;
+  const carry = share * r[at + j.CARRY]!;
   if (carry !== 0) {
     apply(data, joint, jacobian, push, carry, false);
   }

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import {
   FEW_JOINTS,
+  JOINT_GROWTH,
   JOINT_MOMENTUM,
   JOINT_SWEEP_ERROR,
   JOINT_SWEEP_ERROR_OF_FEW,
@@ -9,7 +10,7 @@ import {
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
-import { WINDOW } from './data.js';
+import { type SolverData, WINDOW } from './data.js';
 import {
   type BlockLayout,
   BREAK,
@@ -76,6 +77,8 @@ export interface Group {
   fresh: boolean;
   /** For so many steps more large errors are corrected without momentum. */
   settling: number;
+  /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
+  span: number;
   /** How often it is in this sub-step, spread over the iterations … */
   sweeps: number;
   /** … and which of its joints, but in the last sweep. */
@@ -99,6 +102,7 @@ export function newGroup(start: number): Group {
     tolerance: 0,
     fresh: false,
     settling: 0,
+    span: 0,
     sweeps: 1,
     pushed: 0,
     contested: false,
@@ -123,6 +127,11 @@ export function impulseOf({ kernel, at, layout }: Joint): number {
 export function steady({ kernel, at }: Joint, records: Float64Array, touched: number): void {
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
   records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = touched;
+}
+
+/** What the impulses of the last step are multiplied by to start this one with. */
+export function scaleOf({ impulseScale }: SolverData): number {
+  return impulseScale > JOINT_GROWTH ? 0 : impulseScale;
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */

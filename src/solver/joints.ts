@@ -1,15 +1,17 @@
 import {
+  JOINT_CALM,
   JOINT_FAR,
+  JOINT_GROWTH,
   JOINT_PUSHES,
   JOINT_REST_ERROR,
   JOINT_SNAP,
   JOINT_SWEEP_MARGIN,
   MAX_JOINT_SWEEPS,
+  NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
 } from '../config.js';
 import type { World } from '../world.js';
 import {
-  excuseBlock,
   finishBlock,
   lineariseBlock,
   packBlock,
@@ -26,7 +28,6 @@ import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
-  excusePoint,
   finishPoints,
   packPoint,
   pushFarPoints,
@@ -36,15 +37,7 @@ import {
   warmStartPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
-import {
-  beginTurns,
-  excuseTurn,
-  finishTurns,
-  packTurn,
-  pushTurns,
-  solveVelocityTurns,
-  warmStartTurns,
-} from './turn-joints.js';
+import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
@@ -121,19 +114,20 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
   }
 }
 
-/** An error that a longer sub-step left would make more momentum in a shorter one: a share of it makes none. */
-function excuse(data: JointData, { start, end }: Group, share: number): void {
-  const { joints, records } = data;
-  data.isTouched = true;
-  for (let k = start; k < end; k += 1) {
-    const { kernel, at, layout } = joints[k]!;
-    if (kernel === POINT) {
-      excusePoint(records, at, share);
-    } else if (kernel === TURN) {
-      excuseTurn(records, at, share);
-    } else {
-      excuseBlock(records, at, layout, share);
-    }
+/**
+ * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
+ * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
+ * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
+ */
+function limitMomentum(data: SolverData, group: Group, isFirst: boolean, isKnown: boolean): void {
+  const { impulseScale, joints } = data;
+  const { h } = joints;
+  const before = isFirst && impulseScale > 0 ? h / impulseScale : 0;
+  const span = Math.max(h, before, group.span - h / 4);
+  const calm = JOINT_CALM * h * (h / span);
+  group.span = isKnown && group.error <= calm * calm ? h : span;
+  if (isFirst && impulseScale > JOINT_GROWTH) {
+    group.sweeps = NEW_JOINT_SWEEPS;
   }
 }
 
@@ -146,6 +140,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     worst[1] = group.tolerance * group.tolerance;
     strained[0] = group.end;
     strained[1] = group.start;
+    let isKnown = true;
     for (let n = 0; n < group.runs.length; n += 1) {
       const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
@@ -156,15 +151,14 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
         for (let k = start; k < end; k += 1) {
           warmStartBlock(data, k, isFirst);
         }
+        isKnown &&= kernel !== CUSTOM || !isFirst;
       }
     }
     if (isFirst) {
       settle(data.joints, group, worst[0]);
     }
-    if (data.impulseScale > 0 && data.impulseScale < 1) {
-      excuse(data.joints, group, 1 - data.impulseScale);
-    }
     group.error = worst[0];
+    limitMomentum(data, group, isFirst, isKnown);
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
   }
 }
@@ -340,23 +334,29 @@ function pushCustoms(data: SolverData): boolean {
   return found;
 }
 
-/** Ends a sub-step. */
-function finishJoints(data: SolverData): void {
-  const { groups, runs, joints } = data.joints;
-  for (let k = 0; k < groups.length; k += 1) {
-    dropMomentum(data, groups[k]!);
-  }
+function finishGroup(data: SolverData, { runs, span }: Group): void {
+  const { h, joints } = data.joints;
+  const share = (h / span) * (h / span);
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
-      finishPoints(data, start, end);
+      finishPoints(data, start, end, share);
     } else if (kernel === TURN) {
-      finishTurns(data, start, end);
+      finishTurns(data, start, end, share);
     } else {
       for (let k = start; k < end; k += 1) {
-        finishBlock(data, joints[k]!);
+        finishBlock(data, joints[k]!, share);
       }
     }
+  }
+}
+
+/** Ends a sub-step. */
+function finishJoints(data: SolverData): void {
+  const { groups, runs } = data.joints;
+  for (let k = 0; k < groups.length; k += 1) {
+    dropMomentum(data, groups[k]!);
+    finishGroup(data, groups[k]!);
   }
   for (let k = 0; k < groups.length; k += 1) {
     closeOpen(data, groups[k]!);

@@ -11,7 +11,7 @@ import type { PointConstraint } from '../constraint/point.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import type { Joint } from './joint-data.js';
+import { type Joint, scaleOf } from './joint-data.js';
 import * as j from './joint-layout.js';
 
 /**
@@ -61,7 +61,7 @@ function packAnchor(data: SolverData, joint: Joint, k: number): void {
 export function beginPoints(data: SolverData, start: number, end: number): void {
   const { records: r, joints, bodies, h } = data.joints;
   const { drive } = data;
-  const scale = data.impulseScale;
+  const scale = scaleOf(data);
   const carry = JOINT_MOMENTUM / h;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -145,13 +145,6 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
     v[b + d.VY] = v[b + d.VY]! + mB * py;
     v[b + d.W] = v[b + d.W]! + iB * (bx * py - by * px);
   }
-}
-
-/** A share of the error that a sub-step begins with makes no momentum. */
-export function excusePoint(r: Float64Array, at: number, share: number): void {
-  r[at + j.POINT_TOUCHED] = 1;
-  r[at + j.UNDONE_X] = r[at + j.UNDONE_X]! + share * r[at + j.ERROR_X]!;
-  r[at + j.UNDONE_Y] = r[at + j.UNDONE_Y]! + share * r[at + j.ERROR_Y]!;
 }
 
 /** K⁻¹ in place of K; of a K of rank 1 the larger diagonal element alone, of none nothing. Handed over in the record, as doubles would be boxed. */
@@ -434,8 +427,8 @@ export function isOpenPoint(r: Float64Array, at: number): boolean {
   return x * x + y * y > JOINT_OPEN * JOINT_OPEN;
 }
 
-/** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
-export function finishPoints(data: SolverData, start: number, end: number): void {
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishPoints(data: SolverData, start: number, end: number, share: number): void {
   const { records: r, bodies, joints } = data.joints;
   const v = data.velocity;
   let i = joints[start]!.at;
@@ -443,7 +436,7 @@ export function finishPoints(data: SolverData, start: number, end: number): void
   for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const carry = r[i + j.POINT_CARRY]!;
+    const carry = share * r[i + j.POINT_CARRY]!;
     const x = carry * r[i + j.PUSH_X]!;
     const y = carry * r[i + j.PUSH_Y]!;
     const ax = r[i + j.ARM_AX]!;
