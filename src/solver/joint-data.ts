@@ -16,8 +16,6 @@ import {
   BREAK,
   CARRY,
   CHECKED,
-  FEEDBACK,
-  HEAD,
   IMPULSE_X,
   IMPULSE_Y,
   LIMIT,
@@ -28,9 +26,7 @@ import {
   POINT_STRIDE,
   POINT_TOUCHED,
   PUSH,
-  RATE,
   SNAPPED,
-  SOFTNESS,
   SUM_WA,
   SUM_WB,
   SUM_X,
@@ -271,13 +267,8 @@ export class JointData implements Keeper {
   silence(joint: Joint): void {
     const { records: r } = this;
     const { at, layout } = joint;
-    r[at + SOFTNESS] = 0;
-    r[at + FEEDBACK] = 0;
-    r[at + RATE] = 0;
+    r.fill(0, at, at + layout.size);
     r[at + MAX_ERROR] = Infinity;
-    r[at + PUSH] = 0;
-    r[at + CHECKED] = 0;
-    r.fill(0, at + HEAD, at + layout.size);
   }
 }
 

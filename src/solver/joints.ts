@@ -119,12 +119,13 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
  * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
  * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
  */
-function limitMomentum(data: SolverData, group: Group, isFirst: boolean, isKnown: boolean): void {
+function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
   const { impulseScale, joints } = data;
   const { h } = joints;
-  const before = isFirst && impulseScale > 0 ? h / impulseScale : 0;
+  const before = isFirst ? h / (impulseScale || 1) : h;
   const span = Math.max(h, before, group.span - h / 4);
   const calm = JOINT_CALM * h * (h / span);
+  const isKnown = !isFirst || !group.runs.some(isCustom);
   group.span = isKnown && group.error <= calm * calm ? h : span;
   if (isFirst && impulseScale > JOINT_GROWTH) {
     group.sweeps = NEW_JOINT_SWEEPS;
@@ -140,7 +141,6 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     worst[1] = group.tolerance * group.tolerance;
     strained[0] = group.end;
     strained[1] = group.start;
-    let isKnown = true;
     for (let n = 0; n < group.runs.length; n += 1) {
       const { kernel, start, end } = group.runs[n]!;
       if (kernel === POINT) {
@@ -151,14 +151,13 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
         for (let k = start; k < end; k += 1) {
           warmStartBlock(data, k, isFirst);
         }
-        isKnown &&= kernel !== CUSTOM || !isFirst;
       }
     }
     if (isFirst) {
       settle(data.joints, group, worst[0]);
     }
     group.error = worst[0];
-    limitMomentum(data, group, isFirst, isKnown);
+    limitMomentum(data, group, isFirst);
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
   }
 }
@@ -265,7 +264,8 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   linearise(data, group);
   for (let sweep = before; sweep < after; sweep += 1) {
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
-    const pushFurther = isFar(group) ? pushFarRun : pushRunFurther;
+    // More than small motion was left when all exact errors were found the last time.
+    const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
     worst[0] = 0;
     const isOff = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun);
     if (!isLinear) {
@@ -276,11 +276,6 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     }
   }
   return true;
-}
-
-/** More than small motion was left when all exact errors were found the last time. */
-function isFar({ pushed }: Group): boolean {
-  return pushed > JOINT_FAR * JOINT_FAR;
 }
 
 /** What is left of the errors of rows and blocks is not known. */
@@ -357,8 +352,6 @@ function finishJoints(data: SolverData): void {
   for (let k = 0; k < groups.length; k += 1) {
     dropMomentum(data, groups[k]!);
     finishGroup(data, groups[k]!);
-  }
-  for (let k = 0; k < groups.length; k += 1) {
     closeOpen(data, groups[k]!);
   }
   if (runs.length > 0) {
@@ -378,15 +371,15 @@ function storeJoints(world: World): void {
       storeBlock(data, joints.joints[k]!);
     }
   }
-  breakJoints(world, joints);
-}
-
-function breakJoints(world: World, joints: JointData): void {
-  const { broken } = joints;
-  for (let i = 0; i < broken.length; i += 1) {
-    world.breakConstraint(broken[i]!.constraint);
+  for (let k = 0; k < joints.joints.length && world.jointsStale; k += 1) {
+    // A callback may have switched it off, which forgot its impulses then.
+    const { constraint } = joints.joints[k]!;
+    if (!constraint.enabled) constraint.forget();
   }
-  broken.length = 0;
+  for (const { constraint } of joints.broken) {
+    world.breakConstraint(constraint);
+  }
+  joints.broken.length = 0;
 }
 
 /** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */
