@@ -4,7 +4,7 @@ import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import { type Joint, scaleOf } from './joint-data.js';
+import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
 
@@ -28,7 +28,7 @@ export function packBlock(data: SolverData, joint: Joint): void {
   r[at + layout.low] = -Infinity;
   r[at + layout.high] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
-    r[at + layout.impulse + n] = constraint.impulse[n]! * scaleOf(data);
+    r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
     r[at + layout.undone + n] = constraint.undone[n]!;
   }
   for (let k = 0; k < layout.members; k += 1) {

@@ -1,7 +1,6 @@
 import type { RigidBody } from '../body.js';
 import {
   FEW_JOINTS,
-  JOINT_GROWTH,
   JOINT_MOMENTUM,
   JOINT_SWEEP_ERROR,
   JOINT_SWEEP_ERROR_OF_FEW,
@@ -10,7 +9,7 @@ import {
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
-import { type SolverData, WINDOW } from './data.js';
+import { WINDOW } from './data.js';
 import {
   type BlockLayout,
   BREAK,
@@ -123,11 +122,6 @@ export function impulseOf({ kernel, at, layout }: Joint): number {
 export function steady({ kernel, at }: Joint, records: Float64Array, touched: number): void {
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
   records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = touched;
-}
-
-/** What the impulses of the last step are multiplied by to start this one with. */
-export function scaleOf({ impulseScale }: SolverData): number {
-  return impulseScale > JOINT_GROWTH ? 0 : impulseScale;
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */

@@ -1,7 +1,6 @@
 import {
   JOINT_CALM,
   JOINT_FAR,
-  JOINT_GROWTH,
   JOINT_PUSHES,
   JOINT_REST_ERROR,
   JOINT_SNAP,
@@ -120,14 +119,13 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
  * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
  */
 function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
-  const { impulseScale, joints } = data;
-  const { h } = joints;
+  const { impulseScale } = data;
+  const { h } = data.joints;
   const before = isFirst ? h / (impulseScale || 1) : h;
   const span = Math.max(h, before, group.span - h / 4);
   const calm = JOINT_CALM * h * (h / span);
-  const isKnown = !isFirst || !group.runs.some(isCustom);
-  group.span = isKnown && group.error <= calm * calm ? h : span;
-  if (isFirst && impulseScale > JOINT_GROWTH) {
+  group.span = group.error > calm * calm || (isFirst && group.runs.some(isCustom)) ? span : h;
+  if (isFirst && impulseScale === 0) {
     group.sweeps = NEW_JOINT_SWEEPS;
   }
 }

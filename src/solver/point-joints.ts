@@ -11,7 +11,7 @@ import type { PointConstraint } from '../constraint/point.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import { type Joint, scaleOf } from './joint-data.js';
+import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 
 /**
@@ -61,7 +61,7 @@ function packAnchor(data: SolverData, joint: Joint, k: number): void {
 export function beginPoints(data: SolverData, start: number, end: number): void {
   const { records: r, joints, bodies, h } = data.joints;
   const { drive } = data;
-  const scale = scaleOf(data);
+  const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
   let i = joints[start]!.at;
   let n = joints[start]!.first;

@@ -4,7 +4,7 @@ import { ANGLE } from '../constraint/layout.js';
 import type { MotorConstraint } from '../constraint/motor.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
-import { type Joint, packHead, scaleOf } from './joint-data.js';
+import { type Joint, packHead } from './joint-data.js';
 import * as j from './joint-layout.js';
 
 /**
@@ -43,7 +43,7 @@ export function packTurn(data: SolverData, joint: Joint): void {
 export function beginTurns(data: SolverData, start: number, end: number): void {
   const { records: r, joints, bodies, h } = data.joints;
   const { drive, velocity: v } = data;
-  const scale = scaleOf(data);
+  const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
   let i = joints[start]!.at;
   let n = joints[start]!.first;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type NumberSink, phys2D, type World } from '../../src/index.js';
+import { type NumberSink, phys2D, type RigidBody, type World } from '../../src/index.js';
 import { addFloor, boxBody, speed } from '../conformance/setting.js';
 
 describe('what sleeps through a change of the step', () => {
@@ -166,4 +166,42 @@ describe('joints in steps of other lengths', () => {
     world.step(1e-3);
     expect(world.hash()).toBe(hash);
   });
+});
+
+describe('contacts in steps of other lengths', () => {
+  /** Boxes that lie on each other, or fall from 3 m. */
+  function boxesOn(height: number): { world: World; boxes: RigidBody[] } {
+    const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+    addFloor(world);
+    const boxes = Array.from({ length: 10 }, (_, i) => {
+      const x = height > 0 ? 0.9 * (i % 3) : 0;
+      const body = boxBody(1, 1, { position: [x, -height - 0.5 - i * (1 + height / 6)], rotation: height > 0 ? i : 0 });
+      world.addRigidBody(body);
+      return body;
+    });
+    return { world, boxes };
+  }
+
+  for (const short of [[1 / 600], [1e-4], [1e-6], [1e-9], [1e-17], [1e-300], [1e-9, 1e-6, 1e-3]]) {
+    const name = short.join(', then ');
+    for (const [what, height, steps, most] of [
+      ['a tower', 0, 120, 0.3],
+      ['what falls', 3, 20, 20],
+    ] as const) {
+      it(`${what} is not thrown about by one of ${name} s now and then`, () => {
+        const { world, boxes } = boxesOn(height);
+        for (let i = 0; i < steps; i += 1) {
+          world.step(1 / 60);
+        }
+        let fastest = 0;
+        for (let i = 0; i < 30; i += 1) {
+          for (const deltaTime of [...short, 1 / 60, 1 / 60, 1 / 60, 1 / 60]) {
+            world.step(deltaTime);
+            fastest = Math.max(fastest, ...boxes.map(speed));
+          }
+        }
+        expect(fastest).toBeLessThan(most);
+      });
+    }
+  }
 });
