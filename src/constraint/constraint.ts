@@ -285,11 +285,12 @@ export abstract class BaseConstraint {
     let x = 0;
     let y = 0;
     let w = 0;
-    this.members.forEach((member, k) => {
+    const { given, members } = this;
+    members.forEach((member, k) => {
       if (member === body) {
-        x += this.given[3 * k]!;
-        y += this.given[3 * k + 1]!;
-        w += this.given[3 * k + 2]!;
+        x += given[3 * k]!;
+        y += given[3 * k + 1]!;
+        w += given[3 * k + 2]!;
       }
     });
     return vec3(x, y, w, dst);
@@ -333,9 +334,9 @@ export abstract class BaseConstraint {
 
   /** @internal nothing is kept of earlier impulses */
   forget(): void {
-    this.impulse.fill(0);
-    this.undone.fill(0);
-    this.given.fill(0);
+    for (const numbers of Object.values(this.fetch())) {
+      numbers.fill(0);
+    }
     this.strainedSteps = 0;
     this.fresh = true;
   }

@@ -411,20 +411,12 @@ export function isOpenBlock(r: Float64Array, joint: Joint): boolean {
   return r[at + j.PUSH] !== 0 && length[0]! > JOINT_OPEN;
 }
 
-/** A share of the error that a sub-step begins with makes no momentum. */
-export function excuseBlock(r: Float64Array, at: number, { rows, undone, error }: j.BlockLayout, share: number): void {
-  r[at + j.TOUCHED] = 1;
-  for (let n = 0; n < rows; n += 1) {
-    r[at + undone + n] = r[at + undone + n]! + share * r[at + error + n]!;
-  }
-}
-
-/** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
-export function finishBlock(data: SolverData, joint: Joint): void {
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishBlock(data: SolverData, joint: Joint, share: number): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, members, push, impulse, jacobian, total, carried, given, turned } = layout;
-  const carry = r[at + j.CARRY]!;
+  const carry = share * r[at + j.CARRY]!;
   if (carry !== 0) {
     apply(data, joint, jacobian, push, carry, false);
   }

@@ -4,13 +4,16 @@ import { NEW_SHARE, NEW_SPEED, NEW_STEPS, STRAIN_SHARE, STRAIN_STEPS } from '../
 import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD, type SolverData } from './data.js';
 
 /**
- * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, or if the load of
- * one was just taken away; else those that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
+ * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, if the load of
+ * one was just taken away, or if none has the impulses of the last step to start with; else those that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
  *
  * @returns from which mark of either body on a contact is hard.
  */
 export function markHard(data: SolverData, count: number, stamp: number): number {
   const { window } = data;
+  if (data.impulseScale === 0) {
+    return ALL_HARD;
+  }
   let fresh = 0;
   let strained = 0;
   // Above the marks of the windows before.

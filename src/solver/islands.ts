@@ -80,7 +80,7 @@ export function sleepIslands(world: World, dt: number): void {
   }
   const { liveConstraints } = world;
   for (let i = 0; i < liveConstraints.length; i += 1) {
-    if (isDriven(world, liveConstraints[i]!) && acts(world, liveConstraints[i]!)) {
+    if (isDriven(liveConstraints[i]!) && acts(world, liveConstraints[i]!)) {
       keepAwake(liveConstraints[i]!, stamp);
     }
   }
@@ -111,10 +111,10 @@ export function sleepIslands(world: World, dt: number): void {
   sleepIdle(world);
 }
 
-/** Tied to a kinematic body that moves: no rest, even while the constraint is slack. */
-function isDriven(world: World, { members }: Constraint): boolean {
+/** Tied to a kinematic body that moves, in whatever world: no rest, even while the constraint is slack. */
+function isDriven({ members }: Constraint): boolean {
   return members.some(
-    ({ kind, owner, vx, vy, w }) => kind === KINEMATIC && owner === world && (vx !== 0 || vy !== 0 || w !== 0),
+    ({ kind, owner, vx, vy, w }) => kind === KINEMATIC && owner !== null && (vx !== 0 || vy !== 0 || w !== 0),
   );
 }
 

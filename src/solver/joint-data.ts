@@ -15,8 +15,6 @@ import {
   BREAK,
   CARRY,
   CHECKED,
-  FEEDBACK,
-  HEAD,
   IMPULSE_X,
   IMPULSE_Y,
   LIMIT,
@@ -27,9 +25,7 @@ import {
   POINT_STRIDE,
   POINT_TOUCHED,
   PUSH,
-  RATE,
   SNAPPED,
-  SOFTNESS,
   SUM_WA,
   SUM_WB,
   SUM_X,
@@ -76,6 +72,8 @@ export interface Group {
   fresh: boolean;
   /** For so many steps more large errors are corrected without momentum. */
   settling: number;
+  /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
+  span: number;
   /** How often it is in this sub-step, spread over the iterations … */
   sweeps: number;
   /** … and which of its joints, but in the last sweep. */
@@ -99,6 +97,7 @@ export function newGroup(start: number): Group {
     tolerance: 0,
     fresh: false,
     settling: 0,
+    span: 0,
     sweeps: 1,
     pushed: 0,
     contested: false,
@@ -262,13 +261,8 @@ export class JointData implements Keeper {
   silence(joint: Joint): void {
     const { records: r } = this;
     const { at, layout } = joint;
-    r[at + SOFTNESS] = 0;
-    r[at + FEEDBACK] = 0;
-    r[at + RATE] = 0;
+    r.fill(0, at, at + layout.size);
     r[at + MAX_ERROR] = Infinity;
-    r[at + PUSH] = 0;
-    r[at + CHECKED] = 0;
-    r.fill(0, at + HEAD, at + layout.size);
   }
 }
 

@@ -1,4 +1,4 @@
-import { DYNAMIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
 import { newGroup } from './joint-data.js';
@@ -37,12 +37,14 @@ export function orderJoints(world: World): void {
   joints.allot();
 }
 
-function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError }: Constraint): number {
-  const canBreak = breakUnderForce || breakUnderError;
-  if (type === 'POINT' && stiff && !canBreak) {
+/** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */
+function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError, owner }: Constraint): number {
+  const isWatched =
+    breakUnderForce || breakUnderError || members.some((body) => body.kind === KINEMATIC && body.owner !== owner);
+  if (type === 'POINT' && stiff && !isWatched) {
     return POINT;
   }
-  if ((type === 'ANGLE' || type === 'MOTOR') && !canBreak) {
+  if ((type === 'ANGLE' || type === 'MOTOR') && !isWatched) {
     return TURN;
   }
   if (type === 'CUSTOM') {

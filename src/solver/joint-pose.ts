@@ -38,7 +38,7 @@ function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
     const { first, layout } = joint;
     for (let k = 0; k < layout.members; k += 1) {
       const b = data.bodies[first + k]!;
-      if (Math.max(Math.abs(v[b + d.VX]!), Math.abs(v[b + d.VY]!), Math.abs(v[b + d.W]!)) >= MAX_SPEED) {
+      if (!isBelow(v, b, MAX_SPEED)) {
         const from = impulseOf(joint);
         data.records.fill(0, from, from + layout.rows);
       }

@@ -1,15 +1,16 @@
 import {
+  JOINT_CALM,
   JOINT_FAR,
   JOINT_PUSHES,
   JOINT_REST_ERROR,
   JOINT_SNAP,
   JOINT_SWEEP_MARGIN,
   MAX_JOINT_SWEEPS,
+  NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
 } from '../config.js';
 import type { World } from '../world.js';
 import {
-  excuseBlock,
   finishBlock,
   lineariseBlock,
   packBlock,
@@ -26,7 +27,6 @@ import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
-  excusePoint,
   finishPoints,
   packPoint,
   pushFarPoints,
@@ -36,15 +36,7 @@ import {
   warmStartPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
-import {
-  beginTurns,
-  excuseTurn,
-  finishTurns,
-  packTurn,
-  pushTurns,
-  solveVelocityTurns,
-  warmStartTurns,
-} from './turn-joints.js';
+import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
@@ -121,19 +113,20 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
   }
 }
 
-/** An error that a longer sub-step left would make more momentum in a shorter one: a share of it makes none. */
-function excuse(data: JointData, { start, end }: Group, share: number): void {
-  const { joints, records } = data;
-  data.isTouched = true;
-  for (let k = start; k < end; k += 1) {
-    const { kernel, at, layout } = joints[k]!;
-    if (kernel === POINT) {
-      excusePoint(records, at, share);
-    } else if (kernel === TURN) {
-      excuseTurn(records, at, share);
-    } else {
-      excuseBlock(records, at, layout, share);
-    }
+/**
+ * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
+ * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
+ * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
+ */
+function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
+  const { impulseScale } = data;
+  const { h } = data.joints;
+  const before = isFirst ? h / (impulseScale || 1) : h;
+  const span = Math.max(h, before, group.span - h / 4);
+  const calm = JOINT_CALM * h * (h / span);
+  group.span = group.error > calm * calm || (isFirst && group.runs.some(isCustom)) ? span : h;
+  if (isFirst && impulseScale === 0) {
+    group.sweeps = NEW_JOINT_SWEEPS;
   }
 }
 
@@ -161,10 +154,8 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     if (isFirst) {
       settle(data.joints, group, worst[0]);
     }
-    if (data.impulseScale > 0 && data.impulseScale < 1) {
-      excuse(data.joints, group, 1 - data.impulseScale);
-    }
     group.error = worst[0];
+    limitMomentum(data, group, isFirst);
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
   }
 }
@@ -271,7 +262,8 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   linearise(data, group);
   for (let sweep = before; sweep < after; sweep += 1) {
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
-    const pushFurther = isFar(group) ? pushFarRun : pushRunFurther;
+    // More than small motion was left when all exact errors were found the last time.
+    const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
     worst[0] = 0;
     const isOff = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun);
     if (!isLinear) {
@@ -282,11 +274,6 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     }
   }
   return true;
-}
-
-/** More than small motion was left when all exact errors were found the last time. */
-function isFar({ pushed }: Group): boolean {
-  return pushed > JOINT_FAR * JOINT_FAR;
 }
 
 /** What is left of the errors of rows and blocks is not known. */
@@ -340,25 +327,29 @@ function pushCustoms(data: SolverData): boolean {
   return found;
 }
 
-/** Ends a sub-step. */
-function finishJoints(data: SolverData): void {
-  const { groups, runs, joints } = data.joints;
-  for (let k = 0; k < groups.length; k += 1) {
-    dropMomentum(data, groups[k]!);
-  }
+function finishGroup(data: SolverData, { runs, span }: Group): void {
+  const { h, joints } = data.joints;
+  const share = (h / span) * (h / span);
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
-      finishPoints(data, start, end);
+      finishPoints(data, start, end, share);
     } else if (kernel === TURN) {
-      finishTurns(data, start, end);
+      finishTurns(data, start, end, share);
     } else {
       for (let k = start; k < end; k += 1) {
-        finishBlock(data, joints[k]!);
+        finishBlock(data, joints[k]!, share);
       }
     }
   }
+}
+
+/** Ends a sub-step. */
+function finishJoints(data: SolverData): void {
+  const { groups, runs } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
+    dropMomentum(data, groups[k]!);
+    finishGroup(data, groups[k]!);
     closeOpen(data, groups[k]!);
   }
   if (runs.length > 0) {
@@ -378,15 +369,15 @@ function storeJoints(world: World): void {
       storeBlock(data, joints.joints[k]!);
     }
   }
-  breakJoints(world, joints);
-}
-
-function breakJoints(world: World, joints: JointData): void {
-  const { broken } = joints;
-  for (let i = 0; i < broken.length; i += 1) {
-    world.breakConstraint(broken[i]!.constraint);
+  for (let k = 0; k < joints.joints.length && world.jointsStale; k += 1) {
+    // A callback may have switched it off, which forgot its impulses then.
+    const { constraint } = joints.joints[k]!;
+    if (!constraint.enabled) constraint.forget();
   }
-  broken.length = 0;
+  for (const { constraint } of joints.broken) {
+    world.breakConstraint(constraint);
+  }
+  joints.broken.length = 0;
 }
 
 /** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */

@@ -147,13 +147,6 @@ export function warmStartPoints(data: SolverData, start: number, end: number): v
   }
 }
 
-/** A share of the error that a sub-step begins with makes no momentum. */
-export function excusePoint(r: Float64Array, at: number, share: number): void {
-  r[at + j.POINT_TOUCHED] = 1;
-  r[at + j.UNDONE_X] = r[at + j.UNDONE_X]! + share * r[at + j.ERROR_X]!;
-  r[at + j.UNDONE_Y] = r[at + j.UNDONE_Y]! + share * r[at + j.ERROR_Y]!;
-}
-
 /** K⁻¹ in place of K; of a K of rank 1 the larger diagonal element alone, of none nothing. Handed over in the record, as doubles would be boxed. */
 function invert(r: Float64Array, i: number): void {
   const k11 = r[i + j.I11]!;
@@ -434,8 +427,8 @@ export function isOpenPoint(r: Float64Array, at: number): boolean {
   return x * x + y * y > JOINT_OPEN * JOINT_OPEN;
 }
 
-/** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
-export function finishPoints(data: SolverData, start: number, end: number): void {
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishPoints(data: SolverData, start: number, end: number, share: number): void {
   const { records: r, bodies, joints } = data.joints;
   const v = data.velocity;
   let i = joints[start]!.at;
@@ -443,7 +436,7 @@ export function finishPoints(data: SolverData, start: number, end: number): void
   for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const carry = r[i + j.POINT_CARRY]!;
+    const carry = share * r[i + j.POINT_CARRY]!;
     const x = carry * r[i + j.PUSH_X]!;
     const y = carry * r[i + j.PUSH_Y]!;
     const ax = r[i + j.ARM_AX]!;

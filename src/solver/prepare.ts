@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { REST_SPIN_WEIGHT } from '../config.js';
+import { MAX_GROWTH, REST_SPIN_WEIGHT } from '../config.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
@@ -31,7 +31,8 @@ export function prepare(world: World, h: number): void {
   const data = world.solver;
   if (world.liveDynamics.length + world.liveKinematics.length + world.liveConstraints.length > 0) {
     packBodies(world, h);
-    data.impulseScale = data.previousH > 0 ? h / data.previousH : 0;
+    const growth = h / (data.previousH || h);
+    data.impulseScale = growth > MAX_GROWTH ? 0 : growth;
     data.previousH = h;
   } else {
     // Where nothing is awake nothing is packed, and what sleeps is to start from the step that it fell asleep in.

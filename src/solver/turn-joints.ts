@@ -218,19 +218,13 @@ export function noteTurns(data: SolverData, start: number, end: number, isAfterC
   }
 }
 
-/** A share of the error that a sub-step begins with makes no momentum. */
-export function excuseTurn(r: Float64Array, at: number, share: number): void {
-  r[at + j.TOUCHED] = 1;
-  r[at + j.TURN_UNDONE] = r[at + j.TURN_UNDONE]! + share * r[at + j.TURN_ERROR]!;
-}
-
 /** The error noted last is above JOINT_OPEN. */
 export function isOpenTurn(r: Float64Array, at: number): boolean {
   return Math.abs(r[at + j.TURN_LEFT]!) > JOINT_OPEN && r[at + j.PUSH] !== 0;
 }
 
-/** Ends a sub-step: corrections become momentum, and what the joint gave is added up. */
-export function finishTurns(data: SolverData, start: number, end: number): void {
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishTurns(data: SolverData, start: number, end: number, share: number): void {
   const { records: r, bodies, joints } = data.joints;
   const { velocity: v } = data;
   let i = joints[start]!.at;
@@ -239,7 +233,7 @@ export function finishTurns(data: SolverData, start: number, end: number): void 
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     const ratio = r[i + j.TURN_RATIO]!;
-    const pushed = r[i + j.CARRY]! * r[i + j.TURN_PUSH]!;
+    const pushed = share * r[i + j.CARRY]! * r[i + j.TURN_PUSH]!;
     const lambda = r[i + j.TURN_IMPULSE]! + pushed;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * pushed;
     v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * pushed * ratio;

@@ -365,6 +365,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.fresh = tape.flag(group.fresh);
   group.contested = tape.flag(group.contested);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
+  group.span = tape.number(group.span);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);
   group.to = tape.integer(group.to, -MOST, MOST);

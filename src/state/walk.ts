@@ -1,5 +1,5 @@
 import type { RigidBody } from '../body.js';
-
+import { MOTION } from '../body-numbers.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { Material } from '../material.js';
 import type { Shape } from '../shape/shape.js';
@@ -31,6 +31,9 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
   for (const constraint of constraints) {
     tape.begins();
     constraint.keep(tape);
+    if (tape.hashes) {
+      walkStrangers(tape, world, constraint);
+    }
   }
   for (let i = 0; i < bodies.length && constraints.length > 0; i += 1) {
     walkTies(tape, world, bodies[i]!, constraints);
@@ -41,6 +44,16 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
   walkIslands(tape, scene);
   walkPairs(tape, world, scene);
   walkWoken(tape, world, scene);
+}
+
+/** Bodies of other worlds are no part of this one, but where they are and how they move has an influence. */
+function walkStrangers(tape: Tape, world: World, { members }: Constraint): void {
+  for (const { owner, kind, numbers, at } of members) {
+    if (owner !== null && owner !== world) {
+      tape.word(kind);
+      tape.block(numbers, at, at + MOTION);
+    }
+  }
 }
 
 function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
@@ -81,6 +94,8 @@ function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount
   body.massStale ||= isOther;
   if (isMoved) {
     body.moved();
+    // Those of other worlds, where it is an anchor.
+    body.touchConstraints();
   }
 }
 

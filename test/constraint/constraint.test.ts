@@ -298,6 +298,34 @@ describe('switching', () => {
     near(b.getPosition()[0] - a.getPosition()[0], 2, 0.01);
   });
 
+  it('one that a callback of another disables forgets what it gave', () => {
+    for (const stiff of [true, false]) {
+      const world = phys2D.createWorld({ gravity: [0, 10] });
+      const anchor = phys2D.createRigidBody({ type: 'static' });
+      const body = phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 1 })] });
+      const other = phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 1 })], position: [5, 0] });
+      const hinge = phys2D.createPointConstraint({ bodyA: anchor, bodyB: body, stiff });
+      let isTime = false;
+      const custom = phys2D.createCustomConstraint({
+        bodies: [other],
+        dimension: 1,
+        jacobian(data, index) {
+          data[index] = 1;
+          if (isTime) hinge.disable();
+        },
+      });
+      for (const object of [body, other]) world.addRigidBody(object);
+      for (const object of [hinge, custom]) world.addConstraint(object);
+      for (let i = 0; i < 10; i += 1) world.step(1 / 60);
+      expect(hinge.getImpulseForBody(body)[1]).toBeLessThan(-0.1);
+      isTime = true;
+      world.step(1 / 60);
+      expect(hinge.isDisabled()).toBe(true);
+      expect(hinge.getImpulseForBody(body)).toEqual([0, 0, 0]);
+      expect([...hinge.impulse]).toEqual([0, 0]);
+    }
+  });
+
   it('outside a world both only set the flag', () => {
     const { world, rope } = roped({ upperBound: 1 });
     rope.disable();

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D } from '../../src/index.js';
+import { type NumberSink, phys2D, type RigidBody, type World } from '../../src/index.js';
 import { addFloor, boxBody, speed } from '../conformance/setting.js';
 
 describe('what sleeps through a change of the step', () => {
@@ -66,4 +66,142 @@ describe('a joint of a chain that is pulled against a wall', () => {
     }
     expect(contested).toBeGreaterThan(50);
   });
+});
+
+describe('joints in steps of other lengths', () => {
+  /** A chain that falls from where it lies level, and its energy as a share of what it has in falling 1 m. */
+  function fallingChain(kind: string): { world: World; energy: () => number } {
+    const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+    let before = phys2D.createRigidBody({ type: 'static' });
+    for (let i = 0; i < 10; i += 1) {
+      const body = boxBody(1, 0.2, { position: [i + 0.5, 0], linearDrag: 0, angularDrag: 0 });
+      for (const shape of body.shapes) shape.setMask(0);
+      world.addRigidBody(body);
+      const params = {
+        bodyA: before,
+        bodyB: body,
+        anchorA: [i === 0 ? 0 : 0.5, 0],
+        anchorB: [-0.5, 0],
+      };
+      const custom = {
+        bodies: [before, body],
+        dimension: 2,
+        position(data: NumberSink, index: number): void {
+          const a = params.bodyA.transformLocalPointToWorld(params.anchorA);
+          const b = params.bodyB.transformLocalPointToWorld(params.anchorB);
+          data[index] = b[0] - a[0];
+          data[index + 1] = b[1] - a[1];
+        },
+        jacobian(data: NumberSink, index: number): void {
+          const a = params.bodyA.transformLocalVectorToWorld(params.anchorA);
+          const b = params.bodyB.transformLocalVectorToWorld(params.anchorB);
+          [-1, 0, a[1], 1, 0, -b[1], 0, -1, -a[0], 0, 1, b[0]].forEach((value, k) => {
+            data[index + k] = value;
+          });
+        },
+      };
+      const constraint =
+        kind === 'point'
+          ? phys2D.createPointConstraint(params)
+          : kind === 'weld'
+            ? phys2D.createWeldConstraint(params)
+            : kind === 'custom'
+              ? phys2D.createCustomConstraint(custom)
+              : phys2D.createDistanceConstraint({ ...params, upperBound: 0.05 });
+      world.addConstraint(constraint);
+      if (kind === 'angle') {
+        world.addConstraint(phys2D.createPointConstraint(params));
+        world.addConstraint(
+          phys2D.createAngleConstraint({ bodyA: before, bodyB: body, lowerBound: -0.1, upperBound: 0.1 }),
+        );
+      }
+      before = body;
+    }
+    const energy = (): number => {
+      let sum = 0;
+      for (const body of world.rigidBodies) {
+        const [vx, vy] = body.getVelocity();
+        const turning = body.getInertia() * body.getAngularVelocity() ** 2;
+        sum += (body.getMass() * (vx * vx + vy * vy) + turning) / 2 - 10 * body.getMass() * body.getPosition()[1];
+      }
+      return sum / (100 * before.getMass());
+    };
+    return { world, energy };
+  }
+
+  for (const kind of ['point', 'weld', 'rope', 'angle', 'custom']) {
+    for (const short of [[1e-3], [1e-4], [1e-6], [1e-9, 1e-9], [1e-17], [1e-6, 1e-5, 1e-4, 1e-3]]) {
+      it(`${kind}: one of ${short.join(', then ')} s now and then gives a chain no energy`, () => {
+        const { world, energy } = fallingChain(kind);
+        for (let i = 0; i < 100; i += 1) {
+          world.step(1 / 60);
+        }
+        const first = energy();
+        for (let i = 0; i < 6; i += 1) {
+          for (const deltaTime of short) {
+            const before = energy();
+            world.step(deltaTime);
+            expect(energy() - before).toBeLessThan(0.05);
+          }
+          for (let k = 0; k < 5; k += 1) {
+            world.step(1 / 60);
+          }
+        }
+        expect(energy() - first).toBeLessThan(0.1);
+      });
+    }
+  }
+
+  it('a snapshot knows after what lengths', () => {
+    const { world } = fallingChain('point');
+    for (let i = 0; i < 60; i += 1) {
+      world.step(1 / 60);
+    }
+    world.step(1e-3);
+    const snapshot = world.snapshot();
+    world.step(1e-3);
+    const hash = world.hash();
+    world.step(1 / 60);
+    world.restore(snapshot);
+    world.step(1e-3);
+    expect(world.hash()).toBe(hash);
+  });
+});
+
+describe('contacts in steps of other lengths', () => {
+  /** Boxes that lie on each other, or fall from 3 m. */
+  function boxesOn(height: number): { world: World; boxes: RigidBody[] } {
+    const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+    addFloor(world);
+    const boxes = Array.from({ length: 10 }, (_, i) => {
+      const x = height > 0 ? 0.9 * (i % 3) : 0;
+      const body = boxBody(1, 1, { position: [x, -height - 0.5 - i * (1 + height / 6)], rotation: height > 0 ? i : 0 });
+      world.addRigidBody(body);
+      return body;
+    });
+    return { world, boxes };
+  }
+
+  for (const short of [[1 / 600], [1e-4], [1e-6], [1e-9], [1e-17], [1e-300], [1e-9, 1e-6, 1e-3]]) {
+    const name = short.join(', then ');
+    for (const [what, height, steps, most] of [
+      ['a tower', 0, 120, 0.3],
+      ['what falls', 3, 20, 20],
+    ] as const) {
+      it(`${what} is not thrown about by one of ${name} s now and then`, () => {
+        const { world, boxes } = boxesOn(height);
+        for (let i = 0; i < steps; i += 1) {
+          world.step(1 / 60);
+        }
+        let fastest = 0;
+        for (let i = 0; i < 30; i += 1) {
+          for (const deltaTime of [...short, 1 / 60, 1 / 60, 1 / 60, 1 / 60]) {
+            world.step(deltaTime);
+            fastest = Math.max(fastest, ...boxes.map(speed));
+          }
+        }
+        expect(fastest).toBeLessThan(most);
+      });
+    }
+  }
 });
