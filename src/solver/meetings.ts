@@ -221,10 +221,16 @@ export function findTime(world: World, meeting: Meeting): void {
   const one = movers.of(a.owner!);
   const two = movers.of(b.owner!);
   meeting.isOpen = false;
-  if (isElsewhere(one, a, two) || isElsewhere(two, b, one) || !meets(world, meeting, IMPACT_DEPTH)) {
+  const isNever = (isStill(one) && isStill(two)) || isElsewhere(one, a, two) || isElsewhere(two, b, one);
+  if (isNever || !meets(world, meeting, IMPACT_DEPTH)) {
     meeting.time = Infinity;
   }
   movers.meetings.put(meeting);
+}
+
+/** Stopped, and not carried along. */
+function isStill({ dx, dy, turn }: Mover): boolean {
+  return dx === 0 && dy === 0 && turn === 0;
 }
 
 /** Whether a shape, if nothing met it, does not come to where another body may be, from where it was stopped on; that of a static one has no radius. */
