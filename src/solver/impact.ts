@@ -221,7 +221,7 @@ function setPoint(data: SolverData, pair: Arbiter, which: number, isUsed: boolea
   const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
   point.give = kn > 0 ? kn : d.IMMOVABLE;
   point.tangentMass = kt > 0 ? 1 / kt : 0;
-  point.leave = isUsed ? bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY) : d.OFF;
+  point.leave = isUsed ? bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY) : Infinity;
   point.friction =
     slides * slides > STATIC_FRICTION_SPEED_SQUARED ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
   point.normal = 0;
