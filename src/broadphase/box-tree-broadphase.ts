@@ -298,10 +298,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       const other = this.endOf(link ^ 1) * STATE;
       link = this.next[link]!;
       const isOtherStatic = states[other + STATIC] === 1;
-      if (
-        (isStatic && isOtherStatic) ||
-        !tree.overlaps(leaf, (isOtherStatic ? still : moving).boxes, BOX * states[other + LEAF]!)
-      ) {
+      if ((isStatic && isOtherStatic) || !tree.overlaps(leaf, isOtherStatic ? still : moving, states[other + LEAF]!)) {
         this.dropPair(pair);
         if (link >> 1 === this.pairCount) {
           // The last pair, which has taken the place of the one that was dropped.

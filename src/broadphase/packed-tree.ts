@@ -36,6 +36,8 @@ export class PackedTree<T> {
   private saved = 0.5;
   private high = NONE;
   private keep = NONE;
+  /** The box that is being inserted. */
+  private readonly box = new Float64Array(BOX);
 
   constructor(private readonly margin: number) {}
 
@@ -56,7 +58,14 @@ export class PackedTree<T> {
 
   /** Gives a leaf another box. It stays where it is in the tree if that overlaps the old one: the exchanges on the way up see to the rest. */
   move(leaf: number, bounds: ArrayLike<number>): void {
-    if (this.overlaps(leaf, bounds, 0)) {
+    const { boxes } = this;
+    const at = BOX * leaf;
+    const isNear =
+      boxes[at]! <= bounds[2]! &&
+      boxes[at + 1]! <= bounds[3]! &&
+      boxes[at + 2]! >= bounds[0]! &&
+      boxes[at + 3]! >= bounds[1]!;
+    if (isNear) {
       this.setBox(leaf, bounds);
       this.refit(this.parent[leaf]!);
     } else {
@@ -217,16 +226,13 @@ export class PackedTree<T> {
     );
   }
 
-  /** Whether the box of a node and one in `others` from `j` on overlap. */
-  overlaps(node: number, others: ArrayLike<number>, j: number): boolean {
-    const { boxes } = this;
+  /** Whether the box of a node and that of a node of another tree overlap. */
+  overlaps(node: number, other: PackedTree<T>, otherNode: number): boolean {
+    const a = this.boxes;
+    const b = other.boxes;
     const i = BOX * node;
-    return (
-      boxes[i]! <= others[j + 2]! &&
-      boxes[i + 2]! >= others[j]! &&
-      boxes[i + 1]! <= others[j + 3]! &&
-      boxes[i + 3]! >= others[j + 1]!
-    );
+    const j = BOX * otherNode;
+    return a[i]! <= b[j + 2]! && a[i + 2]! >= b[j]! && a[i + 1]! <= b[j + 3]! && a[i + 3]! >= b[j + 1]!;
   }
 
   /** A stack that is deep enough: a walk holds at most one node a level beside the one it goes down. */
@@ -323,13 +329,14 @@ export class PackedTree<T> {
 
   /** Walks down to where pairing with the leaf costs the least perimeter, as long as going down can be cheaper than stopping. */
   private bestSibling(leaf: number): number {
+    this.boxOf(leaf, this.box);
     let node = this.root;
     while (this.left[node] !== NONE) {
-      const joined = this.joinedPerimeter(leaf, node);
+      const joined = this.joinedPerimeter(node);
       const stop = 2 * joined;
       const inherited = 2 * (joined - this.perimeter(node));
-      const viaLeft = this.descentCost(leaf, this.left[node]!) + inherited;
-      const viaRight = this.descentCost(leaf, this.right[node]!) + inherited;
+      const viaLeft = this.descentCost(this.left[node]!) + inherited;
+      const viaRight = this.descentCost(this.right[node]!) + inherited;
       if (stop < viaLeft && stop < viaRight) {
         break;
       }
@@ -338,8 +345,8 @@ export class PackedTree<T> {
     return node;
   }
 
-  private descentCost(leaf: number, node: number): number {
-    const joined = this.joinedPerimeter(leaf, node);
+  private descentCost(node: number): number {
+    const joined = this.joinedPerimeter(node);
     return this.left[node] === NONE ? joined : joined - this.perimeter(node);
   }
 
@@ -348,13 +355,12 @@ export class PackedTree<T> {
     return this.boxes[at + 2]! - this.boxes[at]! + (this.boxes[at + 3]! - this.boxes[at + 1]!);
   }
 
-  /** Perimeter of the union of two nodes. */
-  private joinedPerimeter(one: number, two: number): number {
-    const { boxes } = this;
-    const i = BOX * one;
-    const j = BOX * two;
-    const x = Math.max(boxes[i + 2]!, boxes[j + 2]!) - Math.min(boxes[i]!, boxes[j]!);
-    const y = Math.max(boxes[i + 3]!, boxes[j + 3]!) - Math.min(boxes[i + 1]!, boxes[j + 1]!);
+  /** Perimeter of the union of a node and the box that is being inserted. */
+  private joinedPerimeter(node: number): number {
+    const { boxes, box } = this;
+    const at = BOX * node;
+    const x = Math.max(boxes[at + 2]!, box[2]!) - Math.min(boxes[at]!, box[0]!);
+    const y = Math.max(boxes[at + 3]!, box[3]!) - Math.min(boxes[at + 1]!, box[1]!);
     return x + y;
   }
 
@@ -417,13 +423,17 @@ export class PackedTree<T> {
 
   /** What counts is what the box of `high` loses in perimeter if its child `keep` stays and `give` is exchanged for `low`. The tree must not lean too much. */
   private weigh(high: number, keep: number, give: number, low: number): void {
-    const { level } = this;
+    const { boxes, level } = this;
     const a = level[keep]!;
     const b = level[low]!;
     if (Math.abs(a - b) > MAX_LEAN || Math.abs(1 + Math.max(a, b) - level[give]!) > MAX_LEAN) {
       return;
     }
-    const saving = this.perimeter(high) - this.joinedPerimeter(keep, low);
+    const i = BOX * keep;
+    const j = BOX * low;
+    const x = Math.max(boxes[i + 2]!, boxes[j + 2]!) - Math.min(boxes[i]!, boxes[j]!);
+    const y = Math.max(boxes[i + 3]!, boxes[j + 3]!) - Math.min(boxes[i + 1]!, boxes[j + 1]!);
+    const saving = this.perimeter(high) - (x + y);
     if (saving > this.saved) {
       this.saved = saving;
       this.high = high;

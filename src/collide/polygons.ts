@@ -4,15 +4,28 @@ import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 import { faceChosen, keepsFace } from './manifold.js';
 
-/** Edges. */
-const ALL = 1e9;
-
-/** The best edge so far of `deepestEdge`, and how many edges it tries at most: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
-const best = { separation: -Infinity, edge: 0, tries: ALL };
+/** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
+const best = { separation: -Infinity, edge: 0 };
 
 /** Where the edges of a polygon end in its numbers. */
 export function endOfEdges({ at, offsets }: Polygon): number {
   return at + EDGES + EDGE_STRIDE * offsets.length;
+}
+
+/** Whether Q lies beyond edge `i` of P, and not near it: min over Q's corners q of n · q − offset tells. `side` is 1 if P is A, else −1. */
+function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): boolean {
+  const ox = side * n[o + g.DX]!;
+  const oy = side * n[o + g.DY]!;
+  const edges = q.numbers;
+  const nx = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 2]!;
+  const ny = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 3]!;
+  const end = endOfEdges(q);
+  let least = Infinity;
+  for (let k = q.at + EDGES; k < end; k += EDGE_STRIDE) {
+    const s = nx * edges[k]! + ny * edges[k + 1]!;
+    if (s < least) least = s;
+  }
+  return least + nx * ox + ny * oy - p.offsets[i]! > SPECULATIVE_MARGIN;
 }
 
 /**
@@ -27,12 +40,11 @@ function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: n
   const end = endOfEdges(q);
   const offsets = p.offsets;
   const count = offsets.length;
-  const tries = Math.min(count, best.tries);
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
   let deepest = best.separation;
   let i = likely >= 0 && likely < count ? likely : 0;
-  for (let tried = 0; tried < tries; tried += 1) {
+  for (let tried = 0; tried < count; tried += 1) {
     const nx = pe[from + EDGE_STRIDE * i + 2]!;
     const ny = pe[from + EDGE_STRIDE * i + 3]!;
     const base = nx * ox + ny * oy - offsets[i]!;
@@ -163,18 +175,13 @@ function alignment(p: Polygon, i: number, nx: number, ny: number): number {
 /** The axis that separated the shapes last time does so again. */
 function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   const axis = n[o + g.AXIS]! | 0;
+  const edge = axis >> 1;
   if (axis < 0) {
     return false;
   }
-  best.separation = -Infinity;
-  best.tries = 1;
-  if ((axis & 1) === 0) {
-    deepestEdge(a, b, n, o, 1, axis >> 1);
-  } else {
-    deepestEdge(b, a, n, o, -1, axis >> 1);
-  }
-  best.tries = ALL;
-  return best.separation > SPECULATIVE_MARGIN;
+  return (axis & 1) === 0
+    ? edge < a.offsets.length && isBeyond(a, edge, b, n, o, 1)
+    : edge < b.offsets.length && isBeyond(b, edge, a, n, o, -1);
 }
 
 /**

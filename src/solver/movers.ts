@@ -101,7 +101,10 @@ export class Mover {
 
   /** The same at the averages that are set as `dx`, `dy` and `turn`. */
   foresee(body: RigidBody, { ahead }: Movers): void {
-    this.scale(ahead);
+    // As `scale`, for which the number would be boxed.
+    this.dx *= ahead;
+    this.dy *= ahead;
+    this.turn *= ahead;
     this.unwind();
     const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
     // As `goesFar`, which called from here would have to box its numbers.
