@@ -173,6 +173,7 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
 export function solvePositionTwo(data: SolverData, from: number, to: number): boolean {
   const { records: r, bodies } = data.two;
   const q = data.motion;
+  const least = -MAX_PUSH;
   let pushed = false;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
@@ -198,18 +199,25 @@ export function solvePositionTwo(data: SolverData, from: number, to: number): bo
     }
     pushed = true;
     const share = r[i + d.SHARE]!;
-    const more = share < PUSH_SHARE_DEEP ? PUSH_SHARE_DEEP - share : 0;
-    const s1 = share * c1 + (c1 < -DEEP_OVERLAP ? more * (c1 + DEEP_OVERLAP) : 0);
-    const s2 = share * c2 + (c2 < -DEEP_OVERLAP ? more * (c2 + DEEP_OVERLAP) : 0);
-    const e1 = s1 < -MAX_PUSH ? -MAX_PUSH : s1 < 0 ? s1 : 0;
-    const e2 = s2 < -MAX_PUSH ? -MAX_PUSH : s2 < 0 ? s2 : 0;
+    const shy = PUSH_SHARE_DEEP - share;
+    const more = shy > 0 ? shy : 0;
+    const deep1 = c1 + DEEP_OVERLAP;
+    const deep2 = c2 + DEEP_OVERLAP;
+    const s1 = share * c1 + more * (deep1 < 0 ? deep1 : 0);
+    const s2 = share * c2 + more * (deep2 < 0 ? deep2 : 0);
+    const e1 = s1 < least ? least : s1 < 0 ? s1 : 0;
+    const e2 = s2 < least ? least : s2 < 0 ? s2 : 0;
     const i12 = r[i + d.I12]!;
     let x1 = -(r[i + d.I11]! * e1 + i12 * e2);
     let x2 = -(i12 * e1 + r[i + d.I22]! * e2);
     if (x1 < 0 || x2 < 0) {
-      const firstDeeper = c1 < c2;
-      x1 = firstDeeper ? -e1 / r[i + d.K11]! : 0;
-      x2 = firstDeeper ? 0 : -e2 / r[i + d.K22]!;
+      x1 = -e1 / r[i + d.K11]!;
+      x2 = -e2 / r[i + d.K22]!;
+      if (c1 < c2) {
+        x2 = 0;
+      } else {
+        x1 = 0;
+      }
     }
     const x = x1 + x2;
     const mA = q[a + d.INV_MASS]! * x;
