@@ -7,6 +7,9 @@ const outlineA = /* @__PURE__ */ new Outline();
 const outlineB = /* @__PURE__ */ new Outline();
 const distance = /* @__PURE__ */ new Distance();
 
+/** m. What `findImpactDepth` found; an array, so that it is not boxed. */
+export const impactDepth = /* @__PURE__ */ new Float64Array(1);
+
 /** How two shapes lie to each other where their bodies are now, relative to the origin of the first body. Dead after the next call. */
 export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   const a = shapeA.owner!;
@@ -17,7 +20,7 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   return distance;
 }
 
-/** How deep two shapes may get into each other before it is an impact: `depth`, or less if they are thin, so that they cannot pass each other. */
-export function impactDepth(a: Shape, b: Shape, depth: number): number {
-  return Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+/** Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `depth`, or less if they are thin, so that they cannot pass each other. */
+export function findImpactDepth(a: Shape, b: Shape, depth: number): void {
+  impactDepth[0] = Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
 }

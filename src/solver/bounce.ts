@@ -1,4 +1,4 @@
-import { impactDepth } from '../collide/gap.js';
+import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import { BOUNCE_SWEEPS, BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
 import type { BounceList, ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
@@ -183,7 +183,8 @@ export function releaseBounces(data: SolverData): void {
       const at = index * batch.stride + shift + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {
         const { shapeA, shapeB } = batch.arbiters[index]!;
-        r[at] = r[at]! + impactDepth(shapeA, shapeB, IMPACT_DEPTH);
+        findImpactDepth(shapeA, shapeB, IMPACT_DEPTH);
+        r[at] = r[at]! + impactDepth[0]!;
       } else {
         r[at] = d.NEVER;
       }

@@ -1,5 +1,5 @@
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
-import { impactDepth } from '../collide/gap.js';
+import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
@@ -117,7 +117,8 @@ function slide(mover: Mover, under: Mover, pair: Arbiter, dt: number): void {
   const vy = body.vy - (base.vy + base.w * (body.x - base.x));
   const turn = under.turn * rest;
   const far = (nx * vy - ny * vx) * rest * dt;
-  const bend = Math.abs(far * turn) / (4 * impactDepth(pair.shapeA, pair.shapeB, IMPACT_DEPTH));
+  findImpactDepth(pair.shapeA, pair.shapeB, IMPACT_DEPTH);
+  const bend = Math.abs(far * turn) / (4 * impactDepth[0]!);
   const way = far / Math.max(1, bend);
   const out = PUSH_SHARE_STATIC * Math.max(-leastSeparation(n, o) - CONTACT_SLOP, 0);
   const x = out * nx - way * ny;

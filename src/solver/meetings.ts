@@ -1,5 +1,5 @@
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
-import { impactDepth } from '../collide/gap.js';
+import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { leastSeparation } from '../collide/manifold.js';
 import {
@@ -318,7 +318,8 @@ function isJointed(a: Shape, b: Shape): boolean {
 
 /** How deep two shapes have to get for an impact, to `least`: jointed bodies more, as stopping one of them alone opens its joints. */
 function findLeast(a: Shape, b: Shape, depth: number): void {
-  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * impactDepth(a, b, depth);
+  findImpactDepth(a, b, depth);
+  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * impactDepth[0]!;
 }
 
 /**
