@@ -66,15 +66,21 @@ export class Travel {
     this.w = at.w;
   }
 
-  /** Brings the outline to where it is at time `at`. */
-  place(): void {
-    const { at, outline } = this;
-    turned[0] = this.angle + this.w * at;
-    cosSin(turned);
-    this.shape!.outline(outline.put(this.x + this.vx * at, this.y + this.vy * at, turned[1]!, turned[2]!));
-    this.seenX = this.vx + bound.turning * outline.y;
-    this.seenY = this.vy - bound.turning * outline.x;
-    this.seenW = this.w - bound.turning;
+  /** Brings the outline to where it is at time `at`, for the first time since the travel was changed, or again. */
+  place(isFirst: boolean): void {
+    const { at, outline, w, vx, vy } = this;
+    if (isFirst || w !== 0) {
+      turned[0] = this.angle + w * at;
+      cosSin(turned);
+      outline.cos = turned[1]!;
+      outline.sin = turned[2]!;
+    }
+    if (isFirst || w !== 0 || vx !== 0 || vy !== 0) {
+      this.shape!.outline(outline.put(this.x + vx * at, this.y + vy * at, outline.cos, outline.sin));
+    }
+    this.seenX = vx + bound.turning * outline.y;
+    this.seenY = vy - bound.turning * outline.x;
+    this.seenW = w - bound.turning;
   }
 
   measureReach(): void {
@@ -195,31 +201,41 @@ export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, fr
 
 /** The same of what the fields of the sweep say; the time is left there too. @returns whether that comes. */
 export function findImpact(sweep: Sweep): boolean {
+  bound.turning = 0;
+  look(sweep, true);
+  sweep.a.measureReach();
+  sweep.b.measureReach();
+  return findNext(sweep);
+}
+
+/** The same from where the sweep is, for another target. */
+export function findNext(sweep: Sweep): boolean {
   const { a, b, cautious, distance, most } = sweep;
   const enough = sweep.target + sweep.tolerance;
   // m/s. How much less sure places are of which they come nearer to each other from far away.
   const blur = ROUNDING * (Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy));
-  for (let i = 0; i < sweep.patience; i += 1) {
+  for (let i = 1; i <= sweep.patience; i += 1) {
     const { time: t } = sweep;
-    bound.turning = i < STILL_LOOKS || i % 3 === 0 ? 0 : i % 3 === 1 ? a.w : b.w;
-    a.at = t;
-    b.at = t;
-    a.place();
-    b.place();
-    measureDistance(a.outline, b.outline, distance);
     if (distance.value <= enough + blur * t) {
       return true;
-    }
-    if (i === 0) {
-      a.measureReach();
-      b.measureReach();
     }
     findSafe(sweep);
     if (sweep.safe >= most - t) {
       return false;
     }
     sweep.time = t + sweep.safe;
+    bound.turning = i < STILL_LOOKS || i % 3 === 0 ? 0 : i % 3 === 1 ? a.w : b.w;
+    look(sweep, false);
   }
   // Nothing is asked of an object here, where hardly any sweep gets: that would make compiled code bail out.
   return cautious;
+}
+
+/** How they lie to each other at the time of the sweep. */
+function look({ a, b, distance, time }: Sweep, isFirst: boolean): void {
+  a.at = time;
+  b.at = time;
+  a.place(isFirst);
+  b.place(isFirst);
+  measureDistance(a.outline, b.outline, distance);
 }

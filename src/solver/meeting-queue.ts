@@ -25,9 +25,9 @@ export class Meeting {
   }
 }
 
-/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes. */
+/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes; those that never come in no order. */
 function comesBefore(one: Meeting, two: Meeting): boolean {
-  if (one.time !== two.time) {
+  if (one.time !== two.time || one.time === Infinity) {
     return one.time < two.time;
   }
   const kinematic = isKinematic(one);

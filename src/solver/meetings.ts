@@ -14,7 +14,7 @@ import {
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { crossing, REACHED } from '../geometry/crossing.js';
-import { findImpact, Sweep } from '../geometry/sweep.js';
+import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
 import { mixElasticity } from '../material.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
@@ -220,12 +220,15 @@ export function findTime(world: World, meeting: Meeting): void {
   const { a, b } = meeting;
   const one = movers.of(a.owner!);
   const two = movers.of(b.owner!);
+  const { time } = meeting;
   meeting.isOpen = false;
   const isNever = (isStill(one) && isStill(two)) || isElsewhere(one, a, two) || isElsewhere(two, b, one);
   if (isNever || !meets(world, meeting, IMPACT_DEPTH)) {
     meeting.time = Infinity;
   }
-  movers.meetings.put(meeting);
+  if (meeting.time !== time) {
+    movers.meetings.put(meeting);
+  }
 }
 
 /** Stopped, and not carried along. */
@@ -350,7 +353,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const { time } = sweep;
   const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
   sweep.target = Math.min(-least[0]!, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least[0]!));
-  const isDeep = findImpact(sweep);
+  const isDeep = findNext(sweep);
   meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;
   return isDeep;
 }

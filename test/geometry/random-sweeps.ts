@@ -94,8 +94,8 @@ class Trial {
     }
     a.at = at;
     b.at = at;
-    a.place();
-    b.place();
+    a.place(true);
+    b.place(true);
     measureDistance(a.outline, b.outline, distance);
     const rest = (chance.next() < 0.5 ? -1 : 1) * this.size * chance.size(1e-12, 1e-2);
     b.x -= distance.axisX * (distance.value - rest);
@@ -112,8 +112,8 @@ class Trial {
     const [x, y] = [a.vx - b.vx, a.vy - b.vy];
     a.at = 0;
     b.at = 0;
-    a.place();
-    b.place();
+    a.place(true);
+    b.place(true);
     a.measureReach();
     b.measureReach();
     return Math.sqrt(x * x + y * y) + Math.abs(a.w) * a.reach + Math.abs(b.w) * b.reach;

@@ -102,7 +102,7 @@ describe('time of impact', () => {
   it('takes the reach of a shape from where its origin is', () => {
     const { a } = sweepOf(box(6, 8), box(1, 1), { x: 3, y: 7, vx: 2, vy: -1 }, {});
     a.at = 3;
-    a.place();
+    a.place(true);
     a.measureReach();
     near(a.reach, 5, 1e-12);
   });
