@@ -173,7 +173,7 @@ function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Sh
     const meeting = world.movers.meetings.draft(shapes[i]!, other);
     const { a, b } = meeting;
     const pair = world.pairs.find(a, b);
-    const isRejected = pair !== null && pair.active && !pair.accepted;
+    const isRejected = pair?.active && !pair.accepted;
     if (!isRejected && !isSensed(a, b) && mayInteract(a, b) && meets(world, meeting, IMPACT_DEPTH)) {
       time = Math.min(time, meeting.time);
     }
