@@ -1,6 +1,6 @@
 import { Slab } from './math/doubles.js';
 
-const COUNT = 25;
+const COUNT = 24;
 /** How many come first that tell where a body is and how it moves, with its velocity last. */
 export const MOTION = 8;
 /** The motion of the last step, and the clearance after it. */
@@ -214,30 +214,21 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 21] = value;
   }
 
-  /** @internal rad. By how much it would have turned in this step, if it was looked ahead for */
-  get turnAhead(): number {
+  /** @internal given mass, or −1: from the shapes */
+  get fixedMass(): number {
     return this.numbers[this.at + 22]!;
   }
   /** @internal */
-  set turnAhead(value: number) {
-    this.numbers[this.at + 22] = value;
-  }
-
-  /** @internal given mass, or −1: from the shapes */
-  get fixedMass(): number {
-    return this.numbers[this.at + 23]!;
-  }
-  /** @internal */
   set fixedMass(value: number) {
-    this.numbers[this.at + 23] = value;
+    this.numbers[this.at + 22] = value;
   }
 
   /** @internal given inertia, or −1: from the shapes */
   get fixedInertia(): number {
-    return this.numbers[this.at + 24]!;
+    return this.numbers[this.at + 23]!;
   }
   /** @internal */
   set fixedInertia(value: number) {
-    this.numbers[this.at + 24] = value;
+    this.numbers[this.at + 23] = value;
   }
 }

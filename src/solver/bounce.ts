@@ -118,12 +118,21 @@ export function applyBounces(data: SolverData): void {
 
 /**
  * After the sweeps: more of them over what bounces in this sub-step and over what touches that and could bounce, until nothing changes. Where such points share a body,
- * as of a ball that is hit while it lies at a wall, a few sweeps leave some of the bounce undone, and its energy would be lost.
+ * as of a ball that is hit while it lies at a wall, a few sweeps leave some of the bounce undone, and its energy would be lost. Friction gets no larger in
+ * these: in a corner that of one wall presses onto the other one, and would grow with each sweep.
  */
 export function finishBounces(data: SolverData, h: number): void {
   const { bounces: list, velocity: v } = data;
   const count = listBouncing(data);
   let changed = count > 0;
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    const { records: r, stride } = list.batches[k]!;
+    const at = list.index[k]! * stride + d.TANGENT_MASS;
+    // The biases are not needed any more in this sub-step.
+    list.bias[k] = r[at]!;
+    r[at] = 0;
+  }
   for (let i = 0; i < BOUNCE_SWEEPS && changed; i += 1) {
     changed = false;
     for (let n = 0; n < count; n += 1) {
@@ -131,6 +140,11 @@ export function finishBounces(data: SolverData, h: number): void {
       const solve = list.batches[k] === data.two ? solveVelocityTwo : solveVelocityOne;
       changed = solve(data, list.index[k]!, list.index[k]! + 1, h) || changed;
     }
+  }
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    const { records: r, stride } = list.batches[k]!;
+    r[list.index[k]! * stride + d.TANGENT_MASS] = list.bias[k]!;
   }
   for (let k = 0; k < list.count && count > 0; k += 1) {
     v[bodyOf(list, k, 0) + d.MARK] = 0;

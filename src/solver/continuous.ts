@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
@@ -128,44 +129,56 @@ function slide(mover: Mover, under: Mover, pair: Arbiter, dt: number): void {
 }
 
 /**
- * Such a way ends at the next thing on it that is not on its own way: what the body has to do with that comes in the next step. It is not even begun if that
- * goes along with what the body lies on.
+ * Such a way ends at the next thing on it that is not on its own way: what the body has to do with that comes in the next step. It is not even begun by a body
+ * that is carried along.
  */
 function stopShort(world: World, mover: Mover, under: Shape): void {
-  const { body, carrier, dx, dy } = mover;
-  const reach = Math.abs(dx) + Math.abs(dy) + body.radius;
-  bounds[0] = mover.x - reach;
-  bounds[1] = mover.y - reach;
-  bounds[2] = mover.x + reach;
-  bounds[3] = mover.y + reach;
-  const size = findNearby(world, bounds, true);
-  let end = 1;
-  for (let i = 0; i < size; i += 1) {
-    const other = nearby[i]!;
-    const owner = other.owner!;
-    for (let k = 0; k < body.shapes.length && other !== under && (owner.kind !== DYNAMIC || owner.asleep); k += 1) {
-      const time = timeToMeet(world, body.shapes[k]!, other);
-      if (carrier === null || owner !== carrier.body) {
-        end = Math.min(end, time);
-      } else if (time < 1) {
-        mover.stop();
-        mover.ride(carrier);
-      }
-    }
+  const { carrier } = mover;
+  let end = findEnd(world, mover, under, null);
+  if (end < 1 && carrier !== null) {
+    mover.stop();
+    mover.ride(carrier);
+    end = findEnd(world, mover, under, carrier.body);
   }
   if (end < 1) {
     mover.scale((end - mover.from) / (1 - mover.from));
   }
 }
 
-/** 1 if the shapes do not meet, or take no notice of each other. */
-function timeToMeet(world: World, one: Shape, two: Shape): number {
-  const meeting = world.movers.meetings.draft(one, two);
-  const { a, b } = meeting;
-  if (isSensed(a, b) || !mayInteract(a, b) || world.pairs.find(a, b)?.accepted === false) {
-    return 1;
+/** When a body meets the first static, sleeping or kinematic shape on its way, but for one and those of another body; 1 if it meets none. */
+function findEnd(world: World, { body, x, y, dx, dy }: Mover, under: Shape, not: RigidBody | null): number {
+  const { ways } = world.movers;
+  const reach = Math.abs(dx) + Math.abs(dy) + body.radius;
+  bounds[0] = x - reach;
+  bounds[1] = y - reach;
+  bounds[2] = x + reach;
+  bounds[3] = y + reach;
+  let end = 1;
+  for (let i = findNearby(world, bounds, false) - 1; i >= 0; i -= 1) {
+    end = Math.min(end, timeToMeet(world, body, nearby[i]!, under));
   }
-  return meets(world, meeting, IMPACT_DEPTH) ? meeting.time : 1;
+  for (let i = ways.find(bounds) - 1; i >= 0; i -= 1) {
+    const other = ways.shapes[ways.found[i]!]!;
+    if (other.owner!.kind === KINEMATIC && other.owner !== not) {
+      end = Math.min(end, timeToMeet(world, body, other, under));
+    }
+  }
+  return end;
+}
+
+/** 1 if they do not meet, or take no notice of each other. */
+function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Shape): number {
+  let time = 1;
+  for (let i = 0; i < shapes.length && other !== under; i += 1) {
+    const meeting = world.movers.meetings.draft(shapes[i]!, other);
+    const { a, b } = meeting;
+    const pair = world.pairs.find(a, b);
+    const isRejected = pair?.active && !pair.accepted;
+    if (!isRejected && !isSensed(a, b) && mayInteract(a, b) && meets(world, meeting, IMPACT_DEPTH)) {
+      time = Math.min(time, meeting.time);
+    }
+  }
+  return time;
 }
 
 /** Of the meetings of a body that has stopped some come at another time now, and some not at all. */

@@ -179,8 +179,6 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   b.place(two.body);
   pair.near = pair.count > 0;
   pair.foreseen = pair.near;
-  one.body.turnAhead = one.turn;
-  two.body.turnAhead = two.turn;
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */

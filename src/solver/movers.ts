@@ -49,8 +49,6 @@ export class Mover {
   turn = 0.5;
   /** How far it turns in the step, with whole turns. */
   spin = 0.5;
-  /** By how much it turned more than foreseen. */
-  added = 0.5;
   /** Where it was at time 0. */
   startX = 0.5;
   startY = 0.5;
@@ -174,23 +172,6 @@ export class Mover {
   comesFirst(time: number): boolean {
     this.first = Math.min(this.first, time);
     return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
-  }
-
-  /** Looks at the way as if what was added to the turn that was foreseen had been there from the start. A static or kinematic body keeps its way. */
-  unbend(): void {
-    if (this.body.kind === DYNAMIC) {
-      this.added = this.turn - this.body.turnAhead;
-      this.angle += this.added;
-      this.turn -= this.added;
-    }
-  }
-
-  /** Takes that back. */
-  bend(): void {
-    if (this.body.kind === DYNAMIC) {
-      this.angle -= this.added;
-      this.turn += this.added;
-    }
   }
 
   /** Puts the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is without arguments. */

@@ -34,12 +34,10 @@ export function growBounds({ numbers: n, at }: Shape, reach: number, out: Float6
   out[3] = n[at + 3]! + reach;
 }
 
-/** Writes the bounds of all places that a shape without a mover can have in this step, also if contacts that were foreseen had not turned it. */
+/** Writes the bounds of all places that a shape without a mover can have in this step. */
 export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): void {
-  const { lastDx, lastDy, lastTurn, turnAhead, radius } = shape.owner!;
-  const reach = ahead
-    ? SPECULATIVE_MARGIN / 2
-    : Math.abs(lastDx) + Math.abs(lastDy) + (Math.abs(lastTurn) + Math.abs(turnAhead)) * radius;
+  const { lastDx, lastDy, lastTurn, radius } = shape.owner!;
+  const reach = ahead ? SPECULATIVE_MARGIN / 2 : Math.abs(lastDx) + Math.abs(lastDy) + Math.abs(lastTurn) * radius;
   growBounds(shape, reach, out);
 }
 

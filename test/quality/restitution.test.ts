@@ -102,6 +102,35 @@ describe('a ball of elasticity 1', () => {
     expect(out).toBeLessThanOrEqual(0.05 + 1e-6);
   });
 
+  it('in a corner with friction gets hardly any energy', () => {
+    let most = 0;
+    for (let seed = 0; seed < 200; seed += 1) {
+      const { within } = dice(seed);
+      const world = phys2D.createWorld({ gravity: [0, 0] });
+      const material = phys2D.createMaterial({ elasticity: 1 });
+      const walls = [phys2D.createRectangleVertices(-5, 0, 5, 1), phys2D.createRectangleVertices(0, -5, 1, 5)];
+      const shapes = walls.map((vertices) => phys2D.createPolygonShape({ vertices, material }));
+      world.addRigidBody(phys2D.createRigidBody({ type: 'static', shapes }));
+      const velocity: source.Vec2 = [within(1, 10), within(1, 10)];
+      const time = within(0.02, 0.2);
+      const body = phys2D.createRigidBody({
+        position: [-0.2 - velocity[0] * time, -0.2 - velocity[1] * time],
+        velocity,
+        angularVelocity: within(-5, 5),
+        shapes: [phys2D.createCircleShape({ radius: 0.2, material })],
+        ...FREE,
+      });
+      world.addRigidBody(body);
+      const start = energyOf(body);
+      for (let i = 0; i < 20; i += 1) {
+        world.step(1 / 60);
+      }
+      most = Math.max(most, energyOf(body) / start);
+    }
+    console.log(`corners with friction: at most ${most.toFixed(3)} of the energy`);
+    expect(most).toBeLessThan(1.1);
+  });
+
   it('hands all of its speed to the last of a row of equal ones that are apart', () => {
     for (const speed of [1, 5, 30]) {
       for (const count of [1, 2]) {

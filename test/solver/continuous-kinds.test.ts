@@ -159,6 +159,42 @@ describe('a thin box that moves and turns', () => {
       }
     }
   });
+
+  it('that moves fast keeps what slides along a wall of it to the next one', () => {
+    for (const seed of [106, 978, 1001, 3463, 4024, 4131, 4493, 4810]) {
+      const random = generator(seed);
+      const world = weightless();
+      const material = phys2D.createMaterial({ elasticity: 1, staticFriction: 3, dynamicFriction: 3 });
+      const velocity: [number, number] = [200 * random() - 100, 200 * random() - 100];
+      const shapes = [
+        [-1.35, -1.35, 1.35, -1.3],
+        [-1.35, 1.3, 1.35, 1.35],
+        [-1.35, -1.35, -1.3, 1.35],
+        [1.3, -1.35, 1.35, 1.35],
+      ].map(([left, top, right, bottom]) => {
+        const vertices = phys2D.createRectangleVertices(left!, top!, right!, bottom!);
+        return phys2D.createPolygonShape({ vertices, material });
+      });
+      const drum = phys2D.createRigidBody({ type: 'kinematic', velocity, shapes });
+      const bodies = [-1, 0, 1].map((x) =>
+        phys2D.createRigidBody({
+          bullet: true,
+          position: [x, 0],
+          velocity: [1000 * random() - 500, 1000 * random() - 500],
+          shapes: [box(0.05, 0.05, { material })],
+          ...FREE,
+        }),
+      );
+      add(world, drum, ...bodies);
+      for (let i = 0; i < 30; i += 1) {
+        steps(world, 1);
+        for (const body of bodies) {
+          const [x, y] = drum.transformWorldPointToLocal(body.getPosition());
+          expect(Math.max(Math.abs(x), Math.abs(y)), `seed ${seed}, step ${i}`).toBeLessThan(1.35);
+        }
+      }
+    }
+  });
 });
 
 describe('a body of infinite mass', () => {

@@ -224,6 +224,29 @@ describe('between two', () => {
     },
   );
 
+  it('a sliver that lies on a wall and that a bullet turns does not pass that', () => {
+    const shots = [
+      [0.35, -0.15, 95, 115, 1.7],
+      [0.5, 0.17, -65, 110, 1.4],
+      [0.3, -0.01, -65, 30, 0.4],
+      [0.45, 0.16, -55, 140, 1.9],
+      [0.35, 0.09, -50, 135, 1.9],
+    ] as const;
+    for (const [length, aim, vx, vy, far] of shots) {
+      const world = weightless();
+      const wall = phys2D.createRigidBody({ type: 'static', position: [0, 0.02], shapes: [box(10, 0.04)] });
+      const sliver = phys2D.createRigidBody({ position: [0, -0.01], bullet: true, shapes: [box(length, 0.02)] });
+      const position: [number, number] = [aim - (vx * far) / vy, -far];
+      const bullet = phys2D.createRigidBody({ position, velocity: [vx, vy], bullet: true, shapes: [disc(0.05)] });
+      add(world, wall, sliver, bullet);
+      for (let i = 0; i < 10; i += 1) {
+        steps(world, 1);
+        expect(sliver.getPosition()[1], `${length} m, ${vy} m/s`).toBeLessThan(0.02);
+        expect(bullet.getPosition()[1], `${length} m, ${vy} m/s`).toBeLessThan(0.02);
+      }
+    }
+  });
+
   it('a bullet meets another one where a wall has stopped that in the same step', () => {
     for (const first of [100, 300, 1000]) {
       for (const aside of [0.02, 0.1]) {

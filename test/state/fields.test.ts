@@ -14,7 +14,7 @@ type Fields = Record<string, unknown>;
 const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['stepping', 'delivering', 'jointsTouched'],
   solver: ['bodyCount', 'impulseScale', 'hardCount', 'crowded'],
-  body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover', 'turnAhead'],
+  body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover'],
   shape: ['groundStamp', 'stateIndex', 'halfWidth'],
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
