@@ -217,7 +217,7 @@ export function options<T extends object>(
   if (value === undefined && !required) {
     return {};
   }
-  if (typeof value !== 'object' || value === null) {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
     throw typeError(where, name, 'an object of options', value);
   }
   return value;

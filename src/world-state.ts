@@ -22,7 +22,7 @@ import type { World } from './world.js';
 
 /** What `World.poses` is: a `PoseBuffer`, or anything with such a method. */
 export interface PoseUpdate {
-  /** Called at the end of each step, before events. */
+  /** Called at the end of each step, before events. The rules are those of their handlers. */
   update(): void;
 }
 
@@ -85,8 +85,6 @@ export abstract class WorldState {
   readonly staticArbiters: Arbiter[] = [];
   /** What finds pairs of shapes that are near each other. */
   readonly broadphase: Broadphase;
-  /** Told at the end of each step where bodies are, before events. Default `null`: nothing is. */
-  poses: PoseUpdate | null = null;
 
   /** @internal */
   gravityX: number;
@@ -137,6 +135,7 @@ export abstract class WorldState {
   private positionTotal: number;
   private parts: number;
   private mayRest: boolean;
+  private told: PoseUpdate | null = null;
   private timepiece: Clock | null = null;
   private measured: Profile | null = null;
 
@@ -222,6 +221,18 @@ export abstract class WorldState {
   /** Where the time of the latest step went; `null` without a `clock`. The same object in each step. */
   get profile(): Profile | null {
     return this.measured;
+  }
+
+  /** Told at the end of each step where bodies are, before events. Default `null`: nothing is. */
+  get poses(): PoseUpdate | null {
+    return this.told;
+  }
+
+  set poses(value: PoseUpdate | null) {
+    if (value !== null) {
+      callable('World', 'poses.update', (value as Partial<PoseUpdate> | undefined)?.update);
+    }
+    this.told = value;
   }
 
   /** Whether bodies at rest fall asleep by themselves. Setting it wakes everything: their delay begins anew. */

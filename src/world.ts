@@ -51,23 +51,25 @@ export class World extends WorldState {
   /**
    * Advances the world by one step of `deltaTime` seconds (> 0), then delivers events. Use a fixed step such as 1/60.
    *
-   * @throws Error when called from a handler. An exception of a handler leaves the world consistent: the step is completed,
+   * @throws Error when called from a handler. An exception of a handler, or of `poses`, leaves the world consistent: the step is completed,
    * the other handlers are called, then the first exception is thrown on.
    */
   step(deltaTime: number): void {
     positive('World.step', 'deltaTime', deltaTime);
     this.refuseInside('World.step');
     this.stamp += 1;
-    this.time += deltaTime;
+    this.time = Math.min(this.time + deltaTime, Number.MAX_VALUE);
     this.stepping = true;
     try {
       step(this, deltaTime);
     } finally {
       this.stepping = false;
     }
-    this.poses?.update();
     this.delivering = true;
     try {
+      if (this.poses !== null) {
+        this.events.call(this.poses.update, this.poses, null, null, null);
+      }
       this.events.deliver();
     } finally {
       this.delivering = false;

@@ -30,7 +30,7 @@ export class LineConstraint extends AnchoredConstraint {
     super(where, 2, params);
     const [x, y, length] = checkedAxis(where, params.axis);
     if (length === 0) {
-      throw rangeError(where, 'axis', 'a vector of some length', 'one of length 0');
+      throw rangeError(where, 'axis', 'other than [0, 0]', params.axis);
     }
     this.axisX = x / length;
     this.axisY = y / length;

@@ -193,7 +193,8 @@ export class EventQueue {
     }
   }
 
-  private call(
+  /** What it throws waits for `rethrow`. */
+  call(
     handler: Handler,
     own: unknown,
     subject: Arbiter | RigidBody | null,

@@ -30,8 +30,9 @@ export function deserialize(phys2D: Physics2DDevice, data: PlainWorld, options: 
   }
   const given = checkedOptions(WHERE, options, false, 'options');
   const source = object<PlainWorld>('data', data);
-  if (source.format !== 'phys2d world' || source.version !== 1) {
-    throw rangeError(WHERE, 'data', 'a phys2d world of version 1', `${source.format} ${source.version}`);
+  const format = `${source.format} ${source.version}`;
+  if (format !== 'phys2d world 1') {
+    throw rangeError(WHERE, 'data', 'a phys2d world of version 1', format);
   }
   const state = typeof source.state === 'string' ? fromBase64(source.state) : null;
   if (state === null) {
@@ -69,14 +70,15 @@ function object<T extends object>(name: string, value: unknown): T {
   return value as T;
 }
 
-function list<T extends object>(name: string, value: unknown): T[] {
+function array<T>(name: string, value: unknown): T[] {
   if (!Array.isArray(value)) {
     throw typeError(WHERE, name, 'an array', value);
   }
-  value.forEach((entry, i) => {
-    object(`${name}[${i}]`, entry);
-  });
   return value;
+}
+
+function list<T extends object>(name: string, value: unknown): T[] {
+  return array<unknown>(name, value).map((entry, i) => object<T>(`${name}[${i}]`, entry));
 }
 
 function number(value: PlainNumber | undefined): number | undefined {
@@ -132,7 +134,7 @@ class Maker {
       }
       made.set(
         shape,
-        this.at(name, () => this.shape(name, shape, material)),
+        this.at(name, () => this.shape(shape, material)),
       );
     }
     return plains.map((plain, i) =>
@@ -150,32 +152,32 @@ class Maker {
     );
   }
 
-  private shape(name: string, plain: PlainShape, material: Material): Shape {
+  private shape(plain: PlainShape, material: Material): Shape {
     const { type, sensor, group, mask } = plain;
     const common = { sensor, group, mask, material, userData: this.userData(plain.userData) };
     if (type === 'CIRCLE') {
       return this.phys2D.createCircleShape({ ...common, radius: plain.radius!, origin: plain.origin as Vec2 });
     }
     if (type !== 'POLYGON') {
-      throw rangeError(WHERE, `${name}.type`, 'CIRCLE or POLYGON', type);
+      throw rangeError('type', 'it', 'CIRCLE or POLYGON', type);
     }
     return this.phys2D.createPolygonShape({ ...common, vertices: plain.vertices as Vec2[] });
   }
 
   constraint(name: string, plain: PlainConstraint, bodies: RigidBody[]): Constraint {
-    const members = numbers(`${name}.bodies`, plain.bodies).map((i) => {
+    const members = array<number>(`${name}.bodies`, plain.bodies).map((i) => {
       const body = bodies[i];
       if (body === undefined) {
         throw rangeError(WHERE, `${name}.bodies`, 'indices in data.bodies', i);
       }
       return body;
     });
-    const constraint = this.at(name, () => this.constraintOf(name, plain, members));
+    const constraint = this.at(name, () => this.constraintOf(plain, members));
     constraint.userData = this.userData(plain.userData);
     return constraint;
   }
 
-  private constraintOf(name: string, plain: PlainConstraint, members: RigidBody[]): Constraint {
+  private constraintOf(plain: PlainConstraint, members: RigidBody[]): Constraint {
     const { phys2D } = this;
     const [bodyA, bodyB, bodyC, bodyD] = members as [RigidBody, RigidBody, RigidBody, RigidBody];
     const [anchorA, anchorB, anchorC, anchorD] = (plain.anchors ?? []) as Vec2[];
@@ -199,24 +201,17 @@ class Maker {
       case 'PULLEY':
         return phys2D.createPulleyConstraint({ ...anchored, ...bounds, bodyC, bodyD, anchorC, anchorD, ratio });
       case 'CUSTOM':
-        return this.custom(name, plain, members);
+        return this.custom(plain, members);
       default:
-        throw rangeError(WHERE, `${name}.type`, 'a kind of constraint', plain.type);
+        throw rangeError('type', 'it', 'a kind of constraint', plain.type);
     }
   }
 
-  private custom(name: string, plain: PlainConstraint, members: RigidBody[]): Constraint {
-    const { custom } = this.options;
-    if (custom === undefined) {
-      throw new Error(`${WHERE}: ${name} is a custom constraint: options.custom is needed to make it`);
+  private custom(plain: PlainConstraint, members: RigidBody[]): Constraint {
+    const made = this.options.custom?.(plain, members);
+    if (made?.type !== 'CUSTOM' || made.world !== null || members.some((body, i) => body !== made.bodies[i])) {
+      throw typeError('options.custom', 'its result', 'a new custom constraint of these bodies', made);
     }
-    return custom(plain, members);
+    return made;
   }
-}
-
-function numbers(name: string, value: unknown): number[] {
-  if (!Array.isArray(value)) {
-    throw typeError(WHERE, name, 'an array', value);
-  }
-  return value as number[];
 }

@@ -128,7 +128,7 @@ export interface SerializeOptions {
 export interface DeserializeOptions {
   /** The reverse of `SerializeOptions.userData`. Default: it is taken as it is. */
   userData?: ((plain: unknown) => unknown) | undefined;
-  /** Makes a custom constraint anew, of as many rows, as its callbacks are code. Without it, data with custom constraints is refused. */
+  /** Makes a custom constraint anew, of as many rows, with these bodies and as much `state`, as its callbacks are code. Without it, data with custom constraints is refused. */
   custom?: ((plain: PlainConstraint, bodies: RigidBody[]) => CustomConstraint) | undefined;
   /** For the new world. Default: a box tree, as in `createWorld`. */
   broadphase?: Broadphase | undefined;

@@ -73,7 +73,7 @@ factory(
     ...BODIES,
     ...ANCHORS,
     ...BOUNDS,
-    axis: [...NOT_VECTOR, [[0, 0], RangeError, '"one of length 0"']],
+    axis: [...NOT_VECTOR, [[0, 0], RangeError, 'an array of length 2']],
   },
 );
 factory('createAngleConstraint', (p) => phys2D.createAngleConstraint(p), two, {

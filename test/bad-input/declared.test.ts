@@ -95,7 +95,7 @@ const LEGAL: readonly (readonly [string, RegExp])[] = [
   ['Material, Arbiter: always, or never, bounces', /[.]elasticity = -?Infinity$/],
   ['World.shapeCircleQuery: everything', /CircleQuery\.radius = Infinity$/],
   ['BoxTree: everything', /^BoxTree\.getCircleOverlappingNodes\.radius = Infinity$/],
-  ['World.clock: none', /^World\.clock\.value = null$/],
+  ['World.clock, World.poses: none', /^World\.(?:clock|poses)\.value = null$/],
   ['no listener of that type: false', /EventListener\.eventType = /],
   ['Physics2DDebugDraw: all there is', /Viewport\.rectangle = (?:null|undefined)$/],
   ['a getter without a destination makes an array', /\.dst = undefined$/],
@@ -172,6 +172,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
     'BroadphaseHandle<T>': { good: handles[owner as keyof typeof handles], bad: [...NO_OBJECT, {}] },
     Broadphase: { good: boxes, bad: [...NO_OBJECT, {}] },
     DebugGraphicsDevice: { good: device, bad: [...NO_OBJECT, {}] },
+    PoseUpdate: { good: state.PoseBuffer.create({ capacity: 1 }), bad: [...NO_OBJECT, {}, { update: 5 }] },
     Float64Array: { good: new Float64Array(1), bad: [...NO_OBJECT, {}, [1]] },
     Physics2DDevice: { good: phys2D, bad: [...NO_OBJECT, {}] },
     PlainWorld: { good: state.serialize(phys2D.createWorld()), bad: [...NO_OBJECT, {}] },
@@ -191,7 +192,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
         .filter(({ optional }) => !optional)
         .map(({ name, type: each }) => [name, valuesOf(stage, each, owner)?.good]),
     );
-    return { good, bad: NO_OBJECT };
+    return { good, bad: [...NO_OBJECT, [1, 2]] };
   }
   return found ?? null;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
 import { POSE_STRIDE, PoseBuffer, Recorder, replay } from '../../src/state/index.js';
 import { buildPyramid } from '../scenes/pyramid.js';
 
@@ -203,5 +203,48 @@ describe('a pose buffer', () => {
     expect(() => PoseBuffer.create({ capacity: 3, poses: new Float32Array(8) })).toThrow(
       'PoseBuffer.create: poses must be a float array of 12 numbers',
     );
+  });
+
+  it('that is one of yours may throw: the events of the step are told all the same, in their order', () => {
+    const run = (throws: boolean): string[] => {
+      const { world, ball } = scene();
+      world.addRigidBody(ball);
+      const told: string[] = [];
+      const [shape] = ball.shapes as [Shape];
+      for (const type of ['begin', 'progress', 'end'] as const) {
+        shape.addEventListener(type, (_arbiter, other) => void told.push(`${world.timeStamp} ${type} ${other.type}`));
+      }
+      shape.addEventListener('hit', (_arbiter, other) => void told.push(`${world.timeStamp} hit ${other.type}`));
+      world.poses = {
+        update() {
+          if (throws) {
+            throw new Error(`no room in step ${world.timeStamp}`);
+          }
+        },
+      };
+      for (let i = 1; i <= 60; i += 1) {
+        if (throws) {
+          expect(() => world.step(1 / 60)).toThrow(`no room in step ${i}`);
+        } else {
+          world.step(1 / 60);
+        }
+      }
+      return told;
+    };
+    const told = run(true);
+    expect(told.length).toBeGreaterThan(3);
+    expect(told).toEqual(run(false));
+  });
+
+  it('that is one of yours is called as a handler is: it cannot step the world, nor save it', () => {
+    const { world } = scene();
+    for (const call of [() => world.step(1 / 60), () => world.hash(), () => world.snapshot()]) {
+      world.poses = { update: call };
+      expect(() => world.step(1 / 60)).toThrow('must not be called from a handler or callback of the same world');
+    }
+    expect(world.timeStamp).toBe(3);
+    world.poses = null;
+    world.step(1 / 60);
+    expect(world.timeStamp).toBe(4);
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { CustomConstraint, World } from '../../src/index.js';
+import type { CustomConstraint, RigidBody, World } from '../../src/index.js';
 import type { PlainWorld } from '../../src/state/index.js';
 import { GAMES } from '../scenes/states.js';
 import { deserialize, phys2D, serialize } from './built.js';
@@ -78,10 +78,41 @@ it('custom constraints are made by the caller, and all kinds keep their settings
   }
   const { world } = game;
   const data = asText(serialize(world));
-  expect(() => deserialize(phys2D, data)).toThrow(/is a custom constraint: options.custom is needed/);
+  expect(() => deserialize(phys2D, data)).toThrow(
+    /options.custom: its result must be a new custom constraint of these bodies, got undefined/,
+  );
   const copy = deserialize(phys2D, data, { custom: customOf(world) as never });
   expect(copy.hash()).toBe(world.hash());
   expect(copy.constraints.map(({ type }) => type)).toEqual(world.constraints.map(({ type }) => type));
+});
+
+it('what is no new custom constraint of the bodies is refused, and keeps its user data', () => {
+  const world = phys2D.createWorld();
+  const [a, b] = [0, 1].map(() => phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 1 })] }));
+  const make = (...bodies: RigidBody[]) =>
+    phys2D.createCustomConstraint({ dimension: 1, bodies, jacobian: () => undefined, userData: 'mine' });
+  world.addRigidBody(a!);
+  world.addRigidBody(b!);
+  world.addConstraint(make(a!, b!));
+  const data = asText(serialize(world));
+  const wrong: [(bodies: RigidBody[]) => unknown, string][] = [
+    [() => undefined, 'undefined'],
+    [() => null, 'null'],
+    [() => ({}), 'an object'],
+    [([bodyA, bodyB]) => phys2D.createPointConstraint({ bodyA: bodyA!, bodyB: bodyB! }), 'an object'],
+    [([one]) => make(one!), 'an object'],
+    [() => make(a!, b!), 'an object'],
+    [() => world.constraints[0], 'an object'],
+  ];
+  for (const [custom, got] of wrong) {
+    const call = () => deserialize(phys2D, data, { custom: (_, bodies) => custom(bodies) as never });
+    expect(call).toThrow(TypeError);
+    expect(call).toThrow(
+      `deserialize: data.constraints[0]: options.custom: its result must be a new custom constraint of these bodies, got ${got}`,
+    );
+  }
+  expect(world.constraints[0]!.userData).toBe('mine');
+  expect(deserialize(phys2D, data, { custom: (_, bodies) => make(...bodies) }).hash()).toBe(world.hash());
 });
 
 it('an `end` that waits is told of a shape that stands in for what is gone', () => {
@@ -155,7 +186,11 @@ describe('refuses', () => {
       },
       'data.constraints[0].bodies must be',
     ],
-    ['another kind', (data) => void Object.assign(data.constraints[0]!, { type: 'GLUE' }), 'a kind of constraint'],
+    [
+      'another kind',
+      (data) => void Object.assign(data.constraints[0]!, { type: 'GLUE' }),
+      'deserialize: data.constraints[0]: type: it must be a kind of constraint',
+    ],
     [
       'a bad state',
       (data) => {

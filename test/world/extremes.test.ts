@@ -79,3 +79,12 @@ it.each(Array.from({ length: 40 }, (_, i) => i + 1))('extremes by seed %d', (see
   expect(world.timeStamp).toBe(STEPS);
   expect(frozen).toEqual([]);
 });
+
+it('simulated time stays finite, however long the steps', () => {
+  const world = phys2D.createWorld();
+  for (let i = 0; i < 3; i += 1) {
+    world.step(1.7e308);
+    validate(world);
+  }
+  expect(world.simulatedTime).toBe(Number.MAX_VALUE);
+});
