@@ -116,8 +116,7 @@ export const JOINT_FAR_TURN = 0.001;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
- * neutral; a little less than that never gains. What contacts undo of a correction does not count when it is corrected again: they
- * push without momentum, so it would be made of nothing.
+ * neutral; a little less than that never gains. Where what hangs together touches something it is 0.
  */
 export const JOINT_MOMENTUM = 0.999;
 
@@ -151,11 +150,17 @@ export const JOINT_OPEN = 0.01;
 /** Sweeps over these, as what closes one may open another. */
 export const CLOSING_ROUNDS = 4;
 
-/** m, rad. Where contacts undo more of a correction in a sub-step, joints that hang together make no momentum of theirs. */
-export const JOINT_CONTESTED = 0.002;
+/**
+ * m, rad. Of joints that hang together and touch something, one with a larger error cannot be met, and what they give would grow without end. With 0.01 some in
+ * heaps of ragdolls are taken for such.
+ */
+export const JOINT_TORN = 0.05;
 
-/** What such joints keep of their impulses in a sub-step if they are open. With 1 a chain that slips off a wall is flung away at 150 m/s. */
-export const CONTESTED_KEEP = 0.9;
+/** What these keep of their impulses in a sub-step. With 1 a chain that slips off a wall is flung away at 150 m/s. */
+export const TORN_KEEP = 0.9;
+
+/** m, rad. So far within a bound what pressed against it is held, not let go up to it: else it would pass it to and fro for ever, and so would heaps of ragdolls. */
+export const BOUND_SLOP = 3e-4;
 
 /** kg⁻¹. An inverse effective mass below this counts as immovable. */
 export const MIN_INVERSE_MASS = 1e-10;

@@ -46,9 +46,6 @@ function auditNumbers(audit: Audit, constraint: Constraint): void {
   for (const part of constraint.impulse) {
     audit.finite(constraint, 'impulse', part);
   }
-  for (const part of constraint.undone) {
-    audit.finite(constraint, 'error made by contacts', part);
-  }
   for (const part of constraint.given) {
     audit.finite(constraint, 'impulse given to a body', part);
   }

@@ -49,8 +49,6 @@ export type Constraint =
 export interface Numbers {
   /** Impulse λ of the last sub-step, to start the next one with. */
   readonly impulse: Float64Array;
-  /** What contacts made of the error after its last correction. */
-  readonly undone: Float64Array;
   /** What the latest step gave to each member: x, y, angular. */
   readonly given: Float64Array;
 }
@@ -146,7 +144,6 @@ export abstract class BaseConstraint {
     this.members = members;
     this.numbers = {
       impulse: new Float64Array(dimension),
-      undone: new Float64Array(dimension),
       given: new Float64Array(3 * members.length),
     };
     Object.assign(this, config);
@@ -161,11 +158,6 @@ export abstract class BaseConstraint {
   /** @internal */
   get impulse(): Float64Array {
     return this.fetch().impulse;
-  }
-
-  /** @internal */
-  get undone(): Float64Array {
-    return this.fetch().undone;
   }
 
   /** @internal */
@@ -362,7 +354,6 @@ export abstract class BaseConstraint {
     this.upper = tape.number(this.upper);
     tape.require(!tape.checks || lower <= tape.latest());
     tape.list(this.impulse);
-    tape.list(this.undone);
     tape.list(this.given);
   }
 

@@ -1,4 +1,4 @@
-import { BREAK_STEPS, JOINT_MOMENTUM, JOINT_OPEN, JOINT_SNAP, MIN_INVERSE_MASS } from '../config.js';
+import { BOUND_SLOP, BREAK_STEPS, JOINT_SNAP, MIN_INVERSE_MASS } from '../config.js';
 import { isCustom } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
@@ -17,8 +17,8 @@ import { measure, showPoses } from './joint-pose.js';
 const product = new Float64Array(1);
 const length = new Float64Array(1);
 
-/** Which bodies it has, and the impulse to start with. */
-export function packBlock(data: SolverData, joint: Joint): void {
+/** Which bodies it has, and the impulse to start with. @returns whether one of them is in contact. */
+export function packBlock(data: SolverData, joint: Joint): boolean {
   const { records: r, bodies } = data.joints;
   const { at, layout, constraint, first } = joint;
   r.fill(0, at + layout.impulse, at + layout.size);
@@ -29,16 +29,14 @@ export function packBlock(data: SolverData, joint: Joint): void {
   r[at + layout.high] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
     r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
-    r[at + layout.undone + n] = constraint.undone[n]!;
   }
+  let isTouched = false;
   for (let k = 0; k < layout.members; k += 1) {
     const b = constraint.slotOf(constraint.members[k]!) * d.BODY_STRIDE;
     bodies[first + k] = b;
-    if (data.drive[b + d.TOUCHED] === 1) {
-      r[at + j.TOUCHED] = 1;
-      data.joints.isTouched = true;
-    }
+    isTouched ||= data.drive[b + d.TOUCHED] === 1;
   }
+  return isTouched;
 }
 
 /** Starts a sub-step: error, Jacobian and K for the present placement, and the impulse of the last sub-step once more. */
@@ -61,7 +59,9 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     writeElasticBias(data, joint);
   } else {
     const last = rows - 1;
-    r[at + layout.bias + last] = isSlack(r, joint, layout.error) ? r[at + layout.error + last]! / data.joints.h : 0;
+    const distance = r[at + layout.error + last]!;
+    const rests = Math.abs(distance) < BOUND_SLOP && r[at + layout.impulse + last] !== 0;
+    r[at + layout.bias + last] = isSlack(r, joint, layout.error) && !rests ? distance / data.joints.h : 0;
   }
   if (r[at + j.PUSH] !== 0) {
     findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
@@ -297,19 +297,13 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
   if (r[at + j.PUSH] === 0) {
     return;
   }
-  const violated = violatedRows(r, joint, layout.error);
-  findLength(r, at + layout.error, violated);
+  findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
     return;
   }
-  findLength(r, at + layout.push, rows);
-  if (r[at + j.TOUCHED] !== 0 && length[0] === 0) {
-    carryShare(data, joint, violated);
-    r.fill(0, at + layout.undone, at + layout.undone + rows);
-  }
-  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.CARRY] === 0 && r[at + j.TOUCHED] === 0 ? 1 : 0;
+  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
   if (r[at + j.SNAPPED] !== 0) {
     dropTurning(data, joint);
   }
@@ -366,49 +360,19 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   apply(data, joint, turned, work, 1, true);
 }
 
-/** Makes momentum of the share of the error, of its first `count` rows, that is not the doing of contacts: not below 0 nor above 1. */
-function carryShare({ joints: { records: r, h } }: SolverData, { at, layout }: Joint, count: number): void {
-  let made = 0;
-  let square = 0;
-  for (let n = 0; n < count; n += 1) {
-    const error = r[at + layout.error + n]!;
-    square += error * error;
-    made += error * (error - r[at + layout.undone + n]!);
-  }
-  r[at + j.CARRY] = (JOINT_MOMENTUM / h) * (made <= 0 ? 0 : made < square ? made / square : 1);
-}
-
-/** As for point joints, by the linear part of the error. */
-export function noteBlock(data: SolverData, joint: Joint, isAfterContacts: boolean): void {
-  const { records: r, worst } = data.joints;
+/** The error now, by its linear part, to `left`. */
+export function measureBlock(data: SolverData, joint: Joint): void {
+  const { records: r, left } = data.joints;
   const { at, layout } = joint;
-  if (r[at + j.TOUCHED] === 0 || r[at + j.PUSH] === 0) {
-    return;
-  }
-  for (let n = 0; n < layout.rows; n += 1) {
-    multiplyRow(data, joint, layout.turned, n, true);
-    const error = r[at + layout.error + n]! + product[0]!;
-    const change = error - r[at + layout.left + n]!;
-    r[at + layout.work + n] = change;
-    r[at + layout.left + n] = error;
-    if (isAfterContacts) {
-      r[at + layout.undone + n] = r[at + layout.undone + n]! + change;
+  length[0] = 0;
+  if (r[at + j.PUSH] !== 0) {
+    for (let n = 0; n < layout.rows; n += 1) {
+      multiplyRow(data, joint, layout.turned, n, true);
+      r[at + layout.work + n] = r[at + layout.error + n]! + product[0]!;
     }
+    findLength(r, at + layout.work, violatedRows(r, joint, layout.work));
   }
-  const violated = violatedRows(r, joint, layout.left);
-  findLength(r, at + layout.left, violated);
-  worst[2] = Math.max(worst[2]!, length[0]! * length[0]!);
-  if (isAfterContacts) {
-    findLength(r, at + layout.work, violated);
-    worst[0] = Math.max(worst[0]!, length[0]! * length[0]!);
-  }
-}
-
-/** The error noted last is above JOINT_OPEN. */
-export function isOpenBlock(r: Float64Array, joint: Joint): boolean {
-  const { at, layout } = joint;
-  findLength(r, at + layout.left, violatedRows(r, joint, layout.left));
-  return r[at + j.PUSH] !== 0 && length[0]! > JOINT_OPEN;
+  left[0] = length[0]!;
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
@@ -461,7 +425,6 @@ export function storeBlock(data: SolverData, joint: Joint): void {
   breakByWhole(data, joint);
   for (let n = 0; n < layout.rows; n += 1) {
     constraint.impulse[n] = r[at + layout.impulse + n]!;
-    constraint.undone[n] = r[at + j.TOUCHED] === 0 ? 0 : r[at + layout.undone + n]!;
   }
   for (let k = 0; k < 3 * layout.members; k += 1) {
     constraint.given[k] = r[at + layout.given + k]!;

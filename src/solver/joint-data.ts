@@ -22,23 +22,20 @@ import {
   MAX_ERROR,
   POINT,
   POINT_CARRY,
+  POINT_SNAPS,
   POINT_STRIDE,
-  POINT_TOUCHED,
   PUSH,
   SNAPPED,
+  SNAPS,
   SUM_WA,
   SUM_WB,
   SUM_X,
   SUM_Y,
-  TOUCHED,
   TURN,
   TURN_GIVEN_A,
   TURN_GIVEN_B,
   TURN_IMPULSE,
   TURN_STRIDE,
-  TURN_UNDONE,
-  UNDONE_X,
-  UNDONE_Y,
 } from './joint-layout.js';
 
 /** A constraint's place in the packed arrays. */
@@ -79,11 +76,10 @@ export interface Group {
   /** … and which of its joints, but in the last sweep. */
   from: number;
   to: number;
-  /** Contacts undid much of the corrections, and the errors are not small since. */
-  contested: boolean;
-  /** The square of the largest error at the start of the sub-step, of the largest noted last of joints in contact … */
+  /** One of the bodies is in contact. */
+  touched: boolean;
+  /** The square of the largest error at the start of the sub-step … */
   error: number;
-  left: number;
   /** … and of the largest that the first position iteration found. */
   pushed: number;
 }
@@ -100,9 +96,8 @@ export function newGroup(start: number): Group {
     span: 0,
     sweeps: 1,
     pushed: 0,
-    contested: false,
+    touched: false,
     error: 0,
-    left: 0,
     from: 0,
     to: 0,
   };
@@ -118,10 +113,10 @@ export function impulseOf({ kernel, at, layout }: Joint): number {
   return at + (kernel === POINT ? IMPULSE_X : kernel === TURN ? TURN_IMPULSE : layout.impulse);
 }
 
-/** Makes no momentum of what corrects a joint in this step; from now on it counts as in contact, 1, or not, 0. */
-export function steady({ kernel, at }: Joint, records: Float64Array, touched: number): void {
+/** Makes no momentum of what corrects a joint in this step, which is done without turning if its error is large and `snaps` is 1. */
+export function steady({ kernel, at }: Joint, records: Float64Array, snaps: number): void {
   records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
-  records[at + (kernel === POINT ? POINT_TOUCHED : TOUCHED)] = touched;
+  records[at + (kernel === POINT ? POINT_SNAPS : SNAPS)] = snaps;
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
@@ -137,15 +132,12 @@ export class JointData implements Keeper {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   parts = 1;
-  /** Some joint's body is in contact. */
-  isTouched = false;
-  /**
-   * Of a group, squares: the worst error so far in this sweep or at the start of the sub-step, the error from which on a joint is strained, the worst so far of
-   * those noted of joints in contact …
-   */
-  readonly worst = new Float64Array(3);
+  /** Of a group, squares: the worst error so far in this sweep or at the start of the sub-step, the error from which on a joint is strained … */
+  readonly worst = new Float64Array(2);
   /** … and which are strained: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
+  /** m, rad. Of one joint, the error that is left. */
+  readonly left = new Float64Array(1);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);
   /** Bodies that callbacks were shown elsewhere than where the step began, and where that was. */
@@ -222,20 +214,17 @@ export class JointData implements Keeper {
   }
 
   /** What a joint that keeps its numbers here has in its record. */
-  fetch(index: number, { impulse, undone, given }: Numbers): void {
+  fetch(index: number, { impulse, given }: Numbers): void {
     const { records: r } = this;
     const { kernel, at } = this.joints[index]!;
     if (kernel === TURN) {
       impulse[0] = r[at + TURN_IMPULSE]!;
-      undone[0] = r[at + TURN_UNDONE]!;
       given[2] = r[at + TURN_GIVEN_A]!;
       given[5] = r[at + TURN_GIVEN_B]!;
       return;
     }
     impulse[0] = r[at + IMPULSE_X]!;
     impulse[1] = r[at + IMPULSE_Y]!;
-    undone[0] = r[at + UNDONE_X]!;
-    undone[1] = r[at + UNDONE_Y]!;
     given[0] = -r[at + SUM_X]!;
     given[1] = -r[at + SUM_Y]!;
     given[2] = r[at + SUM_WA]!;
@@ -293,6 +282,6 @@ export function packHead(data: JointData, joint: Joint): void {
   r[at + CARRY] = isElastic ? 0 : JOINT_MOMENTUM / h;
   r[at + PUSH] = stiff && positional ? 1 : 0;
   r[at + SNAPPED] = 0;
-  r[at + TOUCHED] = 0;
+  r[at + SNAPS] = 0;
   r[at + CHECKED] = r[at + LIMIT]! < Infinity || r[at + BREAK]! < Infinity ? 1 : 0;
 }

@@ -22,8 +22,8 @@ export const PUSH = 8;
 export const CHECKED = 9;
 /** 1 if the last position iteration did without turning. */
 export const SNAPPED = 10;
-/** 1 if one of its bodies is in contact. */
-export const TOUCHED = 11;
+/** 1 if a large error is corrected without turning. */
+export const SNAPS = 11;
 export const HEAD = 12;
 
 /**
@@ -48,30 +48,25 @@ export const OFFSET_X = 13;
 export const OFFSET_Y = 14;
 export const PUSH_X = 15;
 export const PUSH_Y = 16;
-/** … the error at the start of the sub-step; 1 if one of its bodies is in contact … */
+/** … the error at the start of the sub-step; 1 if a large one is corrected without turning … */
 export const ERROR_X = 17;
 export const ERROR_Y = 18;
-export const POINT_TOUCHED = 19;
-/** … then: the error that joints left, and how much of one contacts made since … */
-export const LEFT_X = 20;
-export const LEFT_Y = 21;
-export const UNDONE_X = 22;
-export const UNDONE_Y = 23;
+export const POINT_SNAPS = 19;
 /** … anchors in the coordinates of their bodies, of immovable ones in the world … */
-export const ANCHOR_AX = 24;
-export const ANCHOR_AY = 25;
-export const ANCHOR_BX = 26;
-export const ANCHOR_BY = 27;
+export const ANCHOR_AX = 20;
+export const ANCHOR_AY = 21;
+export const ANCHOR_BX = 22;
+export const ANCHOR_BY = 23;
 /** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
-export const SUM_X = 28;
-export const SUM_Y = 29;
-export const SUM_WA = 30;
-export const SUM_WB = 31;
-export const POINT_CARRY = 32;
+export const SUM_X = 24;
+export const SUM_Y = 25;
+export const SUM_WA = 26;
+export const SUM_WB = 27;
+export const POINT_CARRY = 28;
 /** How far either body was turned in the sub-step when the last exact sweep found its arm. */
-export const PLACED_WA = 33;
-export const PLACED_WB = 34;
-export const POINT_STRIDE = 35;
+export const PLACED_WA = 29;
+export const PLACED_WB = 30;
+export const POINT_STRIDE = 31;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
@@ -93,20 +88,18 @@ export const TURN_LOW = 14;
 export const TURN_HIGH = 15;
 export const TURN_RATIO = 16;
 export const TURN_MASS = 17;
-/** … then what position iterations use: the correction of this sub-step, the value at its start, bounds, the error that joints left, and how much of it contacts made … */
+/** … then what position iterations use: the correction of this sub-step, the value at its start, bounds … */
 export const TURN_PUSH = 18;
 export const TURN_VALUE = 19;
 export const TURN_LOWER = 20;
 export const TURN_UPPER = 21;
-export const TURN_LEFT = 22;
-export const TURN_UNDONE = 23;
 /** … then: the error at the start of the sub-step; 1 if there are bounds; what of the value is due to bodies that cannot move; what the step gave to A and to B so far. */
-export const TURN_ERROR = 24;
-export const TURN_BOUNDED = 25;
-export const TURN_STILL = 26;
-export const TURN_GIVEN_A = 27;
-export const TURN_GIVEN_B = 28;
-export const TURN_STRIDE = 29;
+export const TURN_ERROR = 22;
+export const TURN_BOUNDED = 23;
+export const TURN_STILL = 24;
+export const TURN_GIVEN_A = 25;
+export const TURN_GIVEN_B = 26;
+export const TURN_STRIDE = 27;
 
 /** Where things are in the record of any other joint, of D rows and N members. */
 export class BlockLayout {
@@ -114,10 +107,8 @@ export class BlockLayout {
   readonly impulse: number;
   readonly push: number;
   readonly bias: number;
-  /** … error (in position iterations less its linear part), that which joints left, what contacts made of it since … */
+  /** … error (in position iterations less its linear part) … */
   readonly error: number;
-  readonly left: number;
-  readonly undone: number;
   /** … scratch, λ of the step, momentum of corrections of the step: D each. */
   readonly work: number;
   readonly total: number;
@@ -142,12 +133,10 @@ export class BlockLayout {
     this.push = HEAD + rows;
     this.bias = HEAD + 2 * rows;
     this.error = HEAD + 3 * rows;
-    this.left = HEAD + 4 * rows;
-    this.undone = HEAD + 5 * rows;
-    this.work = HEAD + 6 * rows;
-    this.total = HEAD + 7 * rows;
-    this.carried = HEAD + 8 * rows;
-    this.low = HEAD + 9 * rows;
+    this.work = HEAD + 4 * rows;
+    this.total = HEAD + 5 * rows;
+    this.carried = HEAD + 6 * rows;
+    this.low = HEAD + 7 * rows;
     this.high = this.low + 1;
     this.jacobian = this.low + 2;
     this.turned = this.jacobian + 3 * members * rows;

@@ -19,7 +19,7 @@ import {
   storeBlock,
   warmStartBlock,
 } from './block-joints.js';
-import { closeOpen, dropMomentum, noteErrors } from './contested-joints.js';
+import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
 import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run, steady } from './joint-data.js';
 import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
@@ -42,13 +42,12 @@ import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmS
 function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
-  const isTouched = world.jointsTouched || world.jointsStale || joints.h !== h || joints.parts !== world.substeps;
+  const isChanged = world.jointsTouched || world.jointsStale || joints.h !== h || joints.parts !== world.substeps;
   if (world.jointsStale) {
     orderJoints(world);
   }
   world.jointsStale = false;
   world.jointsTouched = false;
-  joints.isTouched = false;
   joints.h = h;
   joints.parts = world.substeps;
   if (joints.runs.length > 0) {
@@ -58,35 +57,58 @@ function packJoints(world: World, h: number): void {
     // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
     joints.fetchAll();
   }
-  for (let i = 0; i < joints.runs.length; i += 1) {
-    const { kernel, start, end } = joints.runs[i]!;
-    for (let k = start; k < end && (isTouched || !keepsNumbers(kernel)); k += 1) {
-      packJoint(data, joints.joints[k]!);
-    }
-    if (kernel === POINT) {
-      beginPoints(data, start, end);
-    } else if (kernel === TURN) {
-      beginTurns(data, start, end);
-    }
+  for (let i = 0; i < joints.groups.length; i += 1) {
+    packGroup(data, joints.groups[i]!, isChanged);
   }
-  if (isTouched) {
+  if (isChanged) {
     steadyFresh(joints);
   }
+}
+
+/**
+ * Contacts push without momentum: where one of the bodies is in contact joints make none of their corrections either, as it would be made of what contacts undo
+ * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would.
+ */
+function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
+  const { joints, records } = data.joints;
+  group.touched = false;
+  for (let i = 0; i < group.runs.length; i += 1) {
+    group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
+  }
+  for (let k = group.start; k < group.end && group.touched; k += 1) {
+    steady(joints[k]!, records, 0);
+  }
+}
+
+/** @returns whether one of the bodies is in contact. */
+function packRun(data: SolverData, { kernel, start, end }: Run, isChanged: boolean): boolean {
+  const { joints } = data.joints;
+  let isInContact = false;
+  for (let k = start; k < end && (isChanged || !keepsNumbers(kernel)); k += 1) {
+    isInContact = packJoint(data, joints[k]!) || isInContact;
+  }
+  if (kernel === POINT) {
+    return beginPoints(data, start, end);
+  }
+  return kernel === TURN ? beginTurns(data, start, end) : isInContact;
 }
 
 function isCustom({ kernel }: Run): boolean {
   return kernel === CUSTOM;
 }
 
-function packJoint(data: SolverData, joint: Joint): void {
+/** @returns whether one of the bodies is in contact, if its numbers do not stay here. */
+function packJoint(data: SolverData, joint: Joint): boolean {
   if (joint.kernel === POINT) {
     packPoint(data, joint);
-  } else if (joint.kernel === TURN) {
-    packTurn(data, joint);
-  } else {
-    packHead(data.joints, joint);
-    packBlock(data, joint);
+    return false;
   }
+  if (joint.kernel === TURN) {
+    packTurn(data, joint);
+    return false;
+  }
+  packHead(data.joints, joint);
+  return packBlock(data, joint);
 }
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
@@ -97,7 +119,7 @@ function steadyFresh({ joints, groups, records }: JointData): void {
       if (constraint.fresh) {
         constraint.fresh = false;
         group.fresh = true;
-        steady(joints[k]!, records, 0);
+        steady(joints[k]!, records, group.touched ? 0 : 1);
       }
     }
   }
@@ -109,7 +131,7 @@ function settle({ joints, records }: JointData, group: Group, worst: number): vo
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(joints[k]!, records, 0);
+    steady(joints[k]!, records, group.touched ? 0 : 1);
   }
 }
 
@@ -243,11 +265,7 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
     const before = Math.ceil((i * sweeps) / count);
     const after = Math.ceil(((i + 1) * sweeps) / count);
     if (after > before) {
-      if (i > 0) {
-        noteErrors(data, group, true);
-      }
       isLeft = (pushGroup(data, group, before, after) && after < sweeps) || isLeft;
-      noteErrors(data, group, false);
     }
   }
   return isLeft;
@@ -258,10 +276,10 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
  * contacts came in between, or bodies are to be moved without turning. @returns whether the last one found an error that was worth another.
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
-  const { worst, isTouched } = data.joints;
+  const { worst } = data.joints;
   linearise(data, group);
   for (let sweep = before; sweep < after; sweep += 1) {
-    const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !isTouched);
+    const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
     // More than small motion was left when all exact errors were found the last time.
     const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
     worst[0] = 0;
@@ -348,7 +366,6 @@ function finishGroup(data: SolverData, { runs, span }: Group): void {
 function finishJoints(data: SolverData): void {
   const { groups, runs } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
-    dropMomentum(data, groups[k]!);
     finishGroup(data, groups[k]!);
     closeOpen(data, groups[k]!);
   }

@@ -1,11 +1,4 @@
-import {
-  JOINT_FAR_TURN,
-  JOINT_MOMENTUM,
-  JOINT_OPEN,
-  JOINT_SNAP,
-  JOINT_TOLERANCE,
-  MIN_INVERSE_MASS,
-} from '../config.js';
+import { JOINT_FAR_TURN, JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
 import { cosSin } from '../math/trig.js';
@@ -36,8 +29,6 @@ export function packPoint(data: SolverData, joint: Joint): void {
   const { at, constraint } = joint;
   packAnchor(data, joint, 0);
   packAnchor(data, joint, 1);
-  r[at + j.UNDONE_X] = constraint.undone[0]!;
-  r[at + j.UNDONE_Y] = constraint.undone[1]!;
   r[at + j.IMPULSE_X] = constraint.impulse[0]!;
   r[at + j.IMPULSE_Y] = constraint.impulse[1]!;
 }
@@ -57,16 +48,17 @@ function packAnchor(data: SolverData, joint: Joint, k: number): void {
   bodies[first + k] = slot * d.BODY_STRIDE;
 }
 
-/** Starts a step. */
-export function beginPoints(data: SolverData, start: number, end: number): void {
+/** Starts a step. @returns whether one of the bodies is in contact. */
+export function beginPoints(data: SolverData, start: number, end: number): boolean {
   const { records: r, joints, bodies, h } = data.joints;
   const { drive } = data;
   const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
+  let touched = 0;
   for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const isTouched = drive[bodies[n]! + d.TOUCHED] === 1 || drive[bodies[n + 1]! + d.TOUCHED] === 1;
+    touched |= drive[bodies[n]! + d.TOUCHED]! | drive[bodies[n + 1]! + d.TOUCHED]!;
     r[i + j.IMPULSE_X] = r[i + j.IMPULSE_X]! * scale;
     r[i + j.IMPULSE_Y] = r[i + j.IMPULSE_Y]! * scale;
     r[i + j.SUM_X] = 0;
@@ -74,15 +66,9 @@ export function beginPoints(data: SolverData, start: number, end: number): void 
     r[i + j.SUM_WA] = 0;
     r[i + j.SUM_WB] = 0;
     r[i + j.POINT_CARRY] = carry;
-    if (isTouched) {
-      data.joints.isTouched = true;
-      r[i + j.POINT_TOUCHED] = 1;
-    } else {
-      r[i + j.POINT_TOUCHED] = 0;
-      r[i + j.UNDONE_X] = 0;
-      r[i + j.UNDONE_Y] = 0;
-    }
+    r[i + j.POINT_SNAPS] = 0;
   }
+  return touched !== 0;
 }
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
@@ -204,39 +190,6 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
 }
 
 /**
- * Of joints in contact: notes the error that is left, as linear in the motion since the last exact sweep, and, if contacts were solved since the last note, what
- * they made of it.
- */
-export function notePoints(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
-  const { records: r, bodies, joints, worst } = data.joints;
-  const { motion: q } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    if (r[i + j.POINT_TOUCHED] !== 0) {
-      const a = bodies[n]! & d.OFFSET;
-      const b = bodies[n + 1]! & d.OFFSET;
-      const wA = q[a + d.QW]!;
-      const wB = q[b + d.QW]!;
-      const turnedX = wA * r[i + j.PLACED_AY]! - wB * r[i + j.PLACED_BY]!;
-      const turnedY = wB * r[i + j.PLACED_BX]! - wA * r[i + j.PLACED_AX]!;
-      const cx = r[i + j.OFFSET_X]! + (q[b + d.QX]! - q[a + d.QX]! + turnedX);
-      const cy = r[i + j.OFFSET_Y]! + (q[b + d.QY]! - q[a + d.QY]! + turnedY);
-      if (isAfterContacts) {
-        const x = cx - r[i + j.LEFT_X]!;
-        const y = cy - r[i + j.LEFT_Y]!;
-        r[i + j.UNDONE_X] = r[i + j.UNDONE_X]! + x;
-        r[i + j.UNDONE_Y] = r[i + j.UNDONE_Y]! + y;
-        worst[0] = Math.max(worst[0]!, x * x + y * y);
-      }
-      r[i + j.LEFT_X] = cx;
-      r[i + j.LEFT_Y] = cy;
-      worst[2] = Math.max(worst[2]!, cx * cx + cy * cy);
-    }
-  }
-}
-
-/**
  * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the
  * start of the sub-step a pendulum is 1 mm off after 5 s.
  *
@@ -291,14 +244,6 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
         worst[0] = square;
       }
     }
-    if (r[i + j.POINT_TOUCHED] !== 0 && r[i + j.PUSH_X] === 0 && r[i + j.PUSH_Y] === 0) {
-      const made = square - (cx * r[i + j.UNDONE_X]! + cy * r[i + j.UNDONE_Y]!);
-      // Of the error, what is not the doing of contacts.
-      const share = made <= 0 ? 0 : made < square ? made / square : 1;
-      r[i + j.POINT_CARRY] = (JOINT_MOMENTUM / data.joints.h) * share;
-      r[i + j.UNDONE_X] = 0;
-      r[i + j.UNDONE_Y] = 0;
-    }
     const mA = q[a + d.INV_MASS]!;
     const mB = q[b + d.INV_MASS]!;
     ax += dax;
@@ -326,12 +271,7 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
     const i12 = r[i + j.I12]!;
     let x = r[i + j.I11]! * cx + i12 * cy;
     let y = i12 * cx + r[i + j.I22]! * cy;
-    if (
-      square > JOINT_SNAP * JOINT_SNAP &&
-      r[i + j.POINT_CARRY] === 0 &&
-      r[i + j.POINT_TOUCHED] === 0 &&
-      m > MIN_INVERSE_MASS
-    ) {
+    if (square > JOINT_SNAP * JOINT_SNAP && r[i + j.POINT_SNAPS] !== 0 && m > MIN_INVERSE_MASS) {
       x = cx / m;
       y = cy / m;
       ax = 0;
@@ -420,11 +360,18 @@ function haveTurned(
   return most > JOINT_FAR_TURN;
 }
 
-/** The error noted last is above JOINT_OPEN. */
-export function isOpenPoint(r: Float64Array, at: number): boolean {
-  const x = r[at + j.LEFT_X]!;
-  const y = r[at + j.LEFT_Y]!;
-  return x * x + y * y > JOINT_OPEN * JOINT_OPEN;
+/** The error now, m, as linear in the motion since the last exact sweep, to `left`. */
+export function measurePoint({ joints, motion: q }: SolverData, { at, first }: Joint): void {
+  const { records: r, bodies, left } = joints;
+  const a = bodies[first]!;
+  const b = bodies[first + 1]!;
+  const wA = q[a + d.QW]!;
+  const wB = q[b + d.QW]!;
+  const turnedX = wA * r[at + j.PLACED_AY]! - wB * r[at + j.PLACED_BY]!;
+  const turnedY = wB * r[at + j.PLACED_BX]! - wA * r[at + j.PLACED_AX]!;
+  const cx = r[at + j.OFFSET_X]! + (q[b + d.QX]! - q[a + d.QX]! + turnedX);
+  const cy = r[at + j.OFFSET_Y]! + (q[b + d.QY]! - q[a + d.QY]! + turnedY);
+  left[0] = Math.sqrt(cx * cx + cy * cy);
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */

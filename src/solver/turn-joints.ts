@@ -1,4 +1,4 @@
-import { JOINT_MOMENTUM, JOINT_OPEN, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { BOUND_SLOP, JOINT_MOMENTUM, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
 import type { AngleConstraint } from '../constraint/angle.js';
 import { ANGLE } from '../constraint/layout.js';
 import type { MotorConstraint } from '../constraint/motor.js';
@@ -24,7 +24,6 @@ export function packTurn(data: SolverData, joint: Joint): void {
   bodies[first + 1] = b;
   packHead(data.joints, joint);
   r[at + j.TURN_IMPULSE] = constraint.impulse[0]!;
-  r[at + j.TURN_UNDONE] = constraint.undone[0]!;
   r[at + j.TURN_LOW] = -Infinity;
   r[at + j.TURN_HIGH] = Infinity;
   r[at + j.TURN_ERROR] = 0;
@@ -39,17 +38,19 @@ export function packTurn(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Starts a step. */
-export function beginTurns(data: SolverData, start: number, end: number): void {
+/** Starts a step. @returns whether one of the bodies is in contact. */
+export function beginTurns(data: SolverData, start: number, end: number): boolean {
   const { records: r, joints, bodies, h } = data.joints;
   const { drive, velocity: v } = data;
   const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
+  let touched = 0;
   for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
+    touched |= drive[a + d.TOUCHED]! | drive[b + d.TOUCHED]!;
     const ratio = r[i + j.TURN_RATIO]!;
     const inverse = v[a + d.INV_INERTIA]! + ratio * ratio * v[b + d.INV_INERTIA]!;
     r[i + j.TURN_MASS] = inverse > MIN_INVERSE_MASS && inverse < Infinity ? 1 / inverse : 0;
@@ -57,14 +58,8 @@ export function beginTurns(data: SolverData, start: number, end: number): void {
     r[i + j.TURN_GIVEN_A] = 0;
     r[i + j.TURN_GIVEN_B] = 0;
     r[i + j.CARRY] = carry;
-    if (drive[a + d.TOUCHED] === 1 || drive[b + d.TOUCHED] === 1) {
-      data.joints.isTouched = true;
-      r[i + j.TOUCHED] = 1;
-    } else {
-      r[i + j.TOUCHED] = 0;
-      r[i + j.TURN_UNDONE] = 0;
-    }
   }
+  return touched !== 0;
 }
 
 /** Starts a sub-step: where each is between its bounds, how fast it may turn, and the impulse of the last sub-step once more. */
@@ -107,7 +102,8 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
   r[i + j.TURN_LOW] = lower === upper || (acts && isUpper) ? -Infinity : 0;
   r[i + j.TURN_HIGH] = lower === upper || (acts && !isUpper) ? Infinity : 0;
   if (isStiff) {
-    r[i + j.TURN_BIAS] = acts && !isBeyond ? distance / h : 0;
+    const rests = Math.abs(distance) < BOUND_SLOP && r[i + j.TURN_IMPULSE] !== 0;
+    r[i + j.TURN_BIAS] = acts && !isBeyond && !rests ? distance / h : 0;
   } else {
     const speed = r[i + j.TURN_ERROR]! * r[i + j.RATE]!;
     const most = r[i + j.MAX_BIAS]!;
@@ -152,7 +148,7 @@ export function solveVelocityTurns(data: SolverData, start: number, end: number)
 
 /** One position sweep. @returns whether an error was worth another iteration. */
 export function pushTurns(data: SolverData, start: number, end: number): boolean {
-  const { records: r, bodies, joints, h } = data.joints;
+  const { records: r, bodies, joints } = data.joints;
   const { motion: q } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -169,16 +165,9 @@ export function pushTurns(data: SolverData, start: number, end: number): boolean
     const value = r[i + j.TURN_VALUE]! + ratio * wB - wA;
     const over = value - r[i + j.TURN_UPPER]!;
     const under = value - r[i + j.TURN_LOWER]!;
-    const error = over > 0 ? over : under < 0 ? under : 0;
     const old = r[i + j.TURN_PUSH]!;
-    if (error > JOINT_TOLERANCE || error < -JOINT_TOLERANCE) {
+    if (over > JOINT_TOLERANCE || under < -JOINT_TOLERANCE) {
       found = true;
-    }
-    if (old === 0 && r[i + j.TOUCHED] !== 0) {
-      // Of the error, what is not the doing of contacts makes momentum.
-      const share = error === 0 ? 0 : 1 - r[i + j.TURN_UNDONE]! / error;
-      r[i + j.CARRY] = (JOINT_MOMENTUM / h) * (share <= 0 ? 0 : share < 1 ? share : 1);
-      r[i + j.TURN_UNDONE] = 0;
     }
     // What would bring it to either bound; if both are passed on the way back, there is nothing to do.
     const inverse = r[i + j.TURN_MASS]!;
@@ -193,34 +182,12 @@ export function pushTurns(data: SolverData, start: number, end: number): boolean
   return found;
 }
 
-/** Of joints in contact: notes the error that is left and, if contacts were solved since the last note, what they made of it. */
-export function noteTurns(data: SolverData, start: number, end: number, isAfterContacts: boolean): void {
-  const { records: r, bodies, joints, worst } = data.joints;
-  const { motion: q } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    if (r[i + j.PUSH] === 0 || r[i + j.TOUCHED] === 0) {
-      continue;
-    }
-    const ratio = r[i + j.TURN_RATIO]!;
-    const value = r[i + j.TURN_VALUE]! + ratio * q[bodies[n + 1]! + d.QW]! - q[bodies[n]! + d.QW]!;
-    const over = value - r[i + j.TURN_UPPER]!;
-    const under = value - r[i + j.TURN_LOWER]!;
-    const error = over > 0 ? over : under < 0 ? under : 0;
-    if (isAfterContacts) {
-      const change = error - r[i + j.TURN_LEFT]!;
-      r[i + j.TURN_UNDONE] = r[i + j.TURN_UNDONE]! + change;
-      worst[0] = Math.max(worst[0]!, change * change);
-    }
-    r[i + j.TURN_LEFT] = error;
-    worst[2] = Math.max(worst[2]!, error * error);
-  }
-}
-
-/** The error noted last is above JOINT_OPEN. */
-export function isOpenTurn(r: Float64Array, at: number): boolean {
-  return Math.abs(r[at + j.TURN_LEFT]!) > JOINT_OPEN && r[at + j.PUSH] !== 0;
+/** How far it is beyond a bound now, rad, to `left`. */
+export function measureTurn({ joints, motion: q }: SolverData, { at, first }: Joint): void {
+  const { records: r, bodies, left } = joints;
+  const turned = r[at + j.TURN_RATIO]! * q[bodies[first + 1]! + d.QW]! - q[bodies[first]! + d.QW]!;
+  const value = r[at + j.TURN_VALUE]! + turned;
+  left[0] = r[at + j.PUSH]! * Math.max(value - r[at + j.TURN_UPPER]!, r[at + j.TURN_LOWER]! - value, 0);
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */

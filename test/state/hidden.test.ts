@@ -104,13 +104,11 @@ describe('what hash and snapshots do not tell', () => {
       const still = phys2D.createRigidBody({ type: 'static' });
       const motor = phys2D.createMotorConstraint({ bodyA: still, bodyB: a, rate: 2 });
       world.addConstraint(motor);
-      // Shorter than the one before: of errors that were left a share is forgiven, of which a motor has none.
+      // Shorter than the one before: of errors that were left only a part makes momentum, of which a motor has none.
       world.step(1 / 60);
-      motor.fetch();
-      return { hash: world.hash(), undone: [...motor.undone] };
+      return world.hash();
     };
-    expect(run(0).undone).toEqual([0]);
-    expect(run(3)).toEqual(run(0));
+    expect(run(3)).toBe(run(0));
   });
 
   it('is not that there once was a constraint', () => {

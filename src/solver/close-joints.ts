@@ -1,0 +1,123 @@
+import type { RigidBody } from '../body.js';
+import { DYNAMIC } from '../body-kind.js';
+import { CLOSING_ROUNDS, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
+import type { Constraint } from '../constraint/constraint.js';
+import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
+import type { SolverData } from './data.js';
+import { type Group, impulseOf, type Joint } from './joint-data.js';
+import { CUSTOM, POINT, TURN } from './joint-layout.js';
+import { measurePoint, pushPoints } from './point-joints.js';
+import { measureTurn, pushTurns } from './turn-joints.js';
+
+/** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
+const before = new Float64Array(12);
+
+/**
+ * Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. As contacts are solved last in a position iteration,
+ * they would keep a joint open for ever that has something on its wrong side.
+ */
+export function closeOpen(data: SolverData, group: Group): void {
+  if (group.touched && group.error > JOINT_TORN * JOINT_TORN) {
+    forgetPart(data, group);
+  }
+  let rounds = 0;
+  while (rounds < CLOSING_ROUNDS && group.touched && closeOnce(data, group)) {
+    rounds += 1;
+  }
+}
+
+/** All but a share of what joints gave is forgotten by the next sub-step. */
+function forgetPart({ joints: { joints, records } }: SolverData, { start, end }: Group): void {
+  for (let k = start; k < end; k += 1) {
+    const from = impulseOf(joints[k]!);
+    for (let n = from; n < from + joints[k]!.layout.rows; n += 1) {
+      records[n] = records[n]! * TORN_KEEP;
+    }
+  }
+}
+
+/** @returns whether there was something to close. */
+function closeOnce(data: SolverData, { start, end }: Group): boolean {
+  const { joints, left } = data.joints;
+  let found = false;
+  for (let k = start; k < end; k += 1) {
+    measure(data, joints[k]!);
+    if (left[0]! > JOINT_OPEN && mayClose(joints[k]!)) {
+      found = true;
+      closePart(data, k);
+    }
+  }
+  return found;
+}
+
+function measure(data: SolverData, joint: Joint): void {
+  const { kernel } = joint;
+  if (kernel === POINT) {
+    measurePoint(data, joint);
+  } else if (kernel === TURN) {
+    measureTurn(data, joint);
+  } else if (kernel === CUSTOM) {
+    data.joints.left[0] = 0;
+  } else {
+    measureBlock(data, joint);
+  }
+}
+
+/** Only what is more than JOINT_OPEN: what is at that would else be closed in one sub-step and opened in the next. */
+function closePart(data: SolverData, index: number): void {
+  const { joints, bodies, left } = data.joints;
+  const { motion: q } = data;
+  const joint = joints[index]!;
+  const share = 1 - JOINT_OPEN / left[0]!;
+  const { first, layout } = joint;
+  for (let k = 0; k < layout.members; k += 1) {
+    for (let c = 0; c < 3; c += 1) {
+      before[3 * k + c] = q[bodies[first + k]! + c]!;
+    }
+  }
+  if (joint.kernel === POINT) {
+    pushPoints(data, index, index + 1);
+  } else if (joint.kernel === TURN) {
+    pushTurns(data, index, index + 1);
+  } else {
+    lineariseBlock(data, joint);
+    pushBlock(data, joint);
+  }
+  for (let k = 0; k < layout.members; k += 1) {
+    const b = bodies[first + k]!;
+    for (let c = 0; c < 3; c += 1) {
+      const start = before[3 * k + c]!;
+      q[b + c] = start + share * (q[b + c]! - start);
+    }
+  }
+}
+
+/**
+ * Joints with something immovable are left as they are, as these would drag bodies through a wall at once, and so are those whose own bodies lie in each other's
+ * way.
+ */
+function mayClose({ constraint }: Joint): boolean {
+  return constraint.members.every(canBeMoved) && !hasContact(constraint);
+}
+
+function canBeMoved(body: RigidBody): boolean {
+  body.refreshMass();
+  return body.kind === DYNAMIC && body.mass > 0 && body.mass < Infinity;
+}
+
+/** Between its own bodies; the last one has none with itself. */
+function hasContact({ members }: Constraint): boolean {
+  for (let i = 0; i + 1 < members.length; i += 1) {
+    const { shapes } = members[i]!;
+    for (let k = 0; k < shapes.length; k += 1) {
+      const { arbiters } = shapes[k]!;
+      for (let n = 0; n < arbiters.length; n += 1) {
+        const pair = arbiters[n]!;
+        if (pair.isSolved() && members.includes(pair.shapeA.owner!) && members.includes(pair.shapeB.owner!)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
