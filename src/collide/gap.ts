@@ -1,7 +1,7 @@
 import { IMPACT_SHARE } from '../config.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
-import type { Shape } from '../shape/shape.js';
+import { halfWidthOf, type Shape } from '../shape/shape.js';
 
 const outlineA = /* @__PURE__ */ new Outline();
 const outlineB = /* @__PURE__ */ new Outline();
@@ -22,5 +22,5 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
 
 /** Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `depth`, or less if they are thin, so that they cannot pass each other. */
 export function findImpactDepth(a: Shape, b: Shape, depth: number): void {
-  impactDepth[0] = Math.min(depth, IMPACT_SHARE * (a.thickness() + b.thickness()));
+  impactDepth[0] = Math.min(depth, IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b)));
 }

@@ -132,11 +132,6 @@ export class Circle extends BaseShape {
   }
 
   /** @internal */
-  override thickness(): number {
-    return this.radius;
-  }
-
-  /** @internal */
   protected override mapGeometry(m: ArrayLike<number>): boolean {
     const { originX, originY } = this;
     const area = m[0]! * m[3]! - m[2]! * m[1]!;

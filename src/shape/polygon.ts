@@ -27,6 +27,8 @@ interface Form {
   readonly localEdges: Float64Array;
   /** n · p of each edge; a turn does not change it. */
   readonly offsets: Float64Array;
+  /** m. Half of the least width. */
+  readonly halfWidth: number;
 }
 
 /** The form that was asked for last: polygons are often made many alike. */
@@ -69,7 +71,21 @@ function makeForm(corners: ArrayLike<number>): Form {
     localEdges[2 * i + 3] = ny;
     offsets[i / 2] = nx * x + ny * y;
   }
-  return { vertices, localEdges, offsets };
+  return { vertices, localEdges, offsets, halfWidth: leastWidth(localEdges, offsets) / 2 };
+}
+
+function leastWidth(localEdges: Float64Array, offsets: Float64Array): number {
+  let width = Infinity;
+  for (let i = 0; i < offsets.length; i += 1) {
+    const nx = localEdges[EDGE_STRIDE * i + 2]!;
+    const ny = localEdges[EDGE_STRIDE * i + 3]!;
+    let depth = 0;
+    for (let k = 0; k < localEdges.length; k += EDGE_STRIDE) {
+      depth = Math.max(depth, offsets[i]! - nx * localEdges[k]! - ny * localEdges[k + 1]!);
+    }
+    width = Math.min(width, depth);
+  }
+  return width;
 }
 
 /** A convex polygon with any number of corners. */
@@ -86,12 +102,11 @@ export class Polygon extends BaseShape {
   readonly kind = POLYGON;
   /** @internal */
   offsets: Float64Array;
-  private form: Form;
+  /** @internal */
+  form: Form;
 
   /** @internal grows with every change of the geometry */
   geometryStamp = 1;
-  /** @internal half of the least width; −1 if it has to be found */
-  halfWidth = -1;
 
   /** @internal use `createPolygonShape` */
   constructor(params: PolygonParams) {
@@ -131,7 +146,6 @@ export class Polygon extends BaseShape {
     this.form = form;
     this.offsets = form.offsets;
     this.geometryStamp += 1;
-    this.halfWidth = -1;
   }
 
   override computeArea(): number {
@@ -208,29 +222,6 @@ export class Polygon extends BaseShape {
   /** @internal */
   override isRound(): boolean {
     return false;
-  }
-
-  /** @internal */
-  override thickness(): number {
-    if (this.halfWidth < 0) {
-      this.halfWidth = this.leastWidth() / 2;
-    }
-    return this.halfWidth;
-  }
-
-  private leastWidth(): number {
-    const { localEdges, offsets } = this;
-    let width = Infinity;
-    for (let i = 0; i < offsets.length; i += 1) {
-      const nx = localEdges[EDGE_STRIDE * i + 2]!;
-      const ny = localEdges[EDGE_STRIDE * i + 3]!;
-      let depth = 0;
-      for (let k = 0; k < localEdges.length; k += EDGE_STRIDE) {
-        depth = Math.max(depth, offsets[i]! - nx * localEdges[k]! - ny * localEdges[k + 1]!);
-      }
-      width = Math.min(width, depth);
-    }
-    return width;
   }
 
   /** @internal */

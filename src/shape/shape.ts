@@ -14,7 +14,7 @@ import type { UserDataOf } from '../user-data.js';
 import { bits, boolean, callable, finite, instance, nonNegative, optional, rangeError, vector } from '../validate.js';
 import type { Circle } from './circle.js';
 import type { Polygon } from './polygon.js';
-import type { CIRCLE, POLYGON } from './shape-kind.js';
+import { CIRCLE, type POLYGON } from './shape-kind.js';
 
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
@@ -318,9 +318,6 @@ export abstract class BaseShape {
   /** @internal it looks the same however its body is turned */
   abstract isRound(): boolean;
 
-  /** @internal half of the least width */
-  abstract thickness(): number;
-
   /** @internal by a matrix as that of `transform`. @returns `false`, without effect, if that would be no shape: too large, or with points that coincide. */
   protected abstract mapGeometry(matrix: ArrayLike<number>): boolean;
 
@@ -342,4 +339,9 @@ export const Shape = BaseShape as unknown as abstract new (...args: never[]) => 
 /** Whether a shape comes before another wherever the order must not matter: in that in which they were made. */
 export function isOlder(a: Shape, b: Shape): boolean {
   return a.id < b.id;
+}
+
+/** m. Half of the least width. No method, as what those return has to be boxed; this is short enough to be put into its callers. */
+export function halfWidthOf(shape: Shape): number {
+  return shape.kind === CIRCLE ? shape.radius : shape.form.halfWidth;
 }

@@ -9,7 +9,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { touch, touchAlong } from '../contact/touch.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
-import type { Shape } from '../shape/shape.js';
+import { halfWidthOf, type Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
 import { findNearby, nearby } from './nearby.js';
@@ -190,7 +190,7 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
     return false;
   }
   const shape = dynamicOf(pair);
-  point.depth = Math.min(IMPACT_DEPTH, shape.thickness() / 2);
+  point.depth = Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
   const { x, y } = point;
   const { numbers: n, at: o } = pair;
   const nx = signOf(pair) * n[o + g.NX]!;

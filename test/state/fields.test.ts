@@ -15,7 +15,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['stepping', 'delivering', 'jointsTouched'],
   solver: ['bodyCount', 'impulseScale', 'hardCount', 'crowded'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover'],
-  shape: ['groundStamp', 'stateIndex', 'halfWidth'],
+  shape: ['groundStamp', 'stateIndex'],
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead'],
