@@ -10,7 +10,7 @@ import { presentBounds } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
 import type { UserDataOf } from './user-data.js';
-import { sink } from './validate.js';
+import { boolean, sink } from './validate.js';
 import type { World } from './world.js';
 
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
@@ -22,8 +22,6 @@ export abstract class BodyState extends BodyNumbers {
   readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
-  /** Is swept against other dynamic bodies too; takes effect in the next step. */
-  bullet: boolean;
   /** Anything of yours. */
   userData: UserDataOf<'body'>;
 
@@ -35,6 +33,8 @@ export abstract class BodyState extends BodyNumbers {
   massStale = true;
   /** @internal turned geometry, bounds and broadphase are behind the placement */
   placeStale = true;
+  /** @internal what `bullet` is */
+  isBullet: boolean;
   /** @internal */
   asleep: boolean;
   /** @internal its `wake` event waits for the next step */
@@ -84,7 +84,7 @@ export abstract class BodyState extends BodyNumbers {
     this.fixedMass = given.mass;
     this.fixedInertia = given.inertia;
     this.asleep = given.sleeping;
-    this.bullet = given.bullet;
+    this.isBullet = given.bullet;
     this.userData = given.userData;
     this.shapes = this.own(given.shapes);
   }
@@ -101,6 +101,15 @@ export abstract class BodyState extends BodyNumbers {
     }
     shapes.length = count;
     return shapes;
+  }
+
+  /** Is swept against other dynamic bodies too; takes effect in the next step. */
+  get bullet(): boolean {
+    return this.isBullet;
+  }
+
+  set bullet(value: boolean) {
+    this.isBullet = boolean('RigidBody', 'bullet', value);
   }
 
   /** Σ density · area, kg. Overlaps count twice, sensors count. */

@@ -442,6 +442,16 @@ describe('worlds', () => {
     expect(world[name]).toBe(before);
   });
 
+  it('bullet of a body is checked when set', () => {
+    const body = plainBody();
+    for (const bad of NOT_BOOLEAN) {
+      refuses((value) => Object.assign(body, { bullet: value }), 'RigidBody', 'bullet', bad);
+    }
+    expect(body.bullet).toBe(false);
+    body.bullet = true;
+    expect(body.bullet).toBe(true);
+  });
+
   it('gravity and bodies are checked', () => {
     const world = weightless();
     for (const bad of NOT_VECTOR) {
