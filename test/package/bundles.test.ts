@@ -196,6 +196,18 @@ it.each([...ESM, ...UMD])('%s names the class of what is wrong, if its name is t
   );
 });
 
+it.each([
+  ['phys2d.js', 'phys2d.min.js'],
+  ['phys2d.min.js', 'phys2d.js'],
+  ['phys2d.js', 'phys2d.umd.cjs'],
+])('%s refuses worldState of %s', async (name, other) => {
+  const { createWorld } = await importBundle(name);
+  const { worldState } = await importBundle(other);
+  expect(() => createWorld({ state: worldState })).toThrow(
+    new TypeError('createWorld: state must be worldState of the same bundle, got an object'),
+  );
+});
+
 describe('the state', () => {
   it.each([
     ['phys2d.js', 'state.js'],
