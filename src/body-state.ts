@@ -16,6 +16,9 @@ import type { World } from './world.js';
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
 const turn = new Float64Array(3);
 
+/** 2^-800, by which masses are multiplied where they could sum up to more than there are numbers: it changes no bit of a quotient of two. */
+const SMALL = 1.499696813895631e-241;
+
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState extends BodyNumbers {
   /** Attached shapes. Do not modify. */
@@ -138,8 +141,9 @@ export abstract class BodyState extends BodyNumbers {
     let y = 0;
     let total = 0;
     const centre: Vec2 = [0, 0];
+    const unit = this.computeMassFromShapes() < 1 ? 1 : SMALL;
     for (const shape of this.shapes) {
-      const mass = shape.material.density * shape.computeArea();
+      const mass = unit * shape.computeArea() * shape.material.density;
       shape.computeCenterOfMass(centre);
       x += mass * centre[0];
       y += mass * centre[1];
