@@ -1,11 +1,6 @@
 // Public names whose comments say too little, read off the published declarations as an editor shows them: node docs/comments.mjs [file.d.ts …]
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
-
-const dist = join(dirname(fileURLToPath(import.meta.url)), '../dist');
-const modules = ['index', 'debug/index', 'runner', 'state/index', 'audit/index'];
-const HIDING = new Set([ts.SyntaxKind.PrivateKeyword, ts.SyntaxKind.ProtectedKeyword]);
+import { exportsOf, isHidden, modules, parse } from './declarations.mjs';
 
 /**
  * A name without a comment, one whose comment says nothing but the name, and an option that does not say what leaving it out
@@ -13,19 +8,12 @@ const HIDING = new Set([ts.SyntaxKind.PrivateKeyword, ts.SyntaxKind.ProtectedKey
  * @returns {{ checked: number, poor: string[] }}
  */
 function poorComments(files) {
-  const program = ts.createProgram(files, {
-    target: ts.ScriptTarget.ES2022,
-    module: ts.ModuleKind.NodeNext,
-    types: [],
-  });
+  const program = parse(files);
   const checker = program.getTypeChecker();
   const seen = new Set();
   const poor = [];
-  for (const file of files) {
-    for (const symbol of checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(file)))) {
-      const named = symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
-      visit(named, named.name);
-    }
+  for (const symbol of exportsOf(program, files)) {
+    visit(symbol, symbol.name);
   }
   return { checked: seen.size, poor: poor.sort() };
 
@@ -84,11 +72,5 @@ function writtenOut(node) {
   return found;
 }
 
-function isHidden({ modifiers = [], kind }) {
-  return kind === ts.SyntaxKind.Constructor || modifiers.some((modifier) => HIDING.has(modifier.kind));
-}
-
 const files = process.argv.slice(2);
-console.log(
-  JSON.stringify(poorComments(files.length > 0 ? files : modules.map((name) => join(dist, `${name}.d.ts`))), null, 1),
-);
+console.log(JSON.stringify(poorComments(files.length > 0 ? files : modules), null, 1));

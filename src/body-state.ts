@@ -10,11 +10,14 @@ import { presentBounds } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
 import type { UserDataOf } from './user-data.js';
-import { sink } from './validate.js';
+import { boolean, sink } from './validate.js';
 import type { World } from './world.js';
 
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
 const turn = new Float64Array(3);
+
+/** 2^-800, by which masses are multiplied where they could sum up to more than there are numbers: it changes no bit of a quotient of two. */
+const SMALL = 1.499696813895631e-241;
 
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState extends BodyNumbers {
@@ -22,8 +25,6 @@ export abstract class BodyState extends BodyNumbers {
   readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
-  /** Is swept against other dynamic bodies too; takes effect in the next step. */
-  bullet: boolean;
   /** Anything of yours. */
   userData: UserDataOf<'body'>;
 
@@ -35,6 +36,8 @@ export abstract class BodyState extends BodyNumbers {
   massStale = true;
   /** @internal turned geometry, bounds and broadphase are behind the placement */
   placeStale = true;
+  /** @internal what `bullet` is */
+  isBullet: boolean;
   /** @internal */
   asleep: boolean;
   /** @internal its `wake` event waits for the next step */
@@ -84,7 +87,7 @@ export abstract class BodyState extends BodyNumbers {
     this.fixedMass = given.mass;
     this.fixedInertia = given.inertia;
     this.asleep = given.sleeping;
-    this.bullet = given.bullet;
+    this.isBullet = given.bullet;
     this.userData = given.userData;
     this.shapes = this.own(given.shapes);
   }
@@ -101,6 +104,15 @@ export abstract class BodyState extends BodyNumbers {
     }
     shapes.length = count;
     return shapes;
+  }
+
+  /** Is swept against other dynamic bodies too; takes effect in the next step. */
+  get bullet(): boolean {
+    return this.isBullet;
+  }
+
+  set bullet(value: boolean) {
+    this.isBullet = boolean('RigidBody', 'bullet', value);
   }
 
   /** Σ density · area, kg. Overlaps count twice, sensors count. */
@@ -129,8 +141,9 @@ export abstract class BodyState extends BodyNumbers {
     let y = 0;
     let total = 0;
     const centre: Vec2 = [0, 0];
+    const unit = this.computeMassFromShapes() < 1 ? 1 : SMALL;
     for (const shape of this.shapes) {
-      const mass = shape.material.density * shape.computeArea();
+      const mass = unit * shape.computeArea() * shape.material.density;
       shape.computeCenterOfMass(centre);
       x += mass * centre[0];
       y += mass * centre[1];

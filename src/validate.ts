@@ -7,6 +7,13 @@
 
 import type { Ray } from './math/vectors.js';
 
+/** The class of an object, if its name tells something: those of one or two letters are of minifiers, and bundlers put `_` before some. */
+function classOf(value: object): string {
+  const name: unknown = Object.getPrototypeOf(value)?.constructor?.name;
+  const isTelling = typeof name === 'string' && name.length > 2 && name !== 'Object';
+  return isTelling ? ` of class ${name.replace('_', '').slice(0, 40)}` : '';
+}
+
 /** A value as it appears in a message: short, and never throwing, whatever it is. */
 function show(value: unknown): string {
   if (typeof value === 'string') {
@@ -19,7 +26,7 @@ function show(value: unknown): string {
     return `an array of length ${value.length}`;
   }
   if (typeof value === 'object' && value !== null) {
-    return 'an object';
+    return `an object${classOf(value)}`;
   }
   return String(value);
 }

@@ -1,4 +1,4 @@
-import type { RigidBody } from './body.js';
+import { RigidBody } from './body.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
@@ -57,6 +57,8 @@ export interface WorldParams {
 export interface WorldSaving {
   /** Of the snapshots. */
   readonly version: number;
+  /** @internal the class of the bodies that it knows: that of its own copy of the engine */
+  readonly bodyClass: typeof RigidBody;
   /** @internal */
   hash(world: World): string;
   /** @internal */
@@ -275,8 +277,8 @@ export abstract class WorldState {
 }
 
 function checkedSaving(where: string, value: unknown): WorldSaving {
-  if (typeof (value as WorldSaving | null)?.snapshot !== 'function') {
-    throw typeError(where, 'state', 'worldState', value);
+  if ((value as WorldSaving | null)?.bodyClass !== RigidBody) {
+    throw typeError(where, 'state', 'worldState of the same bundle', value);
   }
   return value as WorldSaving;
 }

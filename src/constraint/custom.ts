@@ -104,9 +104,13 @@ export class CustomConstraint extends BaseConstraint {
 
   /** @internal */
   override keep(tape: Tape): void {
+    const { state } = this.callbacks;
+    tape.size(this.dimension, 'a custom constraint of it has another dimension');
+    tape.size(this.members.length, 'a custom constraint of it has more or fewer bodies');
+    tape.size(state?.length ?? 0, 'the state of a custom constraint of it has another length');
     super.keep(tape);
-    if (this.callbacks.state !== undefined) {
-      tape.list(this.callbacks.state);
+    if (state !== undefined) {
+      tape.list(state);
     }
   }
 

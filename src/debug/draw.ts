@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { FAR } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { RectLike } from '../math/vectors.js';
 import { finite, nonNegative, options, rangeError, typeError, vector } from '../validate.js';
@@ -64,14 +65,14 @@ export class Physics2DDebugDraw extends DebugSettings {
   }
 
   /**
-   * Sets what part of the physics plane fills the screen viewport, m; nothing: the default, `[0, 0, width / 60, height / 60]` of the device. Takes
-   * effect at the next `begin`.
+   * Sets what part of the physics plane fills the screen viewport, m; nothing: the default, `[0, 0, width / 60, height / 60]` of the device. Numbers
+   * of at most 1e150. Takes effect at the next `begin`.
    */
   setPhysics2DViewport(rectangle: RectLike | null | undefined): void {
     this.physicsPort = viewport('Physics2DDebugDraw.setPhysics2DViewport', rectangle);
   }
 
-  /** Sets the part of the device that is drawn on, px from the upper left; nothing: all of it. Takes effect at the next `begin`. */
+  /** Sets the part of the device that is drawn on, px from the upper left, of at most 1e150; nothing: all of it. Takes effect at the next `begin`. */
   setScreenViewport(rectangle: RectLike | null | undefined): void {
     this.screenPort = viewport('Physics2DDebugDraw.setScreenViewport', rectangle);
   }
@@ -306,7 +307,7 @@ function viewport(where: string, rectangle: RectLike | null | undefined): Viewpo
   if (rectangle === null || rectangle === undefined) {
     return null;
   }
-  const [minX, minY, maxX, maxY] = vector(where, 'rectangle', rectangle, 4) as unknown as Viewport;
+  const [minX, minY, maxX, maxY] = vector(where, 'rectangle', rectangle, 4, FAR) as unknown as Viewport;
   if (!(maxX > minX)) {
     throw rangeError(where, 'rectangle[2]', `more than rectangle[0] (${minX})`, maxX);
   }

@@ -99,11 +99,11 @@ function foreseeFalling(world: World, body: RigidBody): void {
 }
 
 /** Takes from the velocity of a mover what goes into the static bodies that it touches; and notes if it may not bounce. */
-function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, bullet }: RigidBody): void {
+function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, isBullet }: RigidBody): void {
   for (let i = 0; i < shapes.length; i += 1) {
     const { material, arbiters, groundStamp, grounds } = shapes[i]!;
     movers.bouncy &&= material.elasticity > 0;
-    for (let k = 0; k < arbiters.length && bullet && movers.bouncy; k += 1) {
+    for (let k = 0; k < arbiters.length && isBullet && movers.bouncy; k += 1) {
       movers.bouncy = arbiters[k]!.fixed === 0;
     }
     for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.next) {

@@ -163,7 +163,7 @@ function meetWays(world: World, index: number, sweeping: number, depth: number):
 
 /** Is swept against dynamic bodies: a bullet that is fast, or kinematic. */
 function meetsMovers({ body, sweeps }: Mover): boolean {
-  return (body.bullet && sweeps) || body.kind !== DYNAMIC;
+  return (body.isBullet && sweeps) || body.kind !== DYNAMIC;
 }
 
 function isSwept(one: Mover, two: Mover): boolean {

@@ -30,10 +30,7 @@ export function deserialize(phys2D: Physics2DDevice, data: PlainWorld, options: 
   }
   const given = checkedOptions(WHERE, options, false, 'options');
   const source = object<PlainWorld>('data', data);
-  const format = `${source.format} ${source.version}`;
-  if (format !== 'phys2d world 1') {
-    throw rangeError(WHERE, 'data', 'a phys2d world of version 1', format);
-  }
+  checkFormat(source);
   const state = typeof source.state === 'string' ? fromBase64(source.state) : null;
   if (state === null) {
     throw typeError(WHERE, 'data.state', 'a text in base64', source.state);
@@ -61,6 +58,16 @@ export function deserialize(phys2D: Physics2DDevice, data: PlainWorld, options: 
   });
   world.restore(state);
   return world;
+}
+
+function checkFormat(data: PlainWorld): void {
+  const rule = 'a phys2d world of version 1';
+  if (data.format !== 'phys2d world') {
+    throw typeError(WHERE, 'data', rule, data);
+  }
+  if (data.version !== 1) {
+    throw rangeError(WHERE, 'data', rule, `${data.format} ${data.version}`);
+  }
 }
 
 function object<T extends object>(name: string, value: unknown): T {

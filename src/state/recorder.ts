@@ -57,13 +57,15 @@ export interface RecordedStep {
 
 /**
  * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
- * hashes. What handlers do is not recorded, as they are called again.
+ * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time.
  */
 export class Recorder {
   /** The world as it was when the recording began. */
   readonly snapshot: ArrayBuffer;
   private readonly frames: RecordedStep[] = [];
   private calls: RecordedCall[] = [];
+  /** Handlers are being called, or may be. */
+  private stepping = false;
 
   /** @internal use `create` */
   constructor(private readonly world: World) {
@@ -93,22 +95,30 @@ export class Recorder {
     const before = ADDING.includes(method) ? this.world.hash() : null;
     const result = made.apply(object, args);
     const added = before === null ? null : { before, after: this.world.snapshot() };
-    this.calls.push({ object, method, args: kept, added });
+    this.note({ object, method, args: kept, added });
     return result as never;
   }
 
   /** Sets what is a property, not a method, of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. */
   set(object: World | RigidBody, setting: RecordedSetting, value: number | boolean): void {
     assign('Recorder.set', object, setting, value);
-    this.calls.push({ object, method: setting, args: [value], added: null });
+    this.note({ object, method: setting, args: [value], added: null });
+  }
+
+  private note(call: RecordedCall): void {
+    if (!this.stepping) {
+      this.calls.push(call);
+    }
   }
 
   /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
   step(deltaTime: number): void {
     const { timeStamp } = this.world;
+    this.stepping = true;
     try {
       this.world.step(deltaTime);
     } finally {
+      this.stepping = false;
       if (this.world.timeStamp !== timeStamp) {
         this.frames.push({ calls: this.calls, deltaTime, hash: this.world.hash() });
         this.calls = [];
@@ -173,9 +183,9 @@ function copyOf(argument: unknown): unknown {
 function methodOf(where: string, object: Recorded, method: string): (...args: unknown[]) => unknown {
   const made = method in Object.prototype ? undefined : object?.[method as keyof Recorded];
   callable(where, `object.${method}`, made);
-  if (method === 'step' || method === 'restore') {
+  if (method === 'step' || method === 'restore' || method.endsWith('EventListener')) {
     throw new Error(
-      `${where}: ${method} is not to be called so: step has its own method, and restore cannot be recorded`,
+      `${where}: ${method} is not to be called so: step has its own method, and restore and listeners cannot be recorded`,
     );
   }
   return made as unknown as (...args: unknown[]) => unknown;

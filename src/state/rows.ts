@@ -63,7 +63,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   tape.block(numbers, at + LAST_MOTION, at + LAST_MOTION_END);
   const { numbers: n, integers } = bodyRow;
   if (tape.writes) {
-    integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.bullet ? 4 : 0) | (b.kind << 3);
+    integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.isBullet ? 4 : 0) | (b.kind << 3);
     n[0] = b.fx;
     n[1] = b.fy;
     n[2] = b.appliedTorque;
@@ -82,7 +82,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   if (tape.takes) {
     b.asleep = (flags & 1) !== 0;
     b.woken = (flags & 2) !== 0;
-    b.bullet = (flags & 4) !== 0;
+    b.isBullet = (flags & 4) !== 0;
     b.kind = flags >> 3;
     b.fx = n[0]!;
     b.fy = n[1]!;

@@ -283,6 +283,7 @@ function place(world: World, { bodies, inside }: Scene): void {
 /** For `createWorld({ state: worldState })`: the world can be saved, restored and hashed. Those that `phys2D` makes always can. */
 export const worldState: WorldSaving = {
   version: VERSION,
+  bodyClass: RigidBody,
   hash: hashOf,
   snapshot: snapshotOf,
   restore: restoreTo,

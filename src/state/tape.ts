@@ -375,6 +375,13 @@ export class Tape {
     return stored;
   }
 
+  /** How large something is that a restore cannot make larger or smaller: it has to be the same. */
+  size(value: number, otherwise: string): void {
+    if (this.word(value) !== value) {
+      throw this.refusal(otherwise);
+    }
+  }
+
   /** Which of `count` things; stored is how far it is from the last one, so that one wrong word spoils all that follow. @returns what is stored, also on a check. */
   index(value: number, count: number): number {
     const stored = (this.place + this.word(value - this.place)) | 0;

@@ -116,6 +116,27 @@ describe('vectors', () => {
     );
   });
 
+  it('name the class of what is given, if it has one', () => {
+    const message = (value: unknown) => {
+      try {
+        return String(weightless().addRigidBody(value as RigidBody));
+      } catch (error) {
+        return (error as Error).message.split(', got ')[1];
+      }
+    };
+    const called = (name: unknown) => {
+      const kind = class {};
+      Object.defineProperty(kind, 'name', { value: name });
+      return new kind();
+    };
+    expect(message(disc(1))).toBe('an object of class Circle');
+    expect(message(new Map())).toBe('an object of class Map');
+    expect(message(new Float64Array(2))).toBe('an object of class Float64Array');
+    for (const plain of [{}, Object.create(null), called(''), called('Zq'), called(5), { constructor: null }]) {
+      expect(message(plain)).toBe('an object');
+    }
+  });
+
   it('name the method that a broadphase lacks', () => {
     expect(() => phys2D.createWorld({ broadphase: { insert() {} } as never })).toThrow(
       'createWorld: broadphase must be a Broadphase with the method update, got an object',
@@ -440,6 +461,16 @@ describe('worlds', () => {
       refuses((value) => Object.assign(world, { [name]: value }), 'World', name, bad);
     }
     expect(world[name]).toBe(before);
+  });
+
+  it('bullet of a body is checked when set', () => {
+    const body = plainBody();
+    for (const bad of NOT_BOOLEAN) {
+      refuses((value) => Object.assign(body, { bullet: value }), 'RigidBody', 'bullet', bad);
+    }
+    expect(body.bullet).toBe(false);
+    body.bullet = true;
+    expect(body.bullet).toBe(true);
   });
 
   it('gravity and bodies are checked', () => {

@@ -20,6 +20,8 @@ export class Declarations {
   readonly callables: Callable[] = [];
   /** Options by the name of their interface. */
   readonly options = new Map<string, Parameter[]>();
+  /** Properties of classes that may be set and are no accessors, such as `RigidBody.userData`. */
+  readonly plain: string[] = [];
   private readonly bases = new Map<string, readonly string[]>();
 
   constructor(folder: string) {
@@ -57,6 +59,10 @@ export class Declarations {
           this.options.get(owner)!.push(parameter(`${property[1]}${property[2]}: ${property[3]}`));
         }
       } else {
+        const property = /^(\w+)\??: .*;$/.exec(line);
+        if (property !== null && owner !== '') {
+          this.plain.push(`${owner}.${property[1]}`);
+        }
         this.readCallable(owner, line);
       }
     }

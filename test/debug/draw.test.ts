@@ -62,6 +62,17 @@ describe('the mapping to the device', () => {
     );
   });
 
+  it.each(['setPhysics2DViewport', 'setScreenViewport'] as const)('is finite for the largest %s', (name) => {
+    const { device, debug } = recorder();
+    debug[name]([-1e150, -1e150, 1e150, 1e150]);
+    debug.begin();
+    expect(debug.physics2DToScreen).toBeGreaterThan(0);
+    debug.drawLine(0, 0, 1, 1, [1, 1, 1, 1]);
+    debug.end();
+    expect(device.frames).toHaveLength(1);
+    expect([...debug.lines.mapping, ...debug.lines.clip].every(Number.isFinite)).toBe(true);
+  });
+
   it('follows viewports and the size of the device at the next begin only, and goes back to the defaults', () => {
     const recording = recorder();
     const { device, debug } = recording;
@@ -248,6 +259,13 @@ describe('refusals', () => {
       ]);
       refuses((value) => debug[name]([0, 0, value, 1]), `Physics2DDebugDraw.${name}`, 'rectangle[2]', [0, RangeError]);
       refuses((value) => debug[name]([0, 0, 1, value]), `Physics2DDebugDraw.${name}`, 'rectangle[3]', [-1, RangeError]);
+      for (const far of [1.1e150, 1.7e308]) {
+        expect(() => debug[name]([-far, -far, far, far])).toThrow(
+          new RangeError(
+            `Physics2DDebugDraw.${name}: rectangle[0] must be a number of at most 1e+150, got ${String(-far)}`,
+          ),
+        );
+      }
       frame(recording);
       const { device: other, debug: same } = recorder();
       same[name]([0, 0, 5, 5]);

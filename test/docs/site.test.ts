@@ -62,6 +62,19 @@ it('has every public name and every page of the guide, for people and for machin
   }
 });
 
+it('llms.txt declares what is public, and of the rest only what that is made from', () => {
+  const [, api] = readFileSync(join(site, 'llms.txt'), 'utf8').split('# API\n', 2);
+  const names = (text: string, pattern: RegExp) => [...text.matchAll(pattern)].map(([, name]) => name!).sort();
+  const published = readFileSync(join(docs, '../dist/umd.d.cts'), 'utf8');
+  const expected = new Set(names(published, /^ {2}(?:type|const) (\w+)/gm).filter((name) => name !== 'vendor'));
+  const declaring = '(?:declare )?(?:abstract )?(?:class|interface|type|const|function) (\\w+)';
+  expect([...new Set(names(api!, RegExp(`^export ${declaring}`, 'gm')))]).toEqual([...expected].sort());
+  const others = names(api!, RegExp(`^${declaring}`, 'gm'));
+  expect(others).toContain('BaseShape');
+  expect(others.filter((name) => api!.match(RegExp(`\\b${name}\\b`, 'g'))!.length < 2)).toEqual([]);
+  expect(api).not.toMatch(/^ +(?:private|protected) /m);
+});
+
 describe('comments', () => {
   interface Report {
     checked: number;

@@ -28,7 +28,7 @@ const GZIP_LIMITS = {
   'phys2d.min.js': 71_600,
   'debug.min.js': 9_900,
   'runner.min.js': 1_100,
-  'state.min.js': 4_400,
+  'state.min.js': 4_500,
   'validate.min.js': 3_950,
 };
 
@@ -186,6 +186,26 @@ it.each(ESM)('%s has debug drawing from its module, and nothing of the runner an
   const apart = pathToFileURL(join(dist, name.replace('phys2d', 'debug'))).href;
   const { Physics2DDebugDraw } = (await import(/* @vite-ignore */ apart)) as typeof debug;
   expect((await importBundle(name)).Physics2DDebugDraw).toBe(Physics2DDebugDraw);
+});
+
+it.each([...ESM, ...UMD])('%s names the class of what is wrong, if its name is there to be told', async (name) => {
+  const { phys2D } = UMD.includes(name) ? (runAsScript(name) as { phys2D: Phys2D }) : await importBundle(name);
+  const shown = name.includes('min') ? 'an object' : 'an object of class Circle';
+  expect(() => phys2D.createWorld().addRigidBody(phys2D.createCircleShape({ radius: 1 }) as never)).toThrow(
+    expect.objectContaining({ message: `World.addRigidBody: body must be a RigidBody, got ${shown}` }),
+  );
+});
+
+it.each([
+  ['phys2d.js', 'phys2d.min.js'],
+  ['phys2d.min.js', 'phys2d.js'],
+  ['phys2d.js', 'phys2d.umd.cjs'],
+])('%s refuses worldState of %s', async (name, other) => {
+  const { createWorld } = await importBundle(name);
+  const { worldState } = await importBundle(other);
+  expect(() => createWorld({ state: worldState })).toThrow(
+    new TypeError('createWorld: state must be worldState of the same bundle, got an object'),
+  );
 });
 
 describe('the state', () => {

@@ -131,6 +131,46 @@ describe('a recording', () => {
     expect(left).toBeLessThan(1);
   });
 
+  it('has no listeners: those that are there when it is replayed would be heard from its beginning on', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    const [shape] = ball.shapes as [Shape];
+    const handler = () => ball.applyImpulse([0.1, 0]);
+    for (const call of [
+      () => recorder.call(shape, 'addEventListener', 'progress', handler),
+      () => recorder.call(shape, 'removeEventListener', 'progress', handler),
+      () => recorder.call(ball, 'addEventListener', 'wake', handler),
+      () => recorder.call(world, 'addEventListener', 'nonfinite', handler),
+    ]) {
+      expect(call).toThrow(
+        /^Recorder.call: (?:add|remove)EventListener is not to be called so: .* listeners cannot be/,
+      );
+    }
+    expect(shape.addEventListener('progress', handler)).toBe(true);
+    recorder.step(1 / 60);
+    expect(recorder.recording.frames[0]!.calls).toEqual([]);
+  });
+
+  it('has nothing of what handlers do, though they do it through the recorder', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    let heard = 0;
+    ball.shapes[0]!.addEventListener('progress', () => {
+      heard += 1;
+      recorder.call(ball, 'applyImpulse', [0.1, 0]);
+      recorder.set(ball, 'bullet', heard % 2 === 0);
+    });
+    for (let i = 0; i < 100; i += 1) {
+      recorder.step(1 / 60);
+    }
+    expect(heard).toBeGreaterThan(1);
+    expect(recorder.recording.frames.flatMap(({ calls }) => calls)).toEqual([]);
+    heard = 0;
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
   it('tells the first step that went another way', () => {
     const { world, ball } = scene();
     const { recording } = record(world, ball);

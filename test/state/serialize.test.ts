@@ -142,7 +142,11 @@ describe('refuses', () => {
   };
 
   it.each<[string, (data: PlainWorld) => void, string]>([
-    ['another format', (data) => void Object.assign(data, { format: 'x' }), 'data must be a phys2d world of version 1'],
+    [
+      'another format',
+      (data) => void Object.assign(data, { format: 'x' }),
+      'deserialize: data must be a phys2d world of version 1, got an object',
+    ],
     ['another version', (data) => void Object.assign(data, { version: 2 }), 'got "phys2d world 2"'],
     [
       'no list of bodies',

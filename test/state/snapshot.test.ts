@@ -142,6 +142,36 @@ describe('World.restore', () => {
     );
   });
 
+  it.each([
+    ['another dimension', [2, 2, 1], 'a custom constraint of it has another dimension'],
+    ['another body', [1, 3, 1], 'a custom constraint of it has more or fewer bodies'],
+    ['a longer state', [1, 2, 2], 'the state of a custom constraint of it has another length'],
+  ] as const)('tells a custom constraint with %s, and is not put into it', (_, [dimension, count, length], why) => {
+    const tied = (rows: number, members: number, remembered: number): World => {
+      const world = weightless();
+      const bodies = Array.from({ length: 2 }, () => plainBody());
+      bodies.forEach((body) => void world.addRigidBody(body));
+      world.addConstraint(
+        phys2D.createCustomConstraint({
+          dimension: rows,
+          bodies: [...bodies, ...bodies].slice(0, members),
+          state: new Float64Array(remembered),
+          jacobian: () => undefined,
+        }),
+      );
+      return world;
+    };
+    const world = tied(1, 2, 1);
+    const other = tied(dimension, count, length);
+    const before = other.hash();
+    expect(tied(1, 2, 1).hash()).toBe(world.hash());
+    expect(before).not.toBe(world.hash());
+    expect(() => other.restore(world.snapshot().slice(0))).toThrow(
+      new Error(`World.restore: the snapshot cannot be restored here: ${why}`),
+    );
+    expect(other.hash()).toBe(before);
+  });
+
   it('finds the objects of a copy in the world or among those that are held', () => {
     const world = pile(6);
     steps(world, 10);
@@ -246,8 +276,8 @@ describe('World.restore', () => {
     expect(() => world.restore(new Uint8Array(100))).toThrow('World.restore: this is no snapshot of a world');
     expect(() => world.restore(new ArrayBuffer(4096))).toThrow('World.restore: this is no snapshot of a world');
     const foreign = world.snapshot();
-    new Int32Array(foreign)[1] = 4;
-    expect(() => world.restore(foreign)).toThrow('World.restore: the snapshot is of version 4, this is version 5');
+    new Int32Array(foreign)[1] = 5;
+    expect(() => world.restore(foreign)).toThrow('World.restore: the snapshot is of version 5, this is version 6');
   });
 });
 

@@ -30,5 +30,7 @@ it('with state it is as one that phys2D made', () => {
 
 it('state can be nothing else', () => {
   // @ts-expect-error a wrong type
-  expect(() => createWorld({ state: true })).toThrow('createWorld: state must be worldState, got true');
+  expect(() => createWorld({ state: true })).toThrow(
+    'createWorld: state must be worldState of the same bundle, got true',
+  );
 });

@@ -88,3 +88,33 @@ it('simulated time stays finite, however long the steps', () => {
   }
   expect(world.simulatedTime).toBe(Number.MAX_VALUE);
 });
+
+/** Three discs of areas 1, 1 and 4 times π size², in a corner. */
+function corner(density: number, size: number): RigidBody {
+  const material = phys2D.createMaterial({ density });
+  const discs: [number, number, number][] = [
+    [0, 0, 1],
+    [size, 0, 1],
+    [0, size, 2],
+  ];
+  return phys2D.createRigidBody({
+    shapes: discs.map(([x, y, r]) => phys2D.createCircleShape({ radius: r * size, origin: [x, y], material })),
+  });
+}
+
+it.each([
+  [1e308, 1],
+  [1e300, 1e10],
+  [1e308, 1e74],
+  [1e160, 1e74],
+  [1, 1e74],
+  [1e-300, 1],
+  [1e-160, 1e-30],
+])('the centre of mass is right, also of what is too heavy for a number: %f kg/m², %f m', (density, size) => {
+  const body = corner(density, size);
+  const [x, y] = body.computeLocalCenterOfMass();
+  expect(x / size).toBeCloseTo(1 / 6, 12);
+  expect(y / size).toBeCloseTo(4 / 6, 12);
+  body.alignWithOrigin();
+  expect(body.computeLocalCenterOfMass().map((each) => Math.abs(each / size) < 1e-12)).toEqual([true, true]);
+});
