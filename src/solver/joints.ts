@@ -1,4 +1,5 @@
 import {
+  CORNER_MOMENTUM,
   JOINT_CALM,
   JOINT_FAR,
   JOINT_PUSHES,
@@ -22,7 +23,7 @@ import {
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
 import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run, steady } from './joint-data.js';
-import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import { BLOCK, CARRY, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
@@ -76,8 +77,17 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
   for (let k = group.start; k < group.end && group.touched; k += 1) {
-    steady(joints[k]!, records, 0);
+    if (holdsAngle(joints[k]!)) {
+      records[joints[k]!.at + CARRY] = records[joints[k]!.at + CARRY]! * CORNER_MOMENTUM;
+    } else {
+      steady(joints[k]!, records, 0);
+    }
   }
+}
+
+/** Whether it keeps its bodies at one angle to each other: what such joints make of many bodies bends and bears like a beam. */
+function holdsAngle({ constraint }: Joint): boolean {
+  return constraint.type === 'WELD' || (constraint.type === 'ANGLE' && constraint.lower === constraint.upper);
 }
 
 /** @returns whether one of the bodies is in contact. */

@@ -52,3 +52,63 @@ describe('thirty ragdolls that fall into a bin of twelve metres', () => {
     expect(world.liveDynamics).toHaveLength(0);
   });
 });
+
+describe('what is welded and lies on two piers', () => {
+  /** Planks in a row from the left pier to the right one, welded end to end; the first hangs on a hinge if `isHinged`. */
+  function buildBridge(planks: number, height: number, isHinged: boolean): source.World {
+    const world = phys2D.createWorld();
+    const pier = (left: number, right: number) =>
+      phys2D.createPolygonShape({ vertices: phys2D.createRectangleVertices(left, 0, right, 5) });
+    const piers = [pier(-10, 0), pier(planks - 1, planks + 9)];
+    world.addRigidBody(phys2D.createRigidBody({ type: 'static', shapes: piers }));
+    let last: source.RigidBody | null = null;
+    for (let i = 0; i < planks; i += 1) {
+      const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, height) })];
+      const plank = phys2D.createRigidBody({ position: [i + 0.2, -height / 2 - 0.02], shapes });
+      world.addRigidBody(plank);
+      const joint = { bodyB: plank, anchorB: [-0.5, 0], ignoreInteractions: true } as const;
+      if (last !== null) {
+        world.addConstraint(phys2D.createWeldConstraint({ ...joint, bodyA: last, anchorA: [0.5, 0] }));
+      } else if (isHinged) {
+        const hinge = phys2D.createRigidBody({ type: 'static', position: [-0.3, -height / 2 - 0.02] });
+        world.addConstraint(phys2D.createPointConstraint({ ...joint, bodyA: hinge }));
+      }
+      last = plank;
+    }
+    return world;
+  }
+
+  function stepUntilRest(world: source.World, seconds: number): void {
+    while (world.simulatedTime < seconds && world.liveDynamics.length > 0) {
+      world.step(1 / 60);
+    }
+  }
+
+  // None does as long as corrections make no momentum where something touches: they swing ever more.
+  it.each([
+    { planks: 3, load: 1, within: 5 },
+    { planks: 3, load: 10, within: 25 },
+    { planks: 5, load: 3, within: 25 },
+    { planks: 7, load: 1, within: 10 },
+    { planks: 7, load: 3, within: 15 },
+  ])('sleeps as a bridge of $planks planks under $load kg within $within s', ({ planks, load, within }) => {
+    const world = buildBridge(planks, 0.2, true);
+    const material = phys2D.createMaterial({ density: load });
+    const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1), material })];
+    world.addRigidBody(phys2D.createRigidBody({ position: [(planks - 1) / 2, -0.75], shapes }));
+    stepUntilRest(world, within);
+    console.log(`bridge of ${planks} planks under ${load} kg: sleeps after ${world.simulatedTime.toFixed(1)} s`);
+    expect(world.liveDynamics).toHaveLength(0);
+  });
+
+  it.each([
+    { cells: 8, within: 10 },
+    { cells: 12, within: 20 },
+    { cells: 14, within: 20 },
+  ])('sleeps as a beam of $cells within $within s', ({ cells, within }) => {
+    const world = buildBridge(cells, 0.5, false);
+    stepUntilRest(world, within);
+    console.log(`beam of ${cells}: sleeps after ${world.simulatedTime.toFixed(1)} s`);
+    expect(world.liveDynamics).toHaveLength(0);
+  });
+});
