@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import { STATIC } from '../body-kind.js';
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
+import { leastSeparation } from '../collide/manifold.js';
 import { FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { noteApproach } from '../contact/hit.js';
@@ -165,10 +166,13 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   two.putAt(time);
   a.place(one.body);
   b.place(two.body);
-  if (!touch(pair) && time < 1) {
+  const isApart = !touch(pair);
+  if (isApart && time < 1) {
     touchAtPoint(pair);
   }
   smoothMeeting(world, pair);
+  // Turned by that, it would meet a surface that it does not touch.
+  const isLost = isApart && time === 1 && leastSeparation(pair.numbers, pair.at) <= 0;
   if (isHitHeard(pair)) {
     noteApproach(pair);
   }
@@ -177,7 +181,7 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   two.putAt(0);
   a.place(one.body);
   b.place(two.body);
-  pair.near = pair.count > 0;
+  pair.near = pair.count > 0 && !isLost;
   pair.foreseen = pair.near;
 }
 

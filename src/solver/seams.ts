@@ -62,28 +62,39 @@ export function smoothSeams(world: World): void {
   const { straddling } = world;
   for (let i = 0; i < straddling.count; i += 1) {
     for (let pair = straddling.items[i]!.grounds; pair !== null; pair = pair.next) {
-      if (smooth(pair)) {
-        pair.near &&= pair.count > 0;
-      }
+      smooth(pair);
     }
   }
   straddling.clear();
 }
 
-/** Turns a contact to the direction in which the other grounds carry its shape, if they hide the face or corner that it is with. */
-function smooth(pair: Arbiter): boolean {
+/**
+ * Turns a contact to the direction in which the other grounds carry its shape, if they hide the face or corner that it is with. What is only near is let go where
+ * they carry the shape already: turned, it would meet a surface that it does not touch, and part from it in the next step.
+ */
+function smooth(pair: Arbiter): void {
   const shape = dynamicOf(pair);
   const ground = groundOf(pair);
   for (let other = shape.grounds; other !== null && pair.count > 0; other = other.next) {
     if (other === pair || other.count === 0) {
       continue;
     }
-    if (isBelow(pair, other) || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
-      turn(pair);
-      return true;
+    const below = isBelow(pair, other);
+    if (below || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
+      const isCarried = below && other.isSolved() && moveAlike(ground, groundOf(other));
+      if (pair.near && isCarried) {
+        pair.near = false;
+      } else {
+        turn(pair);
+        pair.near &&= pair.count > 0;
+      }
+      return;
     }
   }
-  return false;
+}
+
+function moveAlike(a: Shape, b: Shape): boolean {
+  return a.owner === b.owner || (standsStill(a) && standsStill(b));
 }
 
 /** The same for a contact that was just found where a body is in the course of the step, with all shapes there that stand still. */
