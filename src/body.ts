@@ -417,12 +417,15 @@ export class RigidBody extends BodyState {
     return removeListener(this, plainListener(bitOf(eventType, OF_BODIES), handler), this);
   }
 
-  /** @internal the automatic wake: with a `wake` event if the body was asleep */
+  /** @internal the automatic wake: with a `wake` event if the body was asleep; of one that is in no world, of what is tied to it */
   rouse(): void {
     if (this.owner !== null) {
       this.owner.wakeBody(this, false);
-    } else {
-      this.asleep = false;
+      return;
+    }
+    this.asleep = false;
+    for (const constraint of this.constraints) {
+      constraint.rouse();
     }
   }
 
