@@ -100,22 +100,22 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   span.height = separation + p.offsets[edge]!;
   findLevel(q);
   const { along } = span;
-  if (
-    separation > LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!)) &&
-    (along < start || along > end)
-  ) {
+  const isApart = separation > LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!));
+  if (isApart && (along < start || along > end)) {
     return false;
   }
   const side = ofB ? -1 : 1;
   const footX = nx * p.offsets[edge]! - ny * along;
   const footY = ny * p.offsets[edge]! + nx * along;
+  const cornerX = footX + nx * separation;
+  const cornerY = footY + ny * separation;
   out.value = separation;
   out.axisX = side * nx;
   out.axisY = side * ny;
-  out.ax = ofB ? footX + nx * separation : footX;
-  out.ay = ofB ? footY + ny * separation : footY;
-  out.bx = ofB ? footX : footX + nx * separation;
-  out.by = ofB ? footY : footY + ny * separation;
+  out.ax = ofB ? cornerX : footX;
+  out.ay = ofB ? cornerY : footY;
+  out.bx = ofB ? footX : cornerX;
+  out.by = ofB ? footY : cornerY;
   return true;
 }
 
@@ -134,11 +134,9 @@ function findLevel(q: Outline): void {
       if (along > high) high = along;
     }
   }
-  if (low === high || high < start || low > end) {
-    span.along = low > end ? low : high;
-  } else {
-    span.along = 0.5 * (Math.max(low, start) + Math.min(high, end));
-  }
+  const from = Math.max(low, start);
+  const to = Math.min(high, end);
+  span.along = from <= to ? 0.5 * (from + to) : low > end ? low : high;
 }
 
 /** Compares corners with corners, and edges with the corners above them. */
