@@ -122,9 +122,9 @@ export const JOINT_MOMENTUM = 0.999;
 
 /**
  * Share of that which is left there to welds and to angles of one value. With 0 beams that lie on two piers gain energy until they hop, as corrections lift for
- * nothing what the velocities let sag, and with 0.6 long ones tremble; with 1 more of them never fall asleep.
+ * nothing what the velocities let sag, and with 0.6 long ones tremble; with 1 more of them never fall asleep, and what is hit breaks as a whole.
  */
-export const CORNER_MOMENTUM = 0.9;
+export const CORNER_MOMENTUM = 0.8;
 
 /** m/s, rad/s. Errors that would be gone in a sub-step at such a speed are too small to matter when the next step is shorter than the last. */
 export const JOINT_CALM = 0.01;

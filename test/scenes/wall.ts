@@ -11,7 +11,7 @@ export interface BreakableWall {
 
 const [WIDTH, HEIGHT] = [1, 0.5];
 /** N. What a joint of mortar bears. */
-const STRENGTH = 90;
+const STRENGTH = 120;
 
 /** A wall of bricks in mortar that breaks, and balls that are shot at it one after the other. */
 export function buildBreakableWall(phys2D: Physics2DDevice, world: World, rows = 12, columns = 5): BreakableWall {
