@@ -68,7 +68,8 @@ function packJoints(world: World, h: number): void {
 
 /**
  * Contacts push without momentum: where one of the bodies is in contact joints make none of their corrections either, as it would be made of what contacts undo
- * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would.
+ * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle
+ * still make the most of theirs, see CORNER_MOMENTUM.
  */
 function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   const { joints, records } = data.joints;

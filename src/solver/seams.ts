@@ -80,19 +80,19 @@ function smooth(pair: Arbiter): void {
       continue;
     }
     const below = isBelow(pair, other);
+    if (below && pair.near && other.isSolved() && moveAlike(ground, groundOf(other))) {
+      pair.near = false;
+      return;
+    }
     if (below || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
-      const isCarried = below && other.isSolved() && moveAlike(ground, groundOf(other));
-      if (pair.near && isCarried) {
-        pair.near = false;
-      } else {
-        turn(pair);
-        pair.near &&= pair.count > 0;
-      }
+      turn(pair);
+      pair.near &&= pair.count > 0;
       return;
     }
   }
 }
 
+/** Whether neither moves against the other in this step, as far as is told at once. */
 function moveAlike(a: Shape, b: Shape): boolean {
   return a.owner === b.owner || (standsStill(a) && standsStill(b));
 }
