@@ -66,7 +66,16 @@ export const PUSH_TOLERANCE = 1e-7;
 /** m/s. An impact whose rebound would be slower does not bounce; else a resting body would hum on its own restitution. */
 export const BOUNCE_THRESHOLD = 0.25;
 
-/** How often points that bounce at the same time are swept over by themselves at most. */
+/** How often a blow goes on from body to body in a sub-step at most. */
+export const BOUNCE_ROUNDS = 16;
+
+/** A blow goes on where it is more than so many times what a contact bears anyway in a sub-step. If it always did, high heaps would take three times as long to come to rest. */
+export const BOUNCE_LOAD = 2;
+
+/** What bounces in one round is swept over so often with friction, … */
+export const BOUNCE_RUBS = 4;
+
+/** … and without, as what bounces with the rest of the contacts, so often at most. */
 export const BOUNCE_SWEEPS = 16;
 
 /** (m/s)². Sliding faster than 0.01 m/s takes the dynamic coefficient of friction, slower the static one. */

@@ -1,12 +1,24 @@
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
-import { BOUNCE_SWEEPS, BOUNCE_THRESHOLD, FORESIGHT_DEPTH, IMPACT_DEPTH } from '../config.js';
+import {
+  BOUNCE_LOAD,
+  BOUNCE_ROUNDS,
+  BOUNCE_RUBS,
+  BOUNCE_SWEEPS,
+  BOUNCE_THRESHOLD,
+  FORESIGHT_DEPTH,
+  IMPACT_DEPTH,
+  TOUCH_DEPTH,
+} from '../config.js';
 import type { BounceList, ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 import { solveVelocityOne } from './one-point.js';
+import { isTied } from './ties.js';
 import { solveVelocityTwo } from './two-point.js';
 
-/** A mark of a body that bounces; those that `markHard` gives are not needed any more. */
-const BOUNCES = -1;
+/** In `hit`: the point bounced in this sub-step, … */
+const BOUNCED = 1;
+/** … or is to bounce with all that the sweeps solve, as it bears a load that these must start from. */
+const LOADED = 2;
 
 function normalVelocity(data: SolverData, batch: ContactBatch, k: number, shift: number): number {
   const r = batch.records;
@@ -53,34 +65,149 @@ export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: n
 /**
  * The normal velocity that a bounce ends with, with the sign changed, as its bias, for one that comes with `comes` and is found at a separation ≤ 0: what
  * fell on below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
- * ahead of the true one by half of `gain`, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
+ * ahead of the true one by half of `gain`, which is about to be added, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
  */
-function planSpeed({ bias }: SolverData['bounces'], k: number, h: number): void {
+function planSpeed({ bias }: BounceList, k: number, h: number): void {
   const { elasticity, comes, gain, separation } = plan;
   const lift = gain < 0 ? (2 * gain * separation) / h : 0;
   const speed = comes + 0.5 * gain;
   const onSurface = speed * speed - lift;
-  bias[k] = -Math.sqrt(elasticity * elasticity * (onSurface > 0 ? onSurface : 0) + lift) - 0.5 * gain;
+  bias[k] = -Math.sqrt(elasticity * elasticity * (onSurface > 0 ? onSurface : 0) + lift) + 0.5 * gain;
 }
 
 /**
- * Before gravity: how fast each point of a bouncing material has to leave. One that will bounce but has not met the other
+ * Before gravity: how fast each point of a bouncing material has to leave. Blows go on from body to body in rounds: what comes at once bounces at once, and what
+ * that sends on bounces in the next; so the last of a row of balls that touch flies off, and the others stay. One that will bounce but has not met the other
  * surface yet is left out of the sub-step, so that it gets there at full speed.
  */
 export function planBounces(data: SolverData, h: number): void {
-  for (let k = 0; k < data.bounces.count; k += 1) {
-    planBounce(data, k, h);
+  const { bounces: list } = data;
+  for (let k = 0; k < list.count; k += 1) {
+    list.hit[k] = 0;
+  }
+  let count = planRound(data, h, 0);
+  for (let round = 1; round <= BOUNCE_ROUNDS && count > 0; round += 1) {
+    solveRound(data, h, count);
+    count = planRound(data, h, round);
+  }
+  for (let k = 0; k < list.count; k += 1) {
+    if (list.hit[k] === BOUNCED && hangs(list, k)) {
+      keepLeaving(data, k);
+    } else if (list.bias[k]! > 0) {
+      dropImpulses(list, k);
+    }
   }
 }
 
-function planBounce(data: SolverData, k: number, h: number): void {
+/**
+ * Plans what bounces in a round, in the first one of all points, else of the bodies that bounced in the last one. They are marked; what `markHard` marked is not
+ * needed any more. @returns how many contacts do.
+ */
+function planRound(data: SolverData, h: number, round: number): number {
+  const { bounces: list, velocity: v } = data;
+  for (let k = 0; k < list.count; k += 1) {
+    if (round === 0 || v[bodyOf(list, k, 0) + d.MARK] === -round || v[bodyOf(list, k, 1) + d.MARK] === -round) {
+      planBounce(data, k, h, round);
+    }
+  }
+  let count = 0;
+  for (let k = 0; k < list.count; k += 1) {
+    if (list.shift[k] === 0 && setBiases(data, k)) {
+      list.bouncing[count] = k;
+      count += 1;
+      v[bodyOf(list, k, 0) + d.MARK] = -1 - round;
+      v[bodyOf(list, k, 1) + d.MARK] = -1 - round;
+    }
+  }
+  // What stands for all that cannot move.
+  v[d.MARK] = 0;
+  return count;
+}
+
+/** Of a contact, given by its first point: its points that do not bounce stay out of the round. @returns whether any does. */
+function setBiases({ bounces: list }: SolverData, first: number): boolean {
+  const { records: r, stride } = list.batches[first]!;
+  const record = list.index[first]! * stride;
+  const after = first + (stride === d.TWO_STRIDE ? 2 : 1);
+  let found = false;
+  for (let k = first; k < after; k += 1) {
+    found ||= bouncesNow(list, k);
+  }
+  for (let k = first; k < after && found; k += 1) {
+    const bounces = bouncesNow(list, k);
+    r[record + list.shift[k]! + d.BIAS1] = bounces ? list.bias[k]! + r[record + d.SURFACE_N]! : d.OFF;
+    list.bias[k] = 0;
+    if (bounces) list.hit[k] = BOUNCED;
+  }
+  return found;
+}
+
+function bouncesNow({ bias, hit }: BounceList, k: number): boolean {
+  return bias[k]! < 0 && hit[k] !== LOADED;
+}
+
+/**
+ * Sweeps over what bounces in a round until nothing changes. Friction gets no larger after the first few: in a corner that of one wall presses onto the
+ * other one, and would grow with each sweep.
+ */
+function solveRound(data: SolverData, h: number, count: number): void {
+  const { bounces: list } = data;
+  dropAll(list, count);
+  let changed = true;
+  for (let i = 0; i < BOUNCE_RUBS && changed; i += 1) {
+    changed = sweepBouncing(data, h, count);
+  }
+  swapFriction(list, count);
+  for (let i = 0; i < BOUNCE_SWEEPS && changed; i += 1) {
+    changed = sweepBouncing(data, h, count);
+  }
+  swapFriction(list, count);
+  dropAll(list, count);
+}
+
+/** Exchanges the effective masses along the tangents of what bounces for its biases, which are 0 by then, and back. */
+function swapFriction({ bouncing, batches, index, bias }: BounceList, count: number): void {
+  for (let n = 0; n < count; n += 1) {
+    const k = bouncing[n]!;
+    const { records: r, stride } = batches[k]!;
+    const at = index[k]! * stride + d.TANGENT_MASS;
+    const mass = r[at]!;
+    r[at] = bias[k]!;
+    bias[k] = mass;
+  }
+}
+
+/** @returns whether it changed anything. */
+function sweepBouncing(data: SolverData, h: number, count: number): boolean {
+  const { bounces: list } = data;
+  let changed = false;
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    const solve = list.batches[k] === data.two ? solveVelocityTwo : solveVelocityOne;
+    changed = solve(data, list.index[k]!, list.index[k]! + 1, h) || changed;
+  }
+  return changed;
+}
+
+/** Drops what the points of all that bounces were given. */
+function dropAll(list: BounceList, count: number): void {
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    dropImpulses(list, k);
+    if (list.batches[k]!.stride === d.TWO_STRIDE) dropImpulses(list, k + 1);
+  }
+}
+
+function planBounce(data: SolverData, k: number, h: number, round: number): void {
   const list = data.bounces;
   const batch = list.batches[k]!;
   const index = list.index[k]!;
   const shift = list.shift[k]!;
-  const elasticity = list.elasticity[k]!;
+  // What makes energy makes it once in a sub-step.
+  const elasticity = round === 0 ? list.elasticity[k]! : Math.min(list.elasticity[k]!, 1);
   const comes = normalVelocity(data, batch, index, shift);
   list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
+  list.hit[k] = list.hit[k]! & BOUNCED;
   if (elasticity * comes < -BOUNCE_THRESHOLD) {
     findSeparation(data, batch, index, shift);
     const { records: r, bodies, stride } = batch;
@@ -88,18 +215,49 @@ function planBounce(data: SolverData, k: number, h: number): void {
     plan.elasticity = elasticity;
     plan.comes = comes;
     plan.gain = normalGain(data, bodies[2 * index]!, bodies[2 * index + 1]!, r[record + d.NX]!, r[record + d.NY]!);
-    if (plan.separation <= 0) {
-      planSpeed(list, k, h);
-    } else {
+    const load = BOUNCE_LOAD * r[record + shift + d.NORMAL1]!;
+    const isLoaded =
+      batch === data.one ? -comes * r[record + d.NORMAL_MASS]! <= load : -comes <= load * r[record + shift + d.K11]!;
+    if (plan.separation > TOUCH_DEPTH) {
       list.bias[k] = d.OFF;
-      const i = record + shift;
-      r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
-      r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
-      r[i + d.NORMAL1] = 0;
-      // Of two points the other one asks for it again.
-      r[record + d.TANGENT] = 0;
+    } else if (!isLoaded) {
+      planSpeed(list, k, h);
+    } else if (round === 0) {
+      planSpeed(list, k, h);
+      list.bias[k] = list.bias[k]! - plan.gain;
+      list.hit[k] = LOADED;
     }
   }
+}
+
+/** Constraints act on one of the bodies of a point. */
+function hangs({ batches, index }: BounceList, k: number): boolean {
+  const { bodyA, bodyB } = batches[k]!.arbiters[index[k]!]!;
+  return isTied(bodyA) || isTied(bodyB);
+}
+
+/** What bounced and is tied to others is to leave with the speed that it has now: a plank that a ball struck may be welded to a house. */
+function keepLeaving(data: SolverData, k: number): void {
+  const { bounces: list } = data;
+  const batch = list.batches[k]!;
+  const index = list.index[k]!;
+  const { records: r, bodies, stride } = batch;
+  const record = index * stride;
+  const leaves = normalVelocity(data, batch, index, list.shift[k]!);
+  const gain = normalGain(data, bodies[2 * index]!, bodies[2 * index + 1]!, r[record + d.NX]!, r[record + d.NY]!);
+  list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gain - r[record + d.SURFACE_N]!) : 0;
+}
+
+/** Lets a point start from nothing: what it was given until now belongs to the step. */
+function dropImpulses(list: BounceList, k: number): void {
+  const { records: r, stride } = list.batches[k]!;
+  const record = list.index[k]! * stride;
+  const i = record + list.shift[k]!;
+  r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
+  r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
+  r[i + d.NORMAL1] = 0;
+  // Of two points the other one asks for it again.
+  r[record + d.TANGENT] = 0;
 }
 
 /** After warm start: puts the plan in place of what the separation asked for. */
@@ -114,67 +272,6 @@ export function applyBounces(data: SolverData): void {
       r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
   }
-}
-
-/**
- * After the sweeps: more of them over what bounces in this sub-step and over what touches that and could bounce, until nothing changes. Where such points share a body,
- * as of a ball that is hit while it lies at a wall, a few sweeps leave some of the bounce undone, and its energy would be lost. Friction gets no larger in
- * these: in a corner that of one wall presses onto the other one, and would grow with each sweep.
- */
-export function finishBounces(data: SolverData, h: number): void {
-  const { bounces: list, velocity: v } = data;
-  const count = listBouncing(data);
-  let changed = count > 0;
-  for (let n = 0; n < count; n += 1) {
-    const k = list.bouncing[n]!;
-    const { records: r, stride } = list.batches[k]!;
-    const at = list.index[k]! * stride + d.TANGENT_MASS;
-    // The biases are not needed any more in this sub-step.
-    list.bias[k] = r[at]!;
-    r[at] = 0;
-  }
-  for (let i = 0; i < BOUNCE_SWEEPS && changed; i += 1) {
-    changed = false;
-    for (let n = 0; n < count; n += 1) {
-      const k = list.bouncing[n]!;
-      const solve = list.batches[k] === data.two ? solveVelocityTwo : solveVelocityOne;
-      changed = solve(data, list.index[k]!, list.index[k]! + 1, h) || changed;
-    }
-  }
-  for (let n = 0; n < count; n += 1) {
-    const k = list.bouncing[n]!;
-    const { records: r, stride } = list.batches[k]!;
-    r[list.index[k]! * stride + d.TANGENT_MASS] = list.bias[k]!;
-  }
-  for (let k = 0; k < list.count && count > 0; k += 1) {
-    v[bodyOf(list, k, 0) + d.MARK] = 0;
-    v[bodyOf(list, k, 1) + d.MARK] = 0;
-  }
-}
-
-/** Marks the bodies that bounce, and lists their contacts: by the first point of each. @returns how many there are. */
-function listBouncing({ bounces: list, velocity: v }: SolverData): number {
-  let found = false;
-  for (let k = 0; k < list.count; k += 1) {
-    if (list.bias[k]! < 0) {
-      found = true;
-      v[bodyOf(list, k, 0) + d.MARK] = BOUNCES;
-      v[bodyOf(list, k, 1) + d.MARK] = BOUNCES;
-    }
-  }
-  // What stands for all that cannot move.
-  v[d.MARK] = 0;
-  let count = 0;
-  for (let k = 0; k < list.count && found; k += 1) {
-    if (
-      list.shift[k] === 0 &&
-      (v[bodyOf(list, k, 0) + d.MARK] === BOUNCES || v[bodyOf(list, k, 1) + d.MARK] === BOUNCES)
-    ) {
-      list.bouncing[count] = k;
-      count += 1;
-    }
-  }
-  return count;
 }
 
 /** Offset of the record of body A, 0, or B, 1, of a point. */
@@ -192,7 +289,7 @@ export function releaseBounces(data: SolverData): void {
     const batch = list.batches[k]!;
     const index = list.index[k]!;
     const shift = list.shift[k]!;
-    if (normalVelocity(data, batch, index, shift) > BOUNCE_THRESHOLD) {
+    if (list.bias[k] === d.OFF || normalVelocity(data, batch, index, shift) > BOUNCE_THRESHOLD) {
       const { records: r } = batch;
       const at = index * batch.stride + shift + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {

@@ -185,7 +185,9 @@ export class BounceList {
   index = new Int32Array(16);
   shift = new Int32Array(16);
   bias = new Float64Array(16);
-  /** Places in the list of what is swept over more often, see `finishBounces`. */
+  /** Which bounced in the sub-step, see `bounce.ts`. */
+  hit = new Uint8Array(16);
+  /** Places in the list of the contacts that bounce in a round, by their first points. */
   bouncing = new Int32Array(16);
   /** Of the pair, to be written where a point is added: in each sub-step its arbiter would be waited for. */
   elasticity = new Float64Array(16);
@@ -210,6 +212,7 @@ export class BounceList {
     this.shift = widened(this.shift, new Int32Array(size));
     this.bias = widened(this.bias, new Float64Array(size));
     this.bouncing = new Int32Array(size);
+    this.hit = new Uint8Array(size);
     this.elasticity = widened(this.elasticity, new Float64Array(size));
   }
 }

@@ -1,6 +1,6 @@
 import { CONTACT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
-import { applyBounces, finishBounces, planBounces, releaseBounces } from './bounce.js';
+import { applyBounces, planBounces, releaseBounces } from './bounce.js';
 import { partCrowds, solvePositionContacts, solveVelocityContacts, warmStartContacts } from './contacts.js';
 import { continuous } from './continuous.js';
 import { findPairs } from './find-pairs.js';
@@ -59,7 +59,6 @@ function integrate(world: World, h: number, substeps: number): void {
       if (i < turns) jointSolver?.solveVelocities(solver, i, turns);
       changed = solveVelocityContacts(solver, h);
     }
-    if (changed) finishBounces(solver, h);
     profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);

@@ -5,13 +5,11 @@ import { Builder, friction } from './play.js';
 /** m. Radius of the balls, and length of what they hang on. */
 const RADIUS = 0.5;
 export const STRING = 4;
-/** m. Between the balls: in a row without gaps the first could not tell where the second ends. */
-const GAP = 0.002;
 
 /** Newton's cradle: five balls, the first of them lifted. @returns them from left to right. */
 export function buildCradle(phys2D: Physics2DDevice, world: World, count = 5): RigidBody[] {
   const yard = new Builder(phys2D, world);
-  const pitch = 2 * RADIUS + GAP;
+  const pitch = 2 * RADIUS;
   yard.wall((-count / 2) * pitch - 0.3, -STRING - 0.3, (count / 2) * pitch + 0.3, -STRING, { shape: { mask: 0 } });
   return Array.from({ length: count }, (_, i) => {
     const x = (i - (count - 1) / 2) * pitch;
