@@ -319,6 +319,22 @@ export const NEW_STEPS = 8;
 export const NEW_SPEED = 1;
 
 /**
+ * rad/s. Edges that turn faster than this against each other, and slower than the next, rock if they are in a column. A tower that was pushed sways: if few sweeps follow its load from side to
+ * side too late, that feeds the sway, and it swings for ever. With 1e-4 some tremble at 0.4 mm/s for ever,
+ * with 1e-3 they sway by 1 cm.
+ */
+export const ROCK_SPIN = 1e-5;
+
+/** rad/s. What turns as fast tumbles: most contacts of a drum do. */
+export const TUMBLE_SPIN = 0.1;
+
+/** Share. In a column a contact bears between this and the rest of all that a body's contacts do, half of it in the middle, but a quarter in a pyramid. */
+export const COLUMN_PART = 0.42;
+
+/** A part is hard as a whole if more than this share of its contacts that turn rocks. With 0.2 a large pyramid that heaves takes a tenth longer, and a sway dies no sooner. */
+export const ROCK_SHARE = 0.5;
+
+/**
  * If more than this share of its contacts is strained, these are hard, and what is next to them. With 0.08 a heavy top falls that stands among 100 other boxes;
  * with 0.06 twice as much of a drum of 1,000 boxes is hard. Refused: the whole part, which is most of a heap of ragdolls, and lets that top fall, too; and only
  * bodies with two strained contacts, with which a pyramid of base 100 overlaps by 4.7 mm.

@@ -86,6 +86,8 @@ export class Arbiter {
   strained = NEVER;
   /** @internal for so many steps on end it did */
   strain = 0;
+  /** @internal in the last step its two edges rocked on each other, in a column */
+  rocks = false;
   /** @internal index in the world's list it is in */
   listIndex = -1;
   /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
@@ -330,6 +332,7 @@ export class Arbiter {
     this.began = -1;
     this.strained = NEVER;
     this.strain = 0;
+    this.rocks = false;
     this.lastInteraction = -1;
     this.seen = -1;
     this.listed = false;

@@ -1,11 +1,12 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { NEW_SHARE, NEW_SPEED, NEW_STEPS, STRAIN_SHARE, STRAIN_STEPS } from '../config.js';
+import { NEW_SHARE, NEW_SPEED, NEW_STEPS, ROCK_SHARE, ROCK_SPIN, STRAIN_SHARE, STRAIN_STEPS } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
 import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD, type SolverData } from './data.js';
 
 /**
- * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, if the load of
- * one was just taken away, or if none has the impulses of the last step to start with; else those that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
+ * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, if columns sway,
+ * if the load of one was just taken away, or if none has the impulses of the last step to start with; else those that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
  *
  * @returns from which mark of either body on a contact is hard.
  */
@@ -16,10 +17,11 @@ export function markHard(data: SolverData, count: number, stamp: number): number
   }
   let fresh = 0;
   let strained = 0;
+  let rocking = 0;
   // Above the marks of the windows before.
   const mark = 1 + 2 * (data.one.count + data.two.count);
   for (let i = 0; i < count; i += 1) {
-    const { active, began, strained: latest, bodyA, bodyB } = window[i]!;
+    const { active, began, strained: latest, rocks, bodyA, bodyB } = window[i]!;
     if (bodyA.unloaded === stamp || bodyB.unloaded === stamp) {
       return ALL_HARD;
     }
@@ -28,9 +30,10 @@ export function markHard(data: SolverData, count: number, stamp: number): number
       note(data, bodyA, mark);
       note(data, bodyB, mark);
     }
+    rocking += rocks ? 1 : 0;
     fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
-  if (fresh > NEW_SHARE * count) {
+  if (fresh > NEW_SHARE * count || (rocking > 0 && rocking > ROCK_SHARE * countTurning(window, count))) {
     return ALL_HARD;
   }
   if (strained <= STRAIN_SHARE * count) {
@@ -44,6 +47,15 @@ export function markHard(data: SolverData, count: number, stamp: number): number
     }
   }
   return mark;
+}
+
+function countTurning(window: readonly Arbiter[], count: number): number {
+  let turning = 0;
+  for (let i = 0; i < count; i += 1) {
+    const { bodyA, bodyB } = window[i]!;
+    turning += Math.abs(bodyB.w - bodyA.w) > ROCK_SPIN ? 1 : 0;
+  }
+  return turning;
 }
 
 function isSlow({ vx, vy }: RigidBody): boolean {

@@ -2,14 +2,17 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import {
+  COLUMN_PART,
   FAR,
   IMPULSE_MEMORY,
+  ROCK_SPIN,
   SPECULATIVE_MARGIN,
   STRAIN_DELAY,
   STRAIN_PART,
   STRAIN_SPEED,
   STRAIN_UNLIKE,
   STRAIN_UNLIKE_ONE,
+  TUMBLE_SPIN,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
@@ -94,6 +97,7 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
       storeOne(data, batch, k);
     }
     pair.strain = isStrained(data, batch, k) ? pair.strain + 1 : 0;
+    pair.rocks = two && isRocking(data, k);
     if (pair.strain >= STRAIN_DELAY) {
       pair.strained = world.timeStamp;
     }
@@ -121,6 +125,24 @@ function isStrained({ two, velocity: v, drive }: SolverData, batch: ContactBatch
     p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
     (Math.abs(mA - mB) > STRAIN_UNLIKE * (mA + mB) ||
       p1 + p2 > STRAIN_PART * Math.min(drive[a + d.LOAD]!, drive[b + d.LOAD]!))
+  );
+}
+
+/** Whether two edges turn against each other, slowly, and bear about half of all that either body does: as in a column that sways. */
+function isRocking({ two, velocity: v, drive }: SolverData, index: number): boolean {
+  const { records: r, bodies } = two;
+  const i = index * d.TWO_STRIDE;
+  const a = bodies[2 * index]!;
+  const b = bodies[2 * index + 1]!;
+  const spin = Math.abs(v[b + d.W]! - v[a + d.W]!);
+  const load = r[i + d.NORMAL1]! + r[i + d.NORMAL2]!;
+  const loadA = drive[a + d.LOAD]!;
+  const loadB = drive[b + d.LOAD]!;
+  return (
+    spin > ROCK_SPIN &&
+    spin < TUMBLE_SPIN &&
+    load > COLUMN_PART * Math.min(a === 0 ? Infinity : loadA, b === 0 ? Infinity : loadB) &&
+    load < (1 - COLUMN_PART) * Math.max(a === 0 ? 0 : loadA, b === 0 ? 0 : loadB)
   );
 }
 

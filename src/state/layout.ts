@@ -13,6 +13,7 @@ export const LISTED = 64;
 export const USUAL = 128;
 /** There are rolling impulses, too. */
 export const ROLLED = 1 << 22;
+export const ROCKS = 1 << 23;
 /** From which bit on its small numbers stand, and where all end. */
 export const COUNT = 8;
 export const FACE = 10;
@@ -20,7 +21,7 @@ export const FIXED = 12;
 export const USED = 16;
 export const FRESH = 18;
 export const SHOWN = 20;
-export const FLAGS_END = 23;
+export const FLAGS_END = 24;
 
 /** What a tape is for at the moment. */
 export const WRITE = 0;

@@ -22,6 +22,7 @@ import {
   FRESH,
   LISTED,
   PERSISTENT,
+  ROCKS,
   ROLLED,
   SHOWN,
   SLEEPING,
@@ -219,6 +220,7 @@ function flagsOf(pair: Arbiter): number {
     (pair.metAgain() ? AGAIN : 0) |
     (hasImpulse(n, o) ? SOLVED : 0) |
     (hasRoll(n, o) ? ROLLED : 0) |
+    (pair.rocks ? ROCKS : 0) |
     (pair.listed ? LISTED : 0) |
     (isUsual(pair, isKnown ? usual : usualNear) ? USUAL : 0) |
     (pair.count << COUNT) |
@@ -243,6 +245,7 @@ function takeFlags(pair: Arbiter, flags: number): void {
   pair.accepted = (flags & ACCEPTED) !== 0;
   pair.persistent = (flags & PERSISTENT) !== 0;
   pair.listed = (flags & LISTED) !== 0;
+  pair.rocks = (flags & ROCKS) !== 0;
   n[o + g.COUNT] = (flags >> COUNT) & 3;
   n[o + g.FACE] = ((flags >> FACE) & 3) - 1;
   pair.fixed = (flags >> FIXED) & 15;
