@@ -49,7 +49,7 @@ export class Profile {
   activePairs = 0;
   /** Pairs of shapes, no sensors, whose collision was worked out. */
   manifolds = 0;
-  /** Contacts in the solver, of one and of two points; and how many of them are in parts that are swept over more often. */
+  /** Contacts in the solver, of one and of two points. */
   contacts = 0;
   /** How many of `contacts` are in parts that are swept over more often. */
   hardContacts = 0;
@@ -82,7 +82,7 @@ export class Profile {
   }
 
   /** @internal what the solver has to do */
-  count({ solver, pairs, timeStamp, allowSleeping, liveDynamics, islandWork }: World): void {
+  count({ solver, pairs, timeStamp, islandWork }: World): void {
     this.awakeBodies = solver.bodyCount - 1;
     this.activePairs = pairs.sorted.count;
     this.contacts = solver.one.count + solver.two.count;
@@ -96,9 +96,6 @@ export class Profile {
       const { sensor, seen } = pairs.sorted.items[i]!;
       this.manifolds += !sensor && seen === timeStamp ? 1 : 0;
     }
-    this.awakeIslands = 0;
-    for (let i = 0; i < liveDynamics.length && allowSleeping; i += 1) {
-      this.awakeIslands += islandWork.root(i) === i ? 1 : 0;
-    }
+    this.awakeIslands = islandWork.awake;
   }
 }

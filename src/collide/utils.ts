@@ -104,6 +104,8 @@ export class CollisionUtils {
     sweep.b.start(shapeB, b, a);
     const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, deltaTime);
     const found = sweep.distance;
+    sweep.a.shape = null;
+    sweep.b.shape = null;
     if (time < 0) {
       return undefined;
     }

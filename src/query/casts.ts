@@ -6,9 +6,9 @@ import { crosses, crossing } from '../geometry/crossing.js';
 import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
 import type { Ray, RectLike, Vec2 } from '../math/vectors.js';
-import { presentBounds } from '../shape/presently.js';
+import { presentBounds, presently } from '../shape/presently.js';
 import type { Shape } from '../shape/shape.js';
-import { refreshPlaces } from '../solver/refresh.js';
+import { isUnderWay, refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 import { near } from './queries.js';
 
@@ -59,7 +59,8 @@ class RayWalk {
     const body = shape.owner!;
     test.ox = this.x - body.x;
     test.oy = this.y - body.y;
-    return rayShape(shape, test) && test.factor / this.scale < this.maxFactor ? test.factor : -1;
+    const isMet = body.owner!.stepping ? presently(shape, () => rayShape(shape, test)) : rayShape(shape, test);
+    return isMet && test.factor / this.scale < this.maxFactor ? test.factor : -1;
   }
 
   /** Fills in the hit that `meet` just found. */
@@ -78,12 +79,12 @@ class RayWalk {
     const { x, y } = this;
     const { dx, dy, most } = this.test;
     const { broadphase } = world;
-    if (broadphase.castRay !== undefined) {
+    if (broadphase.castRay !== undefined && !isUnderWay(world)) {
       refreshPlaces(world);
       broadphase.castRay([x, y], [dx, dy], most, (handle: BroadphaseHandle) => visit(handle.data as Shape));
       return;
     }
-    // A broadphase that knows no rays is asked for everything within the bounds of the ray.
+    // A broadphase that knows no rays, or does not know where shapes are on their way, is asked for everything within the bounds of the ray.
     const endX = dx === 0 ? x : x + dx * most;
     const endY = dy === 0 ? y : y + dy * most;
     near(world, [Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY)]).forEach(visit);
@@ -145,7 +146,7 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   for (let i = 0; i < candidates.length; i += 1) {
     const other = candidates[i]!;
     const { owner } = other;
-    if (owner === body || !mayMeet(start, sweep.a, other, limit)) {
+    if (owner === body || !(isUnderWay(world) || mayMeet(start, sweep.a, other, limit))) {
       continue;
     }
     sweep.b.stand(other, owner!, body);

@@ -5,9 +5,9 @@ import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
 import { sortFirst } from '../math/sort.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
-import { presentBounds } from '../shape/presently.js';
+import { presentBounds, presently } from '../shape/presently.js';
 import { isOlder, type Shape } from '../shape/shape.js';
-import { refreshPlaces } from '../solver/refresh.js';
+import { isUnderWay, refreshPlaces, widened } from '../solver/refresh.js';
 import type { World } from '../world.js';
 
 /** Scratch of one test; no user code runs within. */
@@ -18,10 +18,22 @@ const distance = /* @__PURE__ */ new Distance();
 /** All shapes whose bounds may meet `bounds`, at their present placement; by their ids, as broadphases and copies of a world find them in other orders. */
 export function near(world: World, bounds: RectLike): Shape[] {
   refreshPlaces(world);
+  if (isUnderWay(world)) {
+    return nearNow(world, bounds);
+  }
   const found: Shape[] = [];
   world.broadphase.sample(bounds, (handle: BroadphaseHandle) => found.push(handle.data as Shape));
   sortFirst(found, found.length, isOlder);
   return found;
+}
+
+/** The same where the broadphase does not know it: it has all shapes where the step began. */
+function nearNow({ rigidBodies }: World, bounds: RectLike): Shape[] {
+  const isNear = (shape: Shape): boolean => {
+    const n = presently(shape, () => widened(shape));
+    return n[0]! <= bounds[2]! && n[1]! <= bounds[3]! && n[2]! >= bounds[0]! && n[3]! >= bounds[1]!;
+  };
+  return rigidBodies.flatMap(({ shapes }) => shapes.filter(isNear)).sort((a, b) => a.id - b.id);
 }
 
 /** Writes what was found to the start of `store`. @returns how many. */
@@ -40,7 +52,9 @@ export function bodiesOf(shapes: readonly Shape[]): RigidBody[] {
 export function shapesAtPoint(world: World, point: Vec2Like): Shape[] {
   const x = point[0]!;
   const y = point[1]!;
-  return near(world, [x, y, x, y]).filter((shape) => containsPoint(shape, x - shape.owner!.x, y - shape.owner!.y));
+  return near(world, [x, y, x, y]).filter((shape) =>
+    presently(shape, () => containsPoint(shape, x - shape.owner!.x, y - shape.owner!.y)),
+  );
 }
 
 export function shapesInCircle(world: World, center: Vec2Like, radius: number): Shape[] {
@@ -61,7 +75,7 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
     Math.max(rectangle[0]!, rectangle[2]!),
     Math.max(rectangle[1]!, rectangle[3]!),
   ];
-  return near(world, bounds).filter((shape) => {
+  const isIn = (shape: Shape): boolean => {
     const { owner, numbers: n, at } = shape;
     const { x, y } = owner!;
     // Of a rectangle that may be infinite only what is near the shape counts.
@@ -74,7 +88,8 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
     }
     own.setRectangle(minX - x, minY - y, maxX - x, maxY - y);
     return meets(shape, x, y);
-  });
+  };
+  return near(world, bounds).filter((shape) => presently(shape, () => isIn(shape)));
 }
 
 /** Shapes of other bodies that intersect a shape where its body is now. */

@@ -238,6 +238,8 @@ export class SolverData {
   hardCount = 0;
   /** Set by a position iteration in which circles overlapped deeply. */
   crowded = false;
+  /** How many sub-steps the step has: handlers may ask for others meanwhile. */
+  parts = 1;
   /** s. Length of the sub-steps of the last step … */
   previousH = 0;
   /**

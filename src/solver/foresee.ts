@@ -25,11 +25,11 @@ import { smoothMeeting } from './seams.js';
  * turns fast or has to be asked first, and whatever this does not see, is left to the sweep of the step's true motion at its end.
  */
 export function foresee(world: World, dt: number): void {
-  const { movers } = world;
+  const { movers, closing } = world;
   if (world.liveDynamics.length + world.liveKinematics.length === 0) {
     return;
   }
-  const average = (world.substeps + 1) / (2 * world.substeps);
+  const average = (world.solver.parts + 1) / (2 * world.solver.parts);
   movers.ahead = dt;
   movers.bouncy = true;
   movers.gain = average * dt;
@@ -38,7 +38,7 @@ export function foresee(world: World, dt: number): void {
     foreseeDynamic(world, world.liveDynamics[i]!);
   }
   foreseeKinematics(world, dt);
-  if (movers.count > 0) {
+  if (movers.count + closing.count > 0) {
     findMeetings(world, FORESIGHT_DEPTH);
     const { meetings } = movers;
     for (let next = meetings.first(); next !== null; next = meetings.first()) {
@@ -47,7 +47,6 @@ export function foresee(world: World, dt: number): void {
         open(world, next);
       }
     }
-    const { closing } = world;
     for (let i = 0; i < closing.count; i += 1) {
       if (!closing.items[i]!.near) {
         // It slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it.
@@ -56,7 +55,7 @@ export function foresee(world: World, dt: number): void {
     }
     world.pairs.merge();
   }
-  world.closing.clear();
+  closing.clear();
   movers.clear();
 }
 

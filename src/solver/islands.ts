@@ -15,6 +15,8 @@ export class IslandWork {
   wakeTime = new Int32Array(64);
   /** By root: 1 if all its bodies have rested long enough. */
   ready = new Uint8Array(64);
+  /** How many islands of the step stay awake. */
+  awake = 0;
 
   ensure(count: number): void {
     if (this.parent.length < count) {
@@ -68,6 +70,8 @@ export function sleepIslands(world: World, dt: number): void {
   const live = world.liveDynamics;
   const count = live.length;
   const stamp = world.timeStamp;
+  const work = world.islandWork;
+  work.awake = 0;
   if (!world.allowSleeping || count + world.liveConstraints.length === 0) {
     return;
   }
@@ -84,7 +88,6 @@ export function sleepIslands(world: World, dt: number): void {
       keepAwake(liveConstraints[i]!, stamp);
     }
   }
-  const work = world.islandWork;
   work.ensure(count);
   const { parent, wakeTime, ready } = work;
   for (let i = 0; i < count; i += 1) {
@@ -104,6 +107,7 @@ export function sleepIslands(world: World, dt: number): void {
   }
   for (let i = 0; i < count; i += 1) {
     live[i]!.wakeTime = wakeTime[work.root(i)]!;
+    work.awake += parent[i] === i && ready[i] === 0 ? 1 : 0;
   }
   if (someReady) {
     sleepReady(world, work);

@@ -43,14 +43,14 @@ import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmS
 function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
-  const isChanged = world.jointsTouched || world.jointsStale || joints.h !== h || joints.parts !== world.substeps;
+  const isChanged = world.jointsTouched || world.jointsStale || joints.h !== h || joints.parts !== data.parts;
   if (world.jointsStale) {
     orderJoints(world);
   }
   world.jointsStale = false;
   world.jointsTouched = false;
   joints.h = h;
-  joints.parts = world.substeps;
+  joints.parts = data.parts;
   if (joints.runs.length > 0) {
     packPoses(world);
   }

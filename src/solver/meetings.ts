@@ -21,7 +21,7 @@ import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
-import { findNearby, nearby } from './nearby.js';
+import { findNearby } from './nearby.js';
 import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 import { isTied } from './ties.js';
 
@@ -124,7 +124,7 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
     sweepBounds(mover, shape, bounds);
     const size = findNearby(world, bounds, !areAllMovers && (meetsMovers(mover) || shape.sensor));
     for (let k = 0; k < size; k += 1) {
-      const other = nearby[k]!;
+      const other = world.movers.nearby.shapes[k]!;
       const { mover: index } = other.owner!;
       if ((index < 0 || index >= count) && (kind === DYNAMIC || !isPassed(world, mover, shape, other))) {
         note(world, shape, other, depth);

@@ -8,6 +8,7 @@ import type { Shape } from '../shape/shape.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
+import { Nearby } from './nearby.js';
 import { isTied } from './ties.js';
 import { Ways } from './ways.js';
 
@@ -146,15 +147,15 @@ export class Mover {
    * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what joints and
    * contacts added, unless it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite.
    */
-  slow({ drive }: SolverData, substeps: number): void {
+  slow({ drive, parts }: SolverData): void {
     if (this.stopped) {
       return;
     }
     const { body } = this;
     const slot = body.slot * d.BODY_STRIDE;
-    const gainX = substeps * drive[slot + d.GAIN_X]!;
-    const gainY = substeps * drive[slot + d.GAIN_Y]!;
-    const gainW = substeps * drive[slot + d.GAIN_W]!;
+    const gainX = parts * drive[slot + d.GAIN_X]!;
+    const gainY = parts * drive[slot + d.GAIN_Y]!;
+    const gainW = parts * drive[slot + d.GAIN_W]!;
     const dx = body.vx - this.vx;
     const dy = body.vy - this.vy;
     const square = dx * dx + dy * dy;
@@ -276,6 +277,7 @@ export class Movers {
   count = 0;
   readonly meetings = new MeetingQueue();
   readonly ways = new Ways();
+  readonly nearby = new Nearby();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
   /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */

@@ -29,6 +29,11 @@ export function refreshPlaces(world: World): void {
   }
 }
 
+/** Within a step: some bodies are elsewhere than the broadphase has them, as it moves them or shows them to callbacks. */
+export function isUnderWay({ movers, solver }: World): boolean {
+  return movers.count + solver.joints.shown.size > 0;
+}
+
 /** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped. */
 function refreshBodies(world: World): void {
   const { stale, broadphase } = world;

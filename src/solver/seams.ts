@@ -12,7 +12,7 @@ import type { Polygon } from '../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
-import { findNearby, nearby } from './nearby.js';
+import { findNearby } from './nearby.js';
 
 // What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
 // may be the nearest way out of it, but it is no surface of the floor.
@@ -112,7 +112,7 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   bounds[3] = y;
   const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
-    const other = nearby[i]!;
+    const other = world.movers.nearby.shapes[i]!;
     if (other !== ground && standsStill(other) && isHidden(pair, ground as Polygon, other as Polygon)) {
       turn(pair);
       if (pair.count === 0) {

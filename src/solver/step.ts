@@ -19,6 +19,7 @@ import { store } from './store.js';
 export function step(world: World, dt: number): void {
   const { solver, substeps, profile } = world;
   const h = dt / substeps;
+  solver.parts = substeps;
   profile?.begin();
   refreshMoved(world);
   findPairs(world, dt);
@@ -34,7 +35,7 @@ export function step(world: World, dt: number): void {
     // Nothing is awake, nothing moves.
     return;
   }
-  integrate(world, h, substeps);
+  integrate(world, h);
   world.jointSolver?.store(world);
   store(world);
   profile?.lap('store');
@@ -43,16 +44,17 @@ export function step(world: World, dt: number): void {
   profile?.lap('continuous');
 }
 
-/** The sub-steps, of length h; how many was asked before any handler was called. */
-function integrate(world: World, h: number, substeps: number): void {
+/** The sub-steps, of length h. */
+function integrate(world: World, h: number): void {
   const { solver, profile, jointSolver } = world;
-  for (let part = 0; part < substeps; part += 1) {
+  const { parts } = solver;
+  for (let part = 0; part < parts; part += 1) {
     planBounces(solver, h);
     integrateVelocities(solver);
     jointSolver?.warmStart(solver, part === 0);
     warmStartContacts(solver, h);
     applyBounces(solver);
-    const turns = share(world.velocityIterations, part, substeps);
+    const turns = share(world.velocityIterations, part, parts);
     // Joints take all their turns, even where no contact changes anything; that there once were some has no say.
     let changed = true;
     for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && solver.joints.runs.length > 0)); i += 1) {
@@ -62,7 +64,7 @@ function integrate(world: World, h: number, substeps: number): void {
     profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);
-    const pushes = share(world.positionIterations, part, substeps);
+    const pushes = share(world.positionIterations, part, parts);
     let pushed = true;
     for (let i = 0; i < pushes && pushed; i += 1) {
       const pushedJoints = jointSolver?.solvePositions(solver, i, pushes) ?? false;

@@ -175,7 +175,8 @@ class Finder {
     world: World,
     held: Iterable<unknown>,
   ) {
-    for (const list of [held, world.rigidBodies, world.constraints]) {
+    // Of what has the same order, as after a restore it may have, what is held is meant.
+    for (const list of [world.rigidBodies, world.constraints, held]) {
       for (const object of list) {
         this.add(object);
       }

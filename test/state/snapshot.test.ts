@@ -172,6 +172,23 @@ describe('World.restore', () => {
     expect(other.hash()).toBe(before);
   });
 
+  it('takes what is held before what has the same number in the world by now', () => {
+    const world = phys2D.createWorld();
+    const add = () => {
+      const body = phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 0.5 })] });
+      world.addRigidBody(body);
+      return body;
+    };
+    const before = world.snapshot();
+    const held = add();
+    const copy = world.snapshot().slice(0);
+    world.restore(before);
+    const other = add();
+    world.restore(copy, [held]);
+    expect(world.rigidBodies).toEqual([held]);
+    expect(other.world).toBeNull();
+  });
+
   it('finds the objects of a copy in the world or among those that are held', () => {
     const world = pile(6);
     steps(world, 10);

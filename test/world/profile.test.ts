@@ -94,6 +94,34 @@ describe('World.profile', () => {
     expect(profile).toMatchObject({ joints: 1, awakeIslands: 2 });
   });
 
+  it('counts the islands that stay awake, also as one falls asleep', () => {
+    const world = phys2D.createWorld();
+    const add = (type: 'static' | 'dynamic', position: [number, number], width: number) => {
+      const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, 1) })];
+      const body = phys2D.createRigidBody({ type, position, shapes });
+      world.addRigidBody(body);
+      return body;
+    };
+    add('static', [0, 1], 40);
+    add('dynamic', [-10, 0], 1);
+    add('dynamic', [5, 0], 1);
+    const top = add('dynamic', [5, -1], 1);
+    world.clock = counter();
+    const counted = new Set<number>();
+    for (let i = 0; i < 100; i += 1) {
+      if (i % 20 === 10) {
+        top.setVelocity([0, -0.01]);
+      }
+      world.step(1 / 60);
+      const sides = new Set(world.liveDynamics.map((body) => body.getPosition()[0] > 0)).size;
+      if (i > 1) {
+        expect(world.profile!.awakeIslands).toBe(sides);
+      }
+      counted.add(sides);
+    }
+    expect([...counted]).toEqual([2, 1]);
+  });
+
   it('counts impacts', () => {
     const world = phys2D.createWorld({ gravity: [0, 0] });
     const wall = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.1, 10) });
