@@ -4,7 +4,7 @@ import { BodyNumbers } from './body-numbers.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
 import type { Constraint } from './constraint/constraint.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
-import { cos, cosSin, sin } from './math/trig.js';
+import { cosSin } from './math/trig.js';
 import { type NumberSink, type Rect, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { presentBounds } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
@@ -72,8 +72,7 @@ export abstract class BodyState extends BodyNumbers {
     this.x = given.position[0]!;
     this.y = given.position[1]!;
     this.angle = given.rotation;
-    this.cos = cos(this.angle);
-    this.sin = sin(this.angle);
+    this.refreshTurn();
     this.vx = moves ? given.velocity[0]! : 0;
     this.vy = moves ? given.velocity[1]! : 0;
     this.w = moves ? given.angularVelocity : 0;
@@ -106,7 +105,7 @@ export abstract class BodyState extends BodyNumbers {
     return shapes;
   }
 
-  /** Is swept against other dynamic bodies too; takes effect in the next step. */
+  /** Is swept against other dynamic bodies too. Set within a step, it may take effect in that one. */
   get bullet(): boolean {
     return this.isBullet;
   }

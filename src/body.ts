@@ -3,6 +3,7 @@ import type { RigidBodyParams } from './body-params.js';
 import { BodyState } from './body-state.js';
 import { FAR } from './config.js';
 import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './listeners.js';
+import { takeOut } from './math/list.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
 import { callable, finite, instance, leadsTo, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
@@ -346,10 +347,7 @@ export class RigidBody extends BodyState {
     }
     this.rouse();
     this.owner?.shapeRemoved(shape);
-    const last = this.shapes.pop()!;
-    if (last !== shape) {
-      this.shapes[this.shapes.indexOf(shape)] = last;
-    }
+    takeOut(this.shapes, this.shapes.indexOf(shape));
     shape.owner = null;
     this.shapesChanged();
     return true;
@@ -438,7 +436,7 @@ export class RigidBody extends BodyState {
   override moved(): void {
     if (!this.placeStale) {
       this.placeStale = true;
-      this.owner?.noteStale(this);
+      this.owner?.stale.add(this);
     }
   }
 

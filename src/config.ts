@@ -237,7 +237,10 @@ export const SWEEP_TOLERANCE = 1e-6;
  */
 export const IMPACT_DEPTH = 0.05;
 
-/** m. The same for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
+/** IMPACT_DEPTH is no more than this share of the thickness of both shapes, so that thin ones cannot pass each other. */
+export const IMPACT_SHARE = 0.25;
+
+/** m. IMPACT_DEPTH for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
 export const FORESIGHT_DEPTH = 0.005;
 
 /** rad. Contacts of bodies that turn by more in a step, both together, do not hold for all of it: they are not foreseen, and swept all the same. */
@@ -245,9 +248,6 @@ export const SOLVED_TURN = 0.2;
 
 /** As a share of the step: meetings of a body that come so soon after the first are foreseen with it, as for a box that falls flat on tiles. */
 export const SAME_TIME = 2e-3;
-
-/** The same as a share of the thickness of both shapes, so that thin ones cannot pass each other. */
-export const IMPACT_SHARE = 0.25;
 
 /** m. How much farther than foreseen a body may go in a step before it is looked at again; more means that more are near something. */
 export const CLEARANCE = 0.1;

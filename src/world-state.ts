@@ -92,7 +92,7 @@ export abstract class WorldState {
   gravityX: number;
   /** @internal */
   gravityY: number;
-  /** @internal from the first line of `step` until its events are delivered */
+  /** @internal from the first line of `step` until its events are about to be delivered */
   stepping = false;
   /** @internal bodies whose geometry has to be refreshed */
   readonly stale = new List<RigidBody>();

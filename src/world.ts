@@ -3,15 +3,17 @@ import { DYNAMIC, STATIC } from './body-kind.js';
 import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './listeners.js';
+import { takeOut } from './math/list.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { type CastResult, castRay, castRayThrough, castShape } from './query/casts.js';
 import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapesMeeting } from './query/queries.js';
-import { Shape } from './shape/shape.js';
+import { bodyOf } from './shape/presently.js';
+import type { Shape } from './shape/shape.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { widened } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
-import { breakOff, countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
+import { countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
 import {
   boolean,
   callable,
@@ -145,11 +147,8 @@ export class World extends WorldState {
       cutPairs(this, shape);
       this.broadphase.remove(shape.handle!);
     }
-    const last = this.rigidBodies.pop()!;
-    if (last !== body) {
-      this.rigidBodies[body.index] = last;
-      last.index = body.index;
-    }
+    const moved = takeOut(this.rigidBodies, body.index);
+    if (moved !== null) moved.index = body.index;
     body.leave();
     return true;
   }
@@ -242,15 +241,15 @@ export class World extends WorldState {
   /** The shapes of other bodies that a shape meets where its body is now, in this world or not; as `shapePointQuery`, touching counts. @returns how many. */
   shapeQuery(shape: Shape, store: Shape[]): number {
     const where = 'World.shapeQuery';
-    shapeOfBody(where, shape);
+    bodyOf(where, 'shape', shape);
     sink(where, 'store', store);
     return put(shapesMeeting(this, shape), store);
   }
 
   /**
    * The nearest surface that a ray meets at a factor below `ray.maxFactor`, or `null`. A ray that starts inside a shape meets it where it leaves it,
-   * unless `ignoreInnerSurfaces`. `callback` is asked about each hit that is nearer than those before, by an object that is used again; if it
-   * returns `false` the shape is left out. It must not change the world.
+   * unless `ignoreInnerSurfaces`. `callback` is asked about each hit that is nearer than those before, by an object that is used again; unless it
+   * returns `true` the shape is left out. It must not change the world.
    */
   rayCast(
     ray: Ray,
@@ -286,7 +285,7 @@ export class World extends WorldState {
     thisObject?: unknown,
   ): CastResult | null {
     const where = 'World.convexCast';
-    shapeOfBody(where, shape);
+    bodyOf(where, 'shape', shape);
     positive(where, 'deltaTime', deltaTime);
     const accept = optionalCallable(where, callback);
     return castShape(this, shape, deltaTime, accept && ((found) => accept.call(thisObject, shape, found)));
@@ -416,11 +415,6 @@ export class World extends WorldState {
     switchOff(this, constraint);
   }
 
-  /** @internal a constraint gave way in this step */
-  breakConstraint(constraint: Constraint): void {
-    breakOff(this, constraint);
-  }
-
   /** @internal before (−1) and after (1) a change of what a constraint lets interact */
   countIgnoring(constraint: Constraint, change: number): void {
     countIgnoring(constraint, change);
@@ -429,11 +423,6 @@ export class World extends WorldState {
   /** @internal */
   changeKind(body: RigidBody, kind: number): void {
     changeKind(this, body, kind);
-  }
-
-  /** @internal */
-  noteStale(body: RigidBody): void {
-    this.stale.add(body);
   }
 
   /** @internal a shape was attached to a body of this world */
@@ -457,13 +446,6 @@ export class World extends WorldState {
     shape.leave();
   }
 
-  /** @internal tells the broadphase whether the shapes of a body may move */
-  setHandlesStatic(body: RigidBody, isStatic: boolean): void {
-    for (const shape of body.shapes) {
-      this.broadphase.update(shape.handle!, widened(shape), isStatic);
-    }
-  }
-
   /** @internal */
   protected override wakeAll(): void {
     for (const body of this.rigidBodies) {
@@ -478,12 +460,6 @@ export class World extends WorldState {
 function checkConstraint(where: string, constraint: Constraint): void {
   if (typeof constraint?.measure !== 'function') {
     throw typeError(where, 'constraint', 'a Constraint', constraint);
-  }
-}
-
-function shapeOfBody(where: string, shape: Shape): void {
-  if (instance(where, 'shape', shape, Shape, 'a Shape').owner === null) {
-    throw typeError(where, 'shape', 'a shape of a body', shape);
   }
 }
 

@@ -1,9 +1,9 @@
 import { CAST_TOLERANCE } from '../config.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { NumberSink, Ray, Vec2Like } from '../math/vectors.js';
-import { presently } from '../shape/presently.js';
-import { Shape } from '../shape/shape.js';
-import { boolean, checkedRay, instance, positive, sink, typeError, vector } from '../validate.js';
+import { bodyOf, presently } from '../shape/presently.js';
+import type { Shape } from '../shape/shape.js';
+import { boolean, checkedRay, positive, sink, vector } from '../validate.js';
 import { containsPoint } from './contains.js';
 import { gapBetween } from './gap.js';
 import { RayTest, rayShape } from './rays.js';
@@ -115,13 +115,4 @@ export class CollisionUtils {
     normal[1] = found.axisY + 0;
     return time;
   }
-}
-
-/** The body of a shape. */
-function bodyOf(where: string, name: string, shape: Shape) {
-  const body = instance(where, name, shape, Shape, 'a Shape').owner;
-  if (body === null) {
-    throw typeError(where, name, 'a shape of a body', shape);
-  }
-  return body;
 }

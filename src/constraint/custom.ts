@@ -30,7 +30,7 @@ export interface CustomConstraintParams extends ConstraintParams {
   position?: CustomCallback | undefined;
   /** Called before the others, to compute what they share. Default: nothing is. */
   positionConstants?: ((this: CustomConstraint) => void) | undefined;
-  /** Limits the impulse `data[index + d]` of the step, accumulated so far, in place. Without it there is no limit but `maxForce`. */
+  /** Limits the impulse `data[index + d]`, in place: that of the sub-step so far, times their number, as if the whole step were like it. Without it there is no limit but `maxForce`. */
   velocityClamp?: CustomCallback | undefined;
   /** Limits the correction impulse `data[index + d]` of this position iteration, in place. Without it there is no limit. */
   positionClamp?: CustomCallback | undefined;
@@ -95,11 +95,9 @@ export class CustomConstraint extends BaseConstraint {
     this.call('jacobian', out, j, this.data.length, false);
   }
 
-  /** @internal lets a callback, if there is one, change D numbers in place */
+  /** @internal lets a callback that there is change D numbers in place */
   clamp(name: 'velocityClamp' | 'positionClamp', out: Float64Array, at: number): void {
-    if (this.callbacks[name] !== undefined) {
-      this.call(name, out, at, this.dimension, true);
-    }
+    this.call(name, out, at, this.dimension, true);
   }
 
   /** @internal */

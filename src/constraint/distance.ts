@@ -1,7 +1,7 @@
 import type { Tape } from '../state/tape.js';
 import { nonNegativeOrInfinite } from '../validate.js';
 import { Link } from './link.js';
-import { AnchoredConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
+import { BoundedConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
 
 /** Options of `createDistanceConstraint`: bounds in m, `lowerBound` >= 0, both 0 by default. */
 export interface DistanceConstraintParams extends TwoAnchorParams, Bounds {}
@@ -12,7 +12,7 @@ export interface DistanceConstraintParams extends TwoAnchorParams, Bounds {}
  *
  *     lower ≤ |wB − wA| ≤ upper,   w = x + R(θ) · anchor
  */
-export class DistanceConstraint extends AnchoredConstraint {
+export class DistanceConstraint extends BoundedConstraint {
   /** Tells the kinds apart. */
   readonly type = 'DISTANCE';
 
@@ -24,26 +24,6 @@ export class DistanceConstraint extends AnchoredConstraint {
     super(where, 1, params);
     takeBounds(this, where, params, 0, 0);
     nonNegativeOrInfinite(where, 'lowerBound', this.lower);
-  }
-
-  /** m. */
-  getLowerBound(): number {
-    return this.lower;
-  }
-
-  /** Between 0 and the upper bound, m. */
-  setLowerBound(lowerBound: number): void {
-    this.setLower(lowerBound);
-  }
-
-  /** m. */
-  getUpperBound(): number {
-    return this.upper;
-  }
-
-  /** Not below the lower bound, m. */
-  setUpperBound(upperBound: number): void {
-    this.setUpper(upperBound);
   }
 
   /** @internal */

@@ -2,7 +2,7 @@ import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors
 import type { Tape } from '../state/tape.js';
 import { rangeError, vector } from '../validate.js';
 import { COS, POSE, SIN, X, Y } from './layout.js';
-import { AnchoredConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
+import { BoundedConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
 
 /** Options of `createLineConstraint`: bounds in m, none by default. */
 export interface LineConstraintParams extends TwoAnchorParams, Bounds {
@@ -17,7 +17,7 @@ export interface LineConstraintParams extends TwoAnchorParams, Bounds {
  *
  * Body A gets the impulse at B's anchor, so its arm is rA + d.
  */
-export class LineConstraint extends AnchoredConstraint {
+export class LineConstraint extends BoundedConstraint {
   /** Tells the kinds apart. */
   readonly type = 'LINE';
 
@@ -52,26 +52,6 @@ export class LineConstraint extends AnchoredConstraint {
       this.axisY = y / length;
       this.rouse();
     }
-  }
-
-  /** m. */
-  getLowerBound(): number {
-    return this.lower;
-  }
-
-  /** Not above the upper bound. */
-  setLowerBound(lowerBound: number): void {
-    this.setLower(lowerBound);
-  }
-
-  /** m. */
-  getUpperBound(): number {
-    return this.upper;
-  }
-
-  /** Not below the lower bound. */
-  setUpperBound(upperBound: number): void {
-    this.setUpper(upperBound);
   }
 
   /** @internal */

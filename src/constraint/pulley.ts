@@ -4,7 +4,7 @@ import type { Tape } from '../state/tape.js';
 import { optional, options } from '../validate.js';
 import { Link } from './link.js';
 import {
-  AnchoredConstraint,
+  BoundedConstraint,
   type Bounds,
   checkedBody,
   checkedRatio,
@@ -31,7 +31,7 @@ export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
  *
  *     lower ≤ |wB − wA| + ratio · |wD − wC| ≤ upper,   w = x + R(θ) · anchor
  */
-export class PulleyConstraint extends AnchoredConstraint {
+export class PulleyConstraint extends BoundedConstraint {
   /** Tells the kinds apart. */
   readonly type = 'PULLEY';
 
@@ -91,26 +91,6 @@ export class PulleyConstraint extends AnchoredConstraint {
   /** Sets the ratio, not 0. */
   setRatio(ratio: number): void {
     this.changeRatio(ratio);
-  }
-
-  /** m. */
-  getLowerBound(): number {
-    return this.lower;
-  }
-
-  /** Not above the upper bound. */
-  setLowerBound(lowerBound: number): void {
-    this.setLower(lowerBound);
-  }
-
-  /** m. */
-  getUpperBound(): number {
-    return this.upper;
-  }
-
-  /** Not below the lower bound. */
-  setUpperBound(upperBound: number): void {
-    this.setUpper(upperBound);
   }
 
   /** @internal */

@@ -132,6 +132,29 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   }
 }
 
+/** An anchored constraint that keeps a length, or a length along a line, between bounds. */
+export abstract class BoundedConstraint extends AnchoredConstraint {
+  /** m. */
+  getLowerBound(): number {
+    return this.lower;
+  }
+
+  /** Not above the upper bound, m; of a distance not below 0. */
+  setLowerBound(lowerBound: number): void {
+    this.setLower(lowerBound);
+  }
+
+  /** m. */
+  getUpperBound(): number {
+    return this.upper;
+  }
+
+  /** Not below the lower bound, m. */
+  setUpperBound(upperBound: number): void {
+    this.setUpper(upperBound);
+  }
+}
+
 /** @internal */
 export function checkedBody(where: string, name: string, body: unknown): RigidBody {
   return instance(where, name, body, RigidBody, 'a RigidBody');

@@ -118,9 +118,6 @@ export class Arbiter {
     this.shapeB = shapeB;
     this.at = slab.take(g.PAIR_NUMBERS);
     this.numbers = slab.numbers;
-    this.sensor = shapeA.sensor || shapeB.sensor;
-    this.accepted = !this.sensor;
-    reset(this.numbers, this.at);
   }
 
   /** @internal how many points were found, 0 to 2 */

@@ -3,10 +3,7 @@ import { CROWD } from '../config.js';
 import { List } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
 import { isOlder, type Shape } from '../shape/shape.js';
-
-interface Noting {
-  note(shapeA: Shape, shapeB: Shape): void;
-}
+import type { Pairs } from './pairs.js';
 
 /**
  * Shapes that lie in the middle of each other, of which there may be thousands at one point: all pairs of them would be millions, and none of
@@ -48,7 +45,7 @@ export class Crowd {
   }
 
   /** Tells which pairs are to be made, some twice; of each the shape with the lower id comes first. */
-  drainTo(pairs: Noting): void {
+  drainTo(pairs: Pairs): void {
     for (let i = 0; i < this.shapes.count; i += 1) {
       const shape = this.shapes.items[i]!;
       const partners = this.lists[i]!;

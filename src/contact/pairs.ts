@@ -1,5 +1,5 @@
 import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
-import { List } from '../math/list.js';
+import { List, takeOut } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 import { Arbiter, type Before } from './arbiter.js';
@@ -278,15 +278,10 @@ export class Pairs {
 
 /** Removes an entry of `shape.arbiters`; the last one takes its place. */
 function removeAt(shape: Shape, index: number): void {
-  const list = shape.arbiters;
-  const last = list.pop()!;
-  if (index === list.length) {
-    return;
-  }
-  list[index] = last;
-  if (last.shapeA === shape) {
-    last.indexA = index;
-  } else {
-    last.indexB = index;
+  const moved = takeOut(shape.arbiters, index);
+  if (moved?.shapeA === shape) {
+    moved.indexA = index;
+  } else if (moved !== null) {
+    moved.indexB = index;
   }
 }

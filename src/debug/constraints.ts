@@ -2,27 +2,16 @@ import type { RigidBody } from '../body.js';
 import { ANGLE, writePose, X, Y } from '../body-pose.js';
 import type { AngleConstraint } from '../constraint/angle.js';
 import type { Constraint } from '../constraint/constraint.js';
-import type { CustomConstraint } from '../constraint/custom.js';
 import type { DistanceConstraint } from '../constraint/distance.js';
 import type { LineConstraint } from '../constraint/line.js';
-import type { MotorConstraint } from '../constraint/motor.js';
 import type { PointConstraint } from '../constraint/point.js';
 import type { PulleyConstraint } from '../constraint/pulley.js';
+import type { AnchoredConstraint } from '../constraint/two-body.js';
 import type { WeldConstraint } from '../constraint/weld.js';
 import { cosSin } from '../math/trig.js';
 import { addCircle, addLinearSpring, addSpiral, addSpiralSpring } from './curves.js';
 import type { Physics2DDebugDraw } from './draw.js';
 import type { Color } from './settings.js';
-
-type AnyConstraint =
-  | PointConstraint
-  | WeldConstraint
-  | DistanceConstraint
-  | LineConstraint
-  | AngleConstraint
-  | MotorConstraint
-  | PulleyConstraint
-  | CustomConstraint;
 
 type Letter = 'A' | 'B' | 'C' | 'D';
 
@@ -41,21 +30,20 @@ const local = new Float64Array(2);
 const ends = { A: new Float64Array(2), B: new Float64Array(2), C: new Float64Array(2), D: new Float64Array(2) };
 
 export function addConstraint(debug: Physics2DDebugDraw, constraint: Constraint): void {
-  const it = constraint as AnyConstraint;
-  if (it.type === 'POINT') {
-    addPoint(debug, it);
-  } else if (it.type === 'WELD') {
-    addWeld(debug, it);
-  } else if (it.type === 'DISTANCE') {
-    addDistance(debug, it);
-  } else if (it.type === 'LINE') {
-    addLine(debug, it);
-  } else if (it.type === 'ANGLE') {
-    addAngle(debug, it);
-  } else if (it.type === 'PULLEY') {
-    addPulley(debug, it);
-  } else if (it.type === 'CUSTOM') {
-    it.debugDraw?.call(it, debug, it.stiff);
+  if (constraint.type === 'POINT') {
+    addPoint(debug, constraint);
+  } else if (constraint.type === 'WELD') {
+    addWeld(debug, constraint);
+  } else if (constraint.type === 'DISTANCE') {
+    addDistance(debug, constraint);
+  } else if (constraint.type === 'LINE') {
+    addLine(debug, constraint);
+  } else if (constraint.type === 'ANGLE') {
+    addAngle(debug, constraint);
+  } else if (constraint.type === 'PULLEY') {
+    addPulley(debug, constraint);
+  } else if (constraint.type === 'CUSTOM') {
+    constraint.debugDraw?.call(constraint, debug, constraint.stiff);
   }
 }
 
@@ -227,10 +215,7 @@ function addSpring(debug: Physics2DDebugDraw, x1: number, y1: number, x2: number
 }
 
 /** Finds and draws the anchors of both bodies. */
-function placeEnds(
-  debug: Physics2DDebugDraw,
-  constraint: Exclude<AnyConstraint, AngleConstraint | MotorConstraint | CustomConstraint>,
-): void {
+function placeEnds(debug: Physics2DDebugDraw, constraint: Extract<Constraint, AnchoredConstraint>): void {
   placeEnd(debug, constraint, constraint.bodyA, constraint.getAnchorA(local), 'A');
   placeEnd(debug, constraint, constraint.bodyB, constraint.getAnchorB(local), 'B');
 }

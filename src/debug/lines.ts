@@ -1,3 +1,4 @@
+import { widened } from '../math/doubles.js';
 import type { ColorLike, DebugLines } from './device.js';
 
 /** Offsets and lengths in `DebugLines.vertices`. */
@@ -58,8 +59,6 @@ export class LineBuffer implements DebugLines {
   }
 
   private grow(): void {
-    const grown = new Float64Array(2 * this.vertices.length);
-    grown.set(this.vertices);
-    this.vertices = grown;
+    this.vertices = widened(this.vertices, new Float64Array(2 * this.vertices.length));
   }
 }

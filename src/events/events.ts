@@ -36,7 +36,7 @@ export class EventQueue {
   /** Whether a list was asked for since the last delivery: most steps of most worlds have nothing to tell. */
   private stirred = false;
   private readonly hits: Hit[] = [];
-  /** Of them hits of this step; by their arbiters. */
+  /** The arbiters of the hits of this step, each at the place of its hit. */
   private readonly struck: Arbiter[] = [];
   /** @internal bodies and constraints that woke since this was last looked at */
   readonly woken = new Set<RigidBody | Constraint>();

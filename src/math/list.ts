@@ -19,3 +19,13 @@ export function drop(list: unknown[]): void {
     list.pop();
   }
 }
+
+/** Takes an entry out of a list whose order does not matter. @returns the last one, which takes its place; `null` if it was that itself. */
+export function takeOut<T>(list: T[], at: number): T | null {
+  const last = list.pop()!;
+  if (at === list.length) {
+    return null;
+  }
+  list[at] = last;
+  return last;
+}

@@ -1,6 +1,17 @@
+import type { RigidBody } from '../body.js';
 import { CIRCLE_NUMBERS, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
-import type { Shape } from './shape.js';
+import { instance, typeError } from '../validate.js';
+import { Shape } from './shape.js';
 import { POLYGON } from './shape-kind.js';
+
+/** The body of a shape that has to have one. */
+export function bodyOf(where: string, name: string, shape: Shape): RigidBody {
+  const body = instance(where, name, shape, Shape, 'a Shape').owner;
+  if (body === null) {
+    throw typeError(where, name, 'a shape of a body', shape);
+  }
+  return body;
+}
 
 /**
  * Asks something about a shape where its body is now. In a step the shape is put back after that: there the solver needs it where the step began, or

@@ -287,8 +287,7 @@ export abstract class BaseShape {
 
   /** @internal geometry may not change now: the world is stepping, or the body is static in a world */
   isLocked(): boolean {
-    const world = this.owner?.world ?? null;
-    return world !== null && (world.stepping || this.owner!.isStatic());
+    return this.owner?.isLocked() ?? false;
   }
 
   /** @internal */

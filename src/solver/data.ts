@@ -217,7 +217,7 @@ export class BounceList {
   }
 }
 
-/** Everything the solver keeps for a world. Nothing in it but the previous sub-step's length survives a step. */
+/** Everything the solver keeps for a world. Of it only the previous sub-step's length and what joints remember survives a step. */
 export class SolverData {
   bodyCount = 0;
   velocity = new Float64Array(64 * BODY_STRIDE);

@@ -186,7 +186,7 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
   );
 }
 
-/** Nothing that would move keeps it from moving. */
+/** It is no dynamic body that sleeps: the solver would not move that. */
 export function canGiveWay({ kind, asleep }: RigidBody): boolean {
   return kind !== DYNAMIC || !asleep;
 }
@@ -203,9 +203,7 @@ function part(world: World, pair: Arbiter): void {
 function wakeHit(world: World): void {
   const hit = world.hit;
   for (let i = 0; i < hit.count; i += 1) {
-    if (hit.items[i]!.asleep) {
-      wakeBody(world, hit.items[i]!, false);
-    }
+    wakeBody(world, hit.items[i]!, false);
   }
   hit.clear();
   world.pairs.merge();

@@ -59,48 +59,33 @@ export interface Run {
 }
 
 /** Joints that hang together. */
-export interface Group {
-  readonly start: number;
+export class Group {
   end: number;
-  readonly runs: Run[];
+  readonly runs: Run[] = [];
   /** m, rad. The part of the worst error for which it is swept over once more. */
-  tolerance: number;
+  tolerance = 0;
   /** One of the joints was changed before this step. */
-  fresh: boolean;
+  fresh = false;
   /** For so many steps more large errors are corrected without momentum. */
-  settling: number;
+  settling = 0;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
-  span: number;
+  span = 0;
   /** How often it is in this sub-step, spread over the iterations … */
-  sweeps: number;
+  sweeps = 1;
   /** … and which of its joints, but in the last sweep. */
-  from: number;
-  to: number;
+  from = 0;
+  to = 0;
   /** One of the bodies is in contact. */
-  touched: boolean;
+  touched = false;
   /** The square of the largest error at the start of the sub-step … */
-  error: number;
+  error = 0;
   /** … and of the largest that the first position iteration found. */
-  pushed: number;
-}
+  pushed = 0;
 
-/** Without joints, the first of which will be at `start`. */
-export function newGroup(start: number): Group {
-  return {
-    start,
-    end: start,
-    runs: [],
-    tolerance: 0,
-    fresh: false,
-    settling: 0,
-    span: 0,
-    sweeps: 1,
-    pushed: 0,
-    touched: false,
-    error: 0,
-    from: 0,
-    to: 0,
-  };
+  /** Without joints, the first of which will be at `start`. */
+  constructor(readonly start: number) {
+    this.end = start;
+  }
 }
 
 /** Whether the numbers of a joint stay in its record from step to step, and are only fetched when somebody asks. */

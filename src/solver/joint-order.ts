@@ -1,7 +1,7 @@
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
-import { newGroup } from './joint-data.js';
+import { Group } from './joint-data.js';
 import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
 
 /**
@@ -28,7 +28,7 @@ export function orderJoints(world: World): void {
   const left = new Set(acting);
   for (const constraint of acting) {
     if (left.has(constraint)) {
-      joints.groups.push(newGroup(joints.joints.length));
+      joints.groups.push(new Group(joints.joints.length));
       for (const next of breadthFirst(hangingTogether(constraint, left))) {
         joints.add(next, kernelFor(next), new BlockLayout(next.dimension, next.members.length));
       }

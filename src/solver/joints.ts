@@ -37,6 +37,7 @@ import {
   warmStartPoints,
 } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
+import { breakOff } from './ties.js';
 import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
@@ -403,7 +404,7 @@ function storeJoints(world: World): void {
     if (!constraint.enabled) constraint.forget();
   }
   for (const { constraint } of joints.broken) {
-    world.breakConstraint(constraint);
+    breakOff(world, constraint);
   }
   joints.broken.length = 0;
 }

@@ -5,20 +5,11 @@ import { BEFORE_STEP } from '../events/events.js';
 import { END } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { enliven, joinLists, leaveLists, quieten, wakeBody } from './sleep.js';
+import { enliven, joinLists, leaveLists, neighboursOf, quieten, wakeBody } from './sleep.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {
-  const found: RigidBody[] = [];
-  for (const shape of body.shapes) {
-    for (const pair of shape.arbiters) {
-      const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
-      if (other.kind === DYNAMIC && (pair.active || pair.sleeping) && pair.accepted) {
-        found.push(other);
-      }
-    }
-  }
-  for (const other of found) {
+  for (const other of neighboursOf(body)) {
     other.unloaded = world.timeStamp + 1;
     wakeBody(world, other, false);
   }

@@ -21,7 +21,7 @@ const SUDDEN = 2;
 const TURNED_BACK = 0.01;
 
 /**
- * A body on its way through the step that was just solved, seen from its end: time runs from 0 to 1. Its numbers are fractions before they are set: where the
+ * A body on its way through a step, from time 0 to 1: one that is foreseen, or one that was just solved, seen from its end. Its numbers are fractions before they are set: where the
  * first one comes late, all that was compiled for integers would be thrown away.
  */
 export class Mover {

@@ -4,7 +4,9 @@ import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { IN_STEP } from '../events/events.js';
 import { PROGRESS, SLEEP } from '../listeners.js';
+import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
+import { widened } from './refresh.js';
 
 /** Bodies and constraints that fell asleep together, and wake together. */
 export interface Island {
@@ -26,7 +28,7 @@ export function enliven(world: World, body: RigidBody): void {
   const live = body.kind === DYNAMIC ? world.liveDynamics : world.liveKinematics;
   body.liveIndex = live.push(body) - 1;
   world.jointsTouched = true;
-  world.setHandlesStatic(body, false);
+  setHandlesStatic(world, body, false);
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
       if (pair.sleeping) {
@@ -39,11 +41,8 @@ export function enliven(world: World, body: RigidBody): void {
 /** Takes a body out of its live list and its shapes from among the moving ones. */
 export function quieten(world: World, body: RigidBody): void {
   const live = body.kind === DYNAMIC ? world.liveDynamics : world.liveKinematics;
-  const last = live.pop()!;
-  if (last !== body) {
-    live[body.liveIndex] = last;
-    last.liveIndex = body.liveIndex;
-  }
+  const moved = takeOut(live, body.liveIndex);
+  if (moved !== null) moved.liveIndex = body.liveIndex;
   body.liveIndex = -1;
   world.jointsTouched = true;
   body.slot = 0;
@@ -52,7 +51,14 @@ export function quieten(world: World, body: RigidBody): void {
   body.lastTurn = 0;
   body.clearance = 0;
   body.asleep = true;
-  world.setHandlesStatic(body, true);
+  setHandlesStatic(world, body, true);
+}
+
+/** Tells the broadphase whether the shapes of a body may move. */
+function setHandlesStatic({ broadphase }: World, { shapes }: RigidBody, isStatic: boolean): void {
+  for (const shape of shapes) {
+    broadphase.update(shape.handle!, widened(shape), isStatic);
+  }
 }
 
 /** Puts a constraint into the live list. */
@@ -64,12 +70,8 @@ export function enlivenConstraint(world: World, constraint: Constraint): void {
 
 /** Takes a constraint out of the live list. */
 export function quietenConstraint(world: World, constraint: Constraint): void {
-  const live = world.liveConstraints;
-  const last = live.pop()!;
-  if (last !== constraint) {
-    live[constraint.liveIndex] = last;
-    last.liveIndex = constraint.liveIndex;
-  }
+  const moved = takeOut(world.liveConstraints, constraint.liveIndex);
+  if (moved !== null) moved.liveIndex = constraint.liveIndex;
   constraint.liveIndex = -1;
   constraint.asleep = true;
   constraint.given.fill(0);
@@ -82,37 +84,27 @@ export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
     body.wakeTime = wakeStamp(world);
     return;
   }
-  const { woken } = body;
-  spreadWake(world, body);
-  if (silent) {
-    body.woken = woken;
-  }
+  spreadWake(world, body, silent);
 }
 
 /** Wakes the bodies of an arbiter, without events for either. */
 export function wakeBoth(world: World, { bodyA, bodyB }: Arbiter): void {
-  const { woken: wokenA } = bodyA;
-  const { woken: wokenB } = bodyB;
-  spreadWake(world, bodyA);
-  spreadWake(world, bodyB);
-  bodyA.woken = wokenA;
-  bodyB.woken = wokenB;
+  const { woken } = bodyB;
+  spreadWake(world, bodyA, true);
+  spreadWake(world, bodyB, true);
+  bodyB.woken = woken;
 }
 
 /** Wakes a constraint and its dynamic bodies. `silent`: no `wake` event for the constraint itself. */
 export function wakeConstraint(world: World, constraint: Constraint, silent: boolean): void {
-  if (!constraint.enabled) {
-    return;
-  }
-  const { woken } = constraint;
-  spreadWake(world, constraint);
-  if (silent) {
-    constraint.woken = woken;
+  if (constraint.enabled) {
+    spreadWake(world, constraint, silent);
   }
 }
 
 /** Wakes something and what must wake with it, and with that, and so on; a list, as the way can be long. */
-function spreadWake(world: World, start: RigidBody | Constraint): void {
+function spreadWake(world: World, start: RigidBody | Constraint, silent: boolean): void {
+  const { woken } = start;
   const found: (RigidBody | Constraint)[] = [start];
   for (const next of found) {
     if ('shapes' in next) {
@@ -120,6 +112,9 @@ function spreadWake(world: World, start: RigidBody | Constraint): void {
     } else {
       spreadFromConstraint(world, next, found);
     }
+  }
+  if (silent) {
+    start.woken = woken;
   }
 }
 
@@ -132,7 +127,11 @@ function spreadFromBody(world: World, body: RigidBody, found: (RigidBody | Const
     raiseIsland(world, body.island, found);
     return;
   }
-  found.push(...restingOn(body));
+  for (const other of neighboursOf(body)) {
+    if (other.asleep) {
+      found.push(other);
+    }
+  }
   if (body.kind !== STATIC) {
     rise(world, body, found);
   } else {
@@ -191,16 +190,14 @@ function pushSleepingTies(world: World, body: RigidBody, found: (RigidBody | Con
   }
 }
 
-/** Sleeping dynamic bodies in accepted contact with a sleeping body. */
-function restingOn(body: RigidBody): RigidBody[] {
+/** Dynamic bodies in accepted contact with a body. */
+export function neighboursOf({ shapes }: RigidBody): RigidBody[] {
   const found: RigidBody[] = [];
-  for (const shape of body.shapes) {
+  for (const shape of shapes) {
     for (const pair of shape.arbiters) {
-      if ((pair.sleeping || pair.active) && pair.accepted) {
-        const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
-        if (other.kind === DYNAMIC && other.asleep) {
-          found.push(other);
-        }
+      const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
+      if (other.kind === DYNAMIC && (pair.active || pair.sleeping) && pair.accepted) {
+        found.push(other);
       }
     }
   }
@@ -308,12 +305,6 @@ export function leaveLists(world: World, pair: Arbiter): void {
 
 function removeFrom(list: Arbiter[], pair: Arbiter): void {
   const at = pair.listIndex;
-  if (list[at] !== pair) {
-    return;
-  }
-  const last = list.pop()!;
-  if (last !== pair) {
-    list[at] = last;
-    last.listIndex = at;
-  }
+  const moved = list[at] === pair ? takeOut(list, at) : null;
+  if (moved !== null) moved.listIndex = at;
 }

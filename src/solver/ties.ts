@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { BREAK } from '../listeners.js';
+import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
 import { enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
@@ -36,11 +37,8 @@ export function untie(world: World, constraint: Constraint): void {
   if (constraint.liveIndex >= 0) {
     quietenConstraint(world, constraint);
   }
-  const last = world.constraints.pop()!;
-  if (last !== constraint) {
-    world.constraints[constraint.index] = last;
-    last.index = constraint.index;
-  }
+  const moved = takeOut(world.constraints, constraint.index);
+  if (moved !== null) moved.index = constraint.index;
   release(constraint);
 }
 

@@ -10,7 +10,7 @@ import { copyObjects, emptyScene, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
 /** How many integers come first. */
-const HEAD = 6;
+export const HEAD = 6;
 
 /**
  * Writes which objects a snapshot is of, as integers: how many, then `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,

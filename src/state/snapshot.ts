@@ -2,7 +2,7 @@ import { RigidBody } from '../body.js';
 import { Constraint } from '../constraint/constraint.js';
 import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
-import { newGroup } from '../solver/joint-data.js';
+import { Group } from '../solver/joint-data.js';
 import { orderJoints } from '../solver/joint-order.js';
 import { widened } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
@@ -11,13 +11,13 @@ import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
 import { beginClaims } from './claims.js';
 import { VERSION } from './format.js';
-import { describe, isElsewhere, ranksOf, resolve } from './identity.js';
+import { describe, HEAD, isElsewhere, ranksOf, resolve } from './identity.js';
 import { keepGroup, ROWS } from './rows.js';
 import { copyObjects, emptyScene, gather, type Objects, type Scene } from './scene.js';
 import { Tape } from './tape.js';
 import { walk } from './walk.js';
 
-/** Scratch: nothing in them lives on. */
+/** Scratch. The scene holds on to the objects of the world that was looked at last, as lists are filled again in place. */
 const tape = /* @__PURE__ */ new Tape(ROWS);
 const scene = /* @__PURE__ */ emptyScene();
 
@@ -136,7 +136,7 @@ function walkGroups(on: Tape, world: World): void {
     world.jointsTouched = true;
   }
   for (let i = 0; i < count; i += 1) {
-    keepGroup(on, on.checks || groups[i] === undefined ? newGroup(0) : groups[i]!);
+    keepGroup(on, on.checks || groups[i] === undefined ? new Group(0) : groups[i]!);
   }
   on.checksOnto(false);
 }
@@ -187,7 +187,7 @@ function takeOut(world: World, body: RigidBody): void {
 
 /** Puts the bodies, their shapes and the constraints into the world. */
 function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene, ids: Int32Array): void {
-  let at = 6;
+  let at = HEAD;
   let first = 0;
   world.nextOrder = ids[0]!;
   for (let i = 0; i < inside; i += 1, at += 2) {
@@ -275,7 +275,7 @@ function place(world: World, { bodies, inside }: Scene): void {
       body.placeStale ||= shape.handle.isStatic !== body.asleep;
     }
     if (body.placeStale) {
-      world.noteStale(body);
+      world.stale.add(body);
     }
   }
 }
