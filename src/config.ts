@@ -334,6 +334,9 @@ export const COLUMN_PART = 0.42;
 /** A part is hard as a whole if more than this share of its contacts that turn rocks. With 0.2 a large pyramid that heaves takes a tenth longer, and a sway dies no sooner. */
 export const ROCK_SHARE = 0.5;
 
+/** … and than this share of all. Where a few in a pyramid made it hard, sweeps that came and went made that tremble at 0.2 mm/s. */
+export const ROCK_LEAST = 0.04;
+
 /**
  * If more than this share of its contacts is strained, these are hard, and what is next to them. With 0.08 a heavy top falls that stands among 100 other boxes;
  * with 0.06 twice as much of a drum of 1,000 boxes is hard. Refused: the whole part, which is most of a heap of ragdolls, and lets that top fall, too; and only

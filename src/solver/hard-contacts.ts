@@ -1,6 +1,15 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { NEW_SHARE, NEW_SPEED, NEW_STEPS, ROCK_SHARE, ROCK_SPIN, STRAIN_SHARE, STRAIN_STEPS } from '../config.js';
+import {
+  NEW_SHARE,
+  NEW_SPEED,
+  NEW_STEPS,
+  ROCK_LEAST,
+  ROCK_SHARE,
+  ROCK_SPIN,
+  STRAIN_SHARE,
+  STRAIN_STEPS,
+} from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD, type SolverData } from './data.js';
 
@@ -33,7 +42,10 @@ export function markHard(data: SolverData, count: number, stamp: number): number
     rocking += rocks ? 1 : 0;
     fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
-  if (fresh > NEW_SHARE * count || (rocking > 0 && rocking > ROCK_SHARE * countTurning(window, count))) {
+  if (
+    fresh > NEW_SHARE * count ||
+    (rocking > ROCK_LEAST * count && rocking > ROCK_SHARE * countTurning(window, count))
+  ) {
     return ALL_HARD;
   }
   if (strained <= STRAIN_SHARE * count) {
