@@ -54,8 +54,8 @@ export class Contact {
   }
 
   /**
-   * N·s along the tangent (−n.y, n.x) that body B got in the latest step. Two contacts have one friction, of which each is told a share: that which it had of
-   * the load when the step began.
+   * N·s along the tangent (−n.y, n.x) that body B got in the latest step. Two contacts have one friction, of which each is told the share that it
+   * has of their normal impulses.
    */
   getTangentImpulse(): number {
     const { numbers, at } = this.arbiter;

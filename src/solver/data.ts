@@ -114,7 +114,7 @@ export const K12 = 27;
 export const I11 = 28;
 export const I12 = 29;
 export const I22 = 30;
-/** How far friction is from the second point, 0, towards the first, 1: that much of it is said to be the first point's. */
+/** How far friction is from the second point, 0, towards the first, 1: that much of it the first point keeps for the next step. */
 export const PART = 31;
 export const TWO_STRIDE = 32;
 

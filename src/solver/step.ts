@@ -40,6 +40,7 @@ export function step(world: World, dt: number): void {
   store(world);
   profile?.lap('store');
   continuous(world, dt);
+  world.events.noteWoken(world);
   sleepKinematics(world);
   profile?.lap('continuous');
 }

@@ -182,7 +182,10 @@ function storePoint(data: SolverData, batch: ContactBatch, index: number, shift:
   n[o + c.NORMAL + to] = Math.min(before + IMPULSE_MEMORY * (normal - before), 2 * normal);
   n[o + c.TANGENT + to] = part * tangent + 0;
   n[o + c.STEP_NORMAL + to] = total;
-  const slid = part * (r[record + d.TANGENT_SUM]! + tangent) + 0;
+  const both =
+    r[record + d.NORMAL_SUM1]! + r[record + d.NORMAL1]! + r[record + d.NORMAL_SUM2]! + r[record + d.NORMAL2]!;
+  const told = batch.stride === d.TWO_STRIDE && both > 0 ? total / both : part;
+  const slid = told * (r[record + d.TANGENT_SUM]! + tangent) + 0;
   n[o + c.STEP_TANGENT + to] = slid;
   const bit = 1 << which;
   // What the record tells is asked first: the pair would be waited for.

@@ -22,3 +22,19 @@ it.each([
   }
   expect(bodies.flatMap((body) => [...body.getPosition(), ...body.getVelocity()]).every(Number.isFinite)).toBe(true);
 });
+
+it('each of two contacts is told no more friction than its normal impulse allows, also in the first step', () => {
+  const world = phys2D.createWorld({ gravity: [0, 10], substeps: 1 });
+  const material = phys2D.createMaterial({ staticFriction: 0.3, dynamicFriction: 0.2 });
+  const box = (width: number) => phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, 1), material });
+  world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [0, 1], shapes: [box(20)] }));
+  world.addRigidBody(phys2D.createRigidBody({ position: [0, 0.004], velocity: [3, 0], shapes: [box(1)] }));
+  for (let i = 0; i < 5; i += 1) {
+    world.step(1 / 60);
+    const { contacts } = world.staticArbiters[0]!;
+    expect(contacts).toHaveLength(2);
+    for (const contact of contacts) {
+      expect(contact.getTangentImpulse() / contact.getNormalImpulse()).toBeCloseTo(-0.2, 9);
+    }
+  }
+});

@@ -475,6 +475,23 @@ describe('waking', () => {
     expect(log).toEqual(['progressA', 'progressA']);
   });
 
+  it('by a bullet wakes in that very step, before the interaction begins, also if it is removed afterwards', () => {
+    const world = weightless();
+    const log: string[] = [];
+    const body = plainBody();
+    body.addEventListener('wake', () => log.push(`wake ${world.timeStamp}`));
+    body.shapes[0]!.addEventListener('begin', () => log.push(`begin ${world.timeStamp}`));
+    add(world, plainBody({ velocity: [200, 0], position: [-11.2, 0], bullet: true }), body);
+    body.sleep();
+    while (body.sleeping) {
+      steps(world, 1);
+    }
+    const { timeStamp } = world;
+    world.removeRigidBody(body);
+    steps(world, 2);
+    expect(log).toEqual([`wake ${timeStamp}`, `begin ${timeStamp}`]);
+  });
+
   it('lists of arbiters keep the others when a body is removed', () => {
     const world = heavy();
     addFloor(world);
