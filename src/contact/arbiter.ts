@@ -6,6 +6,7 @@ import { Slab } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { boolean, instance, nonNegative, notNaN } from '../validate.js';
+import { atEnd, normalAtEnd } from './at-end.js';
 import { Contact } from './contact.js';
 import * as c from './layout.js';
 
@@ -148,12 +149,12 @@ export class Arbiter {
     return list;
   }
 
-  /** Unit vector from `shapeA` towards `shapeB`; `[0, 0]` for a sensor. */
+  /** Unit vector from `shapeA` towards `shapeB`, at the end of the step; `[0, 0]` for a sensor. */
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
-    const { numbers: n, at: o } = this;
-    return vec2(n[o + g.NX]!, n[o + g.NY]!, dst);
+    normalAtEnd(this);
+    return vec2(atEnd.nx, atEnd.ny, dst);
   }
 
   /** N·m·s of the latest step; 0 unless a circle is involved. */

@@ -28,7 +28,7 @@ export class Hit {
     return vec2(this.point[0], this.point[1], dst);
   }
 
-  /** Unit vector from `arbiter.shapeA` towards `arbiter.shapeB`. */
+  /** Unit vector from `arbiter.shapeA` towards `arbiter.shapeB`, along which the impulse was given. */
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -51,7 +51,9 @@ export class Hit {
       y += share * (this.point[1] - y);
     }
     vec2(x, y, this.point);
-    const [nx, ny] = arbiter.getNormal(this.normal);
+    const nx = arbiter.numbers[arbiter.at + g.NX]!;
+    const ny = arbiter.numbers[arbiter.at + g.NY]!;
+    vec2(nx, ny, this.normal);
     const [jx, jy] = arbiter.getImpulseForBody(arbiter.bodyB);
     this.given = Math.max(0, nx * jx + ny * jy);
   }

@@ -1,4 +1,4 @@
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { phys2D } from '../../src/index.js';
 
 it.each([
@@ -37,4 +37,68 @@ it('each of two contacts is told no more friction than its normal impulse allows
       expect(contact.getTangentImpulse() / contact.getNormalImpulse()).toBeCloseTo(-0.2, 9);
     }
   }
+});
+
+describe('normal and penetration are those of the end of the step', () => {
+  const smooth = phys2D.createMaterial({ staticFriction: 0, dynamicFriction: 0, rollingFriction: 0 });
+  const disc = () => phys2D.createCircleShape({ radius: 0.5, material: smooth });
+  const fixed = { linearDrag: 0, angularDrag: 0, inertia: 1e9 };
+
+  it.each([true, false])('of two discs, one of which slides over the other; it has an effect: %s', (isAccepted) => {
+    const world = phys2D.createWorld({ gravity: [0, 0] });
+    const low = phys2D.createRigidBody({ shapes: [disc()], mass: 1e9, ...fixed });
+    const high = phys2D.createRigidBody({ position: [0, 0.9], velocity: [10, 0], shapes: [disc()], ...fixed });
+    world.addRigidBody(low);
+    world.addRigidBody(high);
+    low.shapes[0]!.addEventListener('preSolve', (arbiter) => {
+      expect(arbiter.getNormal()).toEqual([0, 1]);
+      arbiter.setAcceptedState(isAccepted);
+    });
+    world.step(1 / 60);
+    const arbiter = world.dynamicArbiters[0]!;
+    const [ax, ay] = low.getPosition();
+    const [bx, by] = high.getPosition();
+    const length = Math.hypot(bx - ax, by - ay);
+    const [nx, ny] = arbiter.getNormal();
+    expect(nx).toBeCloseTo((bx - ax) / length, 9);
+    expect(ny).toBeCloseTo((by - ay) / length, 9);
+    expect(arbiter.contacts[0]!.getPenetration()).toBeCloseTo(1 - length, 9);
+  });
+
+  it('of what lies on a plate that turns, and of a disc at a corner that goes by', () => {
+    const world = phys2D.createWorld({ gravity: [0, 0] });
+    const vertices = phys2D.createBoxVertices(4, 1);
+    const plate = (y: number, velocity: [number, number], angularVelocity: number) => {
+      const shapes = [phys2D.createPolygonShape({ vertices, material: smooth })];
+      const type = 'kinematic';
+      const body = phys2D.createRigidBody({ type, position: [0, y], velocity, angularVelocity, shapes });
+      world.addRigidBody(body);
+      return body;
+    };
+    const rest = (x: number, y: number) => {
+      const body = phys2D.createRigidBody({ position: [x, y], shapes: [disc()], mass: 1e9, ...fixed });
+      world.addRigidBody(body);
+      return body;
+    };
+    const turning = plate(0, [0, 0], 6);
+    const onPlate = rest(0.1, -0.99);
+    const passing = plate(10, [-3, 0], 0);
+    const atCorner = rest(2.3, 10 - 0.5 - 0.38);
+    world.step(1 / 60);
+    for (const [plateBody, body] of [
+      [turning, onPlate],
+      [passing, atCorner],
+    ] as const) {
+      const arbiter = body.shapes[0]!.arbiters[0]!;
+      const sign = arbiter.shapeA === plateBody.shapes[0] ? 1 : -1;
+      const [x, y] = plateBody.transformWorldPointToLocal(body.getPosition());
+      const [dx, dy] = plateBody.transformWorldVectorToLocal(arbiter.getNormal());
+      const corner = [x - Math.min(x, 2), y + 0.5];
+      const length = Math.hypot(corner[0]!, corner[1]!);
+      expect(sign * dx).toBeCloseTo(corner[0]! / length, 6);
+      expect(sign * dy).toBeCloseTo(corner[1]! / length, 6);
+      // At a corner what is half-way between the surfaces is followed, not the corner.
+      expect(arbiter.contacts[0]!.getPenetration()).toBeCloseTo(0.5 - length, 4);
+    }
+  });
 });
