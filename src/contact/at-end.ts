@@ -16,13 +16,19 @@ const SAME = 1e-9;
 
 /** The normal: that of an edge turns with its body; that of corners and circles is the way from the middle of one to that of the other. */
 export function normalAtEnd(arbiter: Arbiter): void {
-  const { numbers: n, at: o, bodyA: a, bodyB: b, shapeA, shapeB } = arbiter;
+  const { numbers: n, at: o, shapeA, shapeB } = arbiter;
+  const a = shapeA.owner;
+  const b = shapeB.owner;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
-  const turnA = a.angle - n[o + g.ANGLE_A]!;
-  const turnB = b.angle - n[o + g.ANGLE_B]!;
   atEnd.nx = nx;
   atEnd.ny = ny;
+  if (a === null || b === null) {
+    // A handler has removed the shape.
+    return;
+  }
+  const turnA = a.angle - n[o + g.ANGLE_A]!;
+  const turnB = b.angle - n[o + g.ANGLE_B]!;
   if (turnA === 0 && turnB === 0 && b.x - a.x === n[o + g.DX] && b.y - a.y === n[o + g.DY]) {
     return;
   }

@@ -65,6 +65,18 @@ describe('normal and penetration are those of the end of the step', () => {
     expect(arbiter.contacts[0]!.getPenetration()).toBeCloseTo(1 - length, 9);
   });
 
+  it('but of a shape that was removed since', () => {
+    const world = phys2D.createWorld({ gravity: [0, 0] });
+    const bodies = [0, 0.9].map((x) => phys2D.createRigidBody({ position: [x, 0], shapes: [disc()], ...fixed }));
+    bodies.forEach((body) => {
+      world.addRigidBody(body);
+    });
+    world.step(1 / 60);
+    const arbiter = world.dynamicArbiters[0]!;
+    bodies[1]!.removeShape(bodies[1]!.shapes[0]!);
+    expect(arbiter.getNormal()).toEqual([1, 0]);
+  });
+
   it('of what lies on a plate that turns, and of a disc at a corner that goes by', () => {
     const world = phys2D.createWorld({ gravity: [0, 0] });
     const vertices = phys2D.createBoxVertices(4, 1);
