@@ -125,15 +125,19 @@ export const JOINT_FAR_TURN = 0.001;
 
 /**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is
- * neutral; a little less than that never gains. Where what hangs together touches something it is 0, and less for what bears like a beam.
+ * neutral; a little less than that never gains. Where what hangs together touches something it is 0, or less, see TOUCHED_MOMENTUM.
  */
 export const JOINT_MOMENTUM = 0.999;
 
 /**
- * Share of that which is left there to welds and to angles of one value. With 0 beams that lie on two piers gain energy until they hop, as corrections lift for
- * nothing what the velocities let sag, and with 0.6 long ones tremble; with 1 more of them never fall asleep, and what is hit breaks as a whole.
+ * Share of that which is left there to welds and to angles of one value, and to what bears much, see STRAIN_SPEED. With 0 beams that lie on two piers gain energy
+ * until they hop, as corrections lift for nothing what the velocities let sag, and heavy balls sink through the planks of a hinged bridge, which are lifted through
+ * them; with 0.6 long beams tremble; with 1 more of them never fall asleep, and what is hit breaks as a whole.
  */
-export const CORNER_MOMENTUM = 0.8;
+export const TOUCHED_MOMENTUM = 0.8;
+
+/** A body of so many times the mass of another is heavy for it. Parts of ragdolls, up to 7 apart, are not for each other: their heaps would tremble. */
+export const HEAVY = 16;
 
 /** m/s, rad/s. Errors that would be gone in a sub-step at such a speed are too small to matter when the next step is shorter than the last. */
 export const JOINT_CALM = 0.01;

@@ -1,5 +1,4 @@
 import {
-  CORNER_MOMENTUM,
   JOINT_CALM,
   JOINT_FAR,
   JOINT_PUSHES,
@@ -23,7 +22,8 @@ import {
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
 import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run, steady } from './joint-data.js';
-import { BLOCK, CARRY, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import { steadyTouched } from './joint-momentum.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
@@ -67,29 +67,14 @@ function packJoints(world: World, h: number): void {
   }
 }
 
-/**
- * Contacts push without momentum: where one of the bodies is in contact joints make none of their corrections either, as it would be made of what contacts undo
- * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle
- * still make the most of theirs, see CORNER_MOMENTUM.
- */
 function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
-  const { joints, records } = data.joints;
   group.touched = false;
   for (let i = 0; i < group.runs.length; i += 1) {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
-  for (let k = group.start; k < group.end && group.touched; k += 1) {
-    if (holdsAngle(joints[k]!)) {
-      records[joints[k]!.at + CARRY] = records[joints[k]!.at + CARRY]! * CORNER_MOMENTUM;
-    } else {
-      steady(joints[k]!, records, 0);
-    }
+  if (group.touched) {
+    steadyTouched(data, group);
   }
-}
-
-/** Whether it keeps its bodies at one angle to each other: what such joints make of many bodies bends and bears like a beam. */
-function holdsAngle({ constraint }: Joint): boolean {
-  return constraint.type === 'WELD' || (constraint.type === 'ANGLE' && constraint.lower === constraint.upper);
 }
 
 /** @returns whether one of the bodies is in contact. */
