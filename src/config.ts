@@ -24,7 +24,10 @@ export const FACE_MOTION = 0.002;
 /** rad. The same for the turn of either. */
 export const FACE_TURN = 0.002;
 
-/** Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. More than 0.3 makes towers sway. */
+/**
+ * Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. With 0.8 for all overlap, deep or not, triangles that are
+ * wedged in a heap stay 15 cm deep, as their contacts undo each other; with 0.4 some heaps of rods do not rest.
+ */
 export const PUSH_SHARE_DYNAMIC = 0.15;
 
 /** The same where one side cannot move. Less lets a heavy box sink into the ground between light ones. */

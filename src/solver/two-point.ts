@@ -166,7 +166,8 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
 
 /**
  * One position sweep over the contacts from one index to another: moves the bodies apart by a share of the overlap beyond the slop, both points together; if one of
- * them would have to pull, the deeper one alone. Velocities are not touched.
+ * them would have to pull, the deeper one alone. A point that is not too deep may come nearer by as much as that: were it held where it is, what is pressed together at one end
+ * would be levered up at the other, as the one push turns it and the other does not turn it back. Velocities are not touched.
  *
  * @returns whether anything was pushed; if not, further iterations would find the same.
  */
@@ -205,8 +206,8 @@ export function solvePositionTwo(data: SolverData, from: number, to: number): bo
     const deep2 = c2 + DEEP_OVERLAP;
     const s1 = share * c1 + more * (deep1 < 0 ? deep1 : 0);
     const s2 = share * c2 + more * (deep2 < 0 ? deep2 : 0);
-    const e1 = s1 < least ? least : s1 < 0 ? s1 : 0;
-    const e2 = s2 < least ? least : s2 < 0 ? s2 : 0;
+    const e1 = s1 < least ? least : s1 < 0 ? s1 : c1;
+    const e2 = s2 < least ? least : s2 < 0 ? s2 : c2;
     const i12 = r[i + d.I12]!;
     let x1 = -(r[i + d.I11]! * e1 + i12 * e2);
     let x2 = -(i12 * e1 + r[i + d.I22]! * e2);

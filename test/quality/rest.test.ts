@@ -75,6 +75,44 @@ describe('a tower of eleven boxes of all sizes that is pushed', () => {
   });
 });
 
+describe('forty rods that are dropped on each other', () => {
+  // Most did not within half a minute, some never, as long as a point that is not too deep was held where it is: rods pressed at one end were levered up at the other.
+  it.each([
+    { length: 4, height: 0.1, start: 1 },
+    { length: 4, height: 0.1, start: 2 },
+    { length: 3, height: 0.05, start: 1 },
+    { length: 3, height: 0.05, start: 2 },
+    { length: 2, height: 0.1, start: 1 },
+    { length: 2, height: 0.1, start: 2 },
+  ])('sleep within 15 s, of $length × $height m, heap $start', ({ length, height, start }) => {
+    const world = phys2D.createWorld({ gravity: [0, 10] });
+    const { within } = dice(start);
+    const ground = phys2D.createPolygonShape({ vertices: phys2D.createRectangleVertices(-50, 0, 50, 1) });
+    world.addRigidBody(phys2D.createRigidBody({ type: 'static', shapes: [ground] }));
+    for (let i = 0; i < 40; i += 1) {
+      const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(length, height) })];
+      world.addRigidBody(
+        phys2D.createRigidBody({
+          position: [within(-1, 1), -8],
+          rotation: within(0, 3),
+          linearDrag: 0,
+          angularDrag: 0,
+          shapes,
+        }),
+      );
+      for (let k = 0; k < 20; k += 1) {
+        world.step(1 / 60);
+      }
+    }
+    const dropped = world.simulatedTime;
+    while (world.simulatedTime < dropped + 15 && world.liveDynamics.length > 0) {
+      world.step(1 / 60);
+    }
+    console.log(`rods of ${length} m, heap ${start}: sleep ${(world.simulatedTime - dropped).toFixed(1)} s later`);
+    expect(world.liveDynamics).toHaveLength(0);
+  });
+});
+
 describe('thirty ragdolls that fall into a bin of twelve metres', () => {
   // In eight other falls they sleep after 9 to 40 s; in none of four of these within 40 s as long as joints in contact made momentum of their corrections.
   it.each([1, 2, 3])('sleep within a minute, fall %i', (fall) => {
