@@ -5,6 +5,7 @@ import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   PUSH_SHARE_CIRCLES,
+  PUSH_SHARE_COMPOUNDS,
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_STATIC,
   SPECULATIVE_MARGIN,
@@ -300,8 +301,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.NX] = n[o + g.NX]!;
   records[at + d.NY] = n[o + g.NY]!;
   const bothMove = data.velocity[a + d.INV_MASS]! > 0 && data.velocity[b + d.INV_MASS]! > 0;
-  const areRound = pair.shapeA.kind !== POLYGON && pair.shapeB.kind !== POLYGON;
-  records[at + d.SHARE] = !bothMove ? PUSH_SHARE_STATIC : areRound ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
+  records[at + d.SHARE] = bothMove ? shareOfTwo(pair) : PUSH_SHARE_STATIC;
   records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;
@@ -316,6 +316,13 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   if (bodyB.kind !== DYNAMIC && isMoving(bodyB)) {
     drive[a + d.REST_RADIUS] = -1;
   }
+}
+
+function shareOfTwo({ bodyA, bodyB, shapeA, shapeB }: Arbiter): number {
+  if (bodyA.shapes.length > 1 || bodyB.shapes.length > 1) {
+    return PUSH_SHARE_COMPOUNDS;
+  }
+  return shapeA.kind !== POLYGON && shapeB.kind !== POLYGON ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
 }
 
 function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {

@@ -3,6 +3,8 @@ import {
   CONTACT_SLOP,
   DEEP_OVERLAP,
   MAX_PUSH,
+  MAX_PUSH_COMPOUNDS,
+  PUSH_SHARE_COMPOUNDS,
   PUSH_SHARE_DEEP,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
@@ -174,7 +176,6 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
 export function solvePositionTwo(data: SolverData, from: number, to: number): boolean {
   const { records: r, bodies } = data.two;
   const q = data.motion;
-  const least = -MAX_PUSH;
   let pushed = false;
   for (let k = from; k < to; k += 1) {
     const i = (k * d.TWO_STRIDE) & d.OFFSET;
@@ -200,6 +201,7 @@ export function solvePositionTwo(data: SolverData, from: number, to: number): bo
     }
     pushed = true;
     const share = r[i + d.SHARE]!;
+    const least = share === PUSH_SHARE_COMPOUNDS ? -MAX_PUSH_COMPOUNDS : -MAX_PUSH;
     const shy = PUSH_SHARE_DEEP - share;
     const more = shy > 0 ? shy : 0;
     const deep1 = c1 + DEEP_OVERLAP;
