@@ -36,8 +36,11 @@ export const PUSH_SHARE_STATIC = 0.75;
 /** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. */
 export const PUSH_SHARE_CIRCLES = 0.5;
 
-/** The same between two bodies that move, if either has several shapes. They are known by it: it is like no other. */
-export const PUSH_SHARE_COMPOUNDS = 0.2;
+/**
+ * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, and either has several shapes or both have constraints.
+ * They are known by it: it is like no other.
+ */
+export const PUSH_SHARE_HOOKED = 0.2;
 
 /** m. Of overlap deeper than this a larger share is removed: stacks never have it, and what was created overlapping comes apart twice as fast. */
 export const DEEP_OVERLAP = 0.005;
@@ -61,10 +64,10 @@ export const CROWD_SWEEPS = 4;
 export const MAX_PUSH = 0.2;
 
 /**
- * m. The same if either body has several shapes: what is hooked into each other, one shape pushing to and another fro, would shake the heap around it for ever; with
- * 5 mm one heap of dumbbells in twenty does. Still 1.4 m/s.
+ * m. The same between what may be hooked into each other, one shape or link pushing to and another fro: the heap around would shake for ever. With 5 mm one heap of
+ * dumbbells in twenty does, with 1 mm those of chains. Still 1.4 m/s, but heavy balls of several shapes would fall through a hinged bridge.
  */
-export const MAX_PUSH_COMPOUNDS = 0.003;
+export const MAX_PUSH_HOOKED = 0.003;
 
 /**
  * m/s², rad/s². If no contact changed a velocity by more than this times the sub-step in a sweep, that needs no further one. A tower that sways changes them by
@@ -113,6 +116,9 @@ export const FEW_JOINTS = 64;
 
 /** The most sweeps in a sub-step. */
 export const MAX_JOINT_SWEEPS = 16;
+
+/** The fewest where what hangs together touches something. With one, or two, a hinged bridge flings boxes that lie on it up for ever. */
+export const TOUCHED_SWEEPS = 4;
 
 /** Joints that hang together start with so many, and one less in each sub-step, if most of them carried nothing yet: a net of 40 × 40 gapes 7 mm instead of 13. */
 export const NEW_JOINT_SWEEPS = 32;

@@ -8,6 +8,7 @@ import {
   MAX_JOINT_SWEEPS,
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
+  TOUCHED_SWEEPS,
 } from '../config.js';
 import type { World } from '../world.js';
 import {
@@ -185,7 +186,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
  */
 function planSweeps(group: Group, error: number, first: number, after: number): void {
   const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / group.tolerance));
-  const least = group.sweeps > 1 ? group.sweeps - 1 : 1;
+  const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, group.sweeps - 1);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
   if (after > first) {
     const margin = JOINT_SWEEP_MARGIN * (after - first);

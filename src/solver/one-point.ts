@@ -4,11 +4,11 @@ import {
   DEEP_OVERLAP,
   DEEP_OVERLAP_CIRCLES,
   MAX_PUSH,
-  MAX_PUSH_COMPOUNDS,
+  MAX_PUSH_HOOKED,
   PUSH_SHARE_CIRCLES,
-  PUSH_SHARE_COMPOUNDS,
   PUSH_SHARE_DEEP,
   PUSH_SHARE_DEEP_CIRCLES,
+  PUSH_SHARE_HOOKED,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
 } from '../config.js';
@@ -174,7 +174,7 @@ export function solvePositionOne(data: SolverData, from: number, to: number): bo
     const deep = c + (isRound ? DEEP_OVERLAP_CIRCLES : DEEP_OVERLAP);
     const ofDeep = isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
     const e = share * c + (deep < 0 && share < ofDeep ? (ofDeep - share) * deep : 0);
-    const most = share === PUSH_SHARE_COMPOUNDS ? MAX_PUSH_COMPOUNDS : MAX_PUSH;
+    const most = share === PUSH_SHARE_HOOKED ? MAX_PUSH_HOOKED : MAX_PUSH;
     const x = (e < -most ? most : -e) * r[i + d.NORMAL_MASS]!;
     const mA = q[a + d.INV_MASS]! * x;
     const mB = q[b + d.INV_MASS]! * x;

@@ -2,11 +2,12 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import {
+  HEAVY,
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   PUSH_SHARE_CIRCLES,
-  PUSH_SHARE_COMPOUNDS,
   PUSH_SHARE_DYNAMIC,
+  PUSH_SHARE_HOOKED,
   PUSH_SHARE_STATIC,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
@@ -300,8 +301,9 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   const o = pair.at & d.OFFSET;
   records[at + d.NX] = n[o + g.NX]!;
   records[at + d.NY] = n[o + g.NY]!;
-  const bothMove = data.velocity[a + d.INV_MASS]! > 0 && data.velocity[b + d.INV_MASS]! > 0;
-  records[at + d.SHARE] = bothMove ? shareOfTwo(pair) : PUSH_SHARE_STATIC;
+  const mA = data.velocity[a + d.INV_MASS]!;
+  const mB = data.velocity[b + d.INV_MASS]!;
+  records[at + d.SHARE] = mA > 0 && mB > 0 ? shareOfTwo(pair, mA < HEAVY * mB && mB < HEAVY * mA) : PUSH_SHARE_STATIC;
   records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;
@@ -318,9 +320,11 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   }
 }
 
-function shareOfTwo({ bodyA, bodyB, shapeA, shapeB }: Arbiter): number {
-  if (bodyA.shapes.length > 1 || bodyB.shapes.length > 1) {
-    return PUSH_SHARE_COMPOUNDS;
+/** What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them. */
+function shareOfTwo({ bodyA, bodyB, shapeA, shapeB }: Arbiter, areAlike: boolean): number {
+  const areLinked = bodyA.constraints.length > 0 && bodyB.constraints.length > 0;
+  if (areAlike && (areLinked || bodyA.shapes.length > 1 || bodyB.shapes.length > 1)) {
+    return PUSH_SHARE_HOOKED;
   }
   return shapeA.kind !== POLYGON && shapeB.kind !== POLYGON ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
 }

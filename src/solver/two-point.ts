@@ -3,9 +3,9 @@ import {
   CONTACT_SLOP,
   DEEP_OVERLAP,
   MAX_PUSH,
-  MAX_PUSH_COMPOUNDS,
-  PUSH_SHARE_COMPOUNDS,
+  MAX_PUSH_HOOKED,
   PUSH_SHARE_DEEP,
+  PUSH_SHARE_HOOKED,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
 } from '../config.js';
@@ -201,7 +201,7 @@ export function solvePositionTwo(data: SolverData, from: number, to: number): bo
     }
     pushed = true;
     const share = r[i + d.SHARE]!;
-    const least = share === PUSH_SHARE_COMPOUNDS ? -MAX_PUSH_COMPOUNDS : -MAX_PUSH;
+    const least = share === PUSH_SHARE_HOOKED ? -MAX_PUSH_HOOKED : -MAX_PUSH;
     const shy = PUSH_SHARE_DEEP - share;
     const more = shy > 0 ? shy : 0;
     const deep1 = c1 + DEEP_OVERLAP;
