@@ -120,6 +120,9 @@ export const MAX_JOINT_SWEEPS = 16;
 /** The fewest where what hangs together touches something. With one, or two, a hinged bridge flings boxes that lie on it up for ever. */
 export const TOUCHED_SWEEPS = 4;
 
+/** Steps. There sweeps become one less only so often: one less in each sub-step gives what falls on a tight bridge half as much of its energy back again. */
+export const EASE_STEPS = 16;
+
 /** Joints that hang together start with so many, and one less in each sub-step, if most of them carried nothing yet: a net of 40 × 40 gapes 7 mm instead of 13. */
 export const NEW_JOINT_SWEEPS = 32;
 

@@ -117,6 +117,8 @@ export class JointData implements Keeper {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   parts = 1;
+  /** In this step what touches something may be swept over once less. */
+  eases = false;
   /** Of a group, squares: the worst error so far in this sweep or at the start of the sub-step, the error from which on a joint is strained … */
   readonly worst = new Float64Array(2);
   /** … and which are strained: the first, and the one after the last. */

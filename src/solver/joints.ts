@@ -1,4 +1,5 @@
 import {
+  EASE_STEPS,
   JOINT_CALM,
   JOINT_FAR,
   JOINT_PUSHES,
@@ -53,6 +54,7 @@ function packJoints(world: World, h: number): void {
   world.jointsTouched = false;
   joints.h = h;
   joints.parts = data.parts;
+  joints.eases = world.timeStamp % EASE_STEPS === 0;
   if (joints.runs.length > 0) {
     packPoses(world);
   }
@@ -152,7 +154,7 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
 
 /** Starts a sub-step: finds how often each group has to be swept over. */
 function warmStartJoints(data: SolverData, isFirst: boolean): void {
-  const { groups, worst, strained } = data.joints;
+  const { groups, worst, strained, eases } = data.joints;
   for (let i = 0; i < groups.length; i += 1) {
     const group = groups[i]!;
     worst[0] = 0;
@@ -176,17 +178,18 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     }
     group.error = worst[0];
     limitMomentum(data, group, isFirst);
-    planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!);
+    planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!, isFirst && eases);
   }
 }
 
 /**
  * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before, as sweeps that come and go shake what
- * hangs there.
+ * hangs there, and fling up what lies on it.
  */
-function planSweeps(group: Group, error: number, first: number, after: number): void {
+function planSweeps(group: Group, error: number, first: number, after: number, eases: boolean): void {
   const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / group.tolerance));
-  const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, group.sweeps - 1);
+  const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
+  const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
   if (after > first) {
     const margin = JOINT_SWEEP_MARGIN * (after - first);

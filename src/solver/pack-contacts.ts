@@ -322,11 +322,20 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
 
 /** What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them. */
 function shareOfTwo({ bodyA, bodyB, shapeA, shapeB }: Arbiter, areAlike: boolean): number {
-  const areLinked = bodyA.constraints.length > 0 && bodyB.constraints.length > 0;
-  if (areAlike && (areLinked || bodyA.shapes.length > 1 || bodyB.shapes.length > 1)) {
+  if (areAlike && (bodyA.shapes.length > 1 || bodyB.shapes.length > 1 || (isLinked(bodyA) && isLinked(bodyB)))) {
     return PUSH_SHARE_HOOKED;
   }
   return shapeA.kind !== POLYGON && shapeB.kind !== POLYGON ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
+}
+
+/** Custom constraints hold whatever they like: they do not count. */
+function isLinked({ constraints }: RigidBody): boolean {
+  for (let i = 0; i < constraints.length; i += 1) {
+    if (constraints[i]!.enabled && constraints[i]!.type !== 'CUSTOM') {
+      return true;
+    }
+  }
+  return false;
 }
 
 function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {

@@ -91,6 +91,7 @@ describe('a hinged bridge', () => {
       expect(load.some((ball) => isThrough(ball, planks))).toBe(false);
     }
     console.log(`${made.balls} balls of ${ratio.toFixed(0)} planks each: joints gape by ${gap.toFixed(3)} m`);
-    expect(gap).toBeLessThan(0.25);
+    // How far they gape for a moment is a matter of chance; never so far that half a ball would fit in.
+    expect(gap).toBeLessThan(RADIUS);
   });
 });
