@@ -7,6 +7,7 @@ import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './data.js';
 import { impulseOf, type Joint } from './joint-data.js';
+import { inPieces } from './pieces.js';
 
 /** Angle, cosine, sine: scratch. */
 const around = new Float64Array(3);
@@ -51,10 +52,17 @@ function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
  * their impulses.
  */
 export function advancePoses(data: SolverData): void {
-  const { pose: p, velocity: v, motion: q, bodyCount } = data;
+  if (inPieces(data, 1, data.bodyCount, advancePiece)) {
+    forgetImpulses(data);
+  }
+}
+
+/** @returns whether something was cut. */
+function advancePiece(data: SolverData, from: number, to: number): boolean {
+  const { pose: p, velocity: v, motion: q } = data;
   const most = MAX_SPEED * data.joints.h;
   let isCut = false;
-  for (let k = 1; k < bodyCount; k += 1) {
+  for (let k = from; k < to; k += 1) {
     const i = (k * d.BODY_STRIDE) & d.OFFSET;
     if (!(isBelow(v, i, MAX_SPEED) && isBelow(q, i, most))) {
       isCut = true;
@@ -79,9 +87,7 @@ export function advancePoses(data: SolverData): void {
     p[i + Y] = p[i + Y]! + q[i + d.QY]!;
     p[i + ANGLE] = p[i + ANGLE]! + turn;
   }
-  if (isCut) {
-    forgetImpulses(data);
-  }
+  return isCut;
 }
 
 /** Of the first three numbers of a record, all. */
