@@ -130,7 +130,7 @@ export class PackedTree<T> {
    * Along x the ray is between the sides of a box from f = (near − o) / d to (far − o) / d; it meets the box where it is so along both axes
    * at once (slabs; Kay & Kajiya 1986). With d = 0 that is from −∞ to ∞, or to −∞ or from ∞ if it passes by; and NaN for a side that it
    * lies in, for which no comparison holds: so what is asked is whether the ray misses. The answers are combined as numbers, as branches that
-   * go either way half of the time would cost more than all the rest; it is the children that are asked, before they are pushed, to have fewer still.
+   * go either way half of the time would cost more than all the rest; it is the children that are asked, so that a walk goes straight down to one that is met.
    */
   cast(origin: ArrayLike<number>, direction: ArrayLike<number>, limit: number, visit: (item: T) => number): number {
     if (this.root === NONE) {
@@ -152,47 +152,53 @@ export class PackedTree<T> {
     const { boxes, left, right } = this;
     const stack = this.takeStack();
     let end = limit;
-    let top = 1;
-    stack[0] = this.root;
-    while (top > 0) {
-      top -= 1;
-      const node = stack[top]!;
-      const at = BOX * node;
-      // The limit may have come nearer since the node was found.
-      if ((boxes[at + nearX]! - ox) * inX > end || (boxes[at + nearY]! - oy) * inY > end) {
-        continue;
-      }
+    let top = 0;
+    let node = this.root;
+    for (;;) {
       const a = left[node]!;
       if (a === NONE) {
         end = visit(this.items[node]!);
-        continue;
+      } else {
+        const b = right[node]!;
+        const i = BOX * a;
+        const j = BOX * b;
+        const inAX = (boxes[i + nearX]! - ox) * inX;
+        const inAY = (boxes[i + nearY]! - oy) * inY;
+        const outAX = (boxes[i + farX]! - ox) * outX;
+        const outAY = (boxes[i + farY]! - oy) * outY;
+        const missesA = +(inAX > outAY) | +(inAY > outAX) | +(inAX > end) | +(inAY > end) | +(outAX < 0) | +(outAY < 0);
+        const inBX = (boxes[j + nearX]! - ox) * inX;
+        const inBY = (boxes[j + nearY]! - oy) * inY;
+        const outBX = (boxes[j + farX]! - ox) * outX;
+        const outBY = (boxes[j + farY]! - oy) * outY;
+        const missesB = +(inBX > outBY) | +(inBY > outBX) | +(inBX > end) | +(inBY > end) | +(outBX < 0) | +(outBY < 0);
+        if ((missesA | missesB) === 0) {
+          const x = boxes[i]! + boxes[i + 2]! - boxes[j]! - boxes[j + 2]!;
+          const y = boxes[i + 1]! + boxes[i + 3]! - boxes[j + 1]! - boxes[j + 3]!;
+          // All bits if B is the nearer one, else none.
+          const swapped = (a ^ b) & -(x * dx + y * dy > 0);
+          stack[top] = b ^ swapped;
+          top += 1;
+          node = a ^ swapped;
+          continue;
+        }
+        if ((missesA & missesB) === 0) {
+          node = missesA === 0 ? a : b;
+          continue;
+        }
       }
-      const b = right[node]!;
-      const i = BOX * a;
-      const j = BOX * b;
-      const inAX = (boxes[i + nearX]! - ox) * inX;
-      const inAY = (boxes[i + nearY]! - oy) * inY;
-      const outAX = (boxes[i + farX]! - ox) * outX;
-      const outAY = (boxes[i + farY]! - oy) * outY;
-      const missesA = +(inAX > outAY) | +(inAY > outAX) | +(inAX > end) | +(inAY > end) | +(outAX < 0) | +(outAY < 0);
-      const inBX = (boxes[j + nearX]! - ox) * inX;
-      const inBY = (boxes[j + nearY]! - oy) * inY;
-      const outBX = (boxes[j + farX]! - ox) * outX;
-      const outBY = (boxes[j + farY]! - oy) * outY;
-      const missesB = +(inBX > outBY) | +(inBY > outBX) | +(inBX > end) | +(inBY > end) | +(outBX < 0) | +(outBY < 0);
-      const x = boxes[i]! + boxes[i + 2]! - boxes[j]! - boxes[j + 2]!;
-      const y = boxes[i + 1]! + boxes[i + 3]! - boxes[j + 1]! - boxes[j + 3]!;
-      // All bits if B is the nearer one, else none.
-      const swap = -(x * dx + y * dy > 0);
-      const swapped = (a ^ b) & swap;
-      const swappedMisses = (missesA ^ missesB) & swap;
-      stack[top] = b ^ swapped;
-      top += 1 ^ missesB ^ swappedMisses;
-      stack[top] = a ^ swapped;
-      top += 1 ^ missesA ^ swappedMisses;
+      // Back to what was left for later. The limit may have come nearer since then.
+      let at = 0;
+      do {
+        if (top === 0) {
+          this.castStack = stack;
+          return end;
+        }
+        top -= 1;
+        node = stack[top]!;
+        at = BOX * node;
+      } while ((boxes[at + nearX]! - ox) * inX > end || (boxes[at + nearY]! - oy) * inY > end);
     }
-    this.castStack = stack;
-    return end;
   }
 
   /** A stack for a cast; one that is made within the `visit` of another takes a new one. */
