@@ -29,7 +29,7 @@ export function orderJoints(world: World): void {
   for (const constraint of acting) {
     if (left.has(constraint)) {
       joints.groups.push(new Group(joints.joints.length));
-      for (const next of breadthFirst(hangingTogether(constraint, left))) {
+      for (const next of turnsLast(breadthFirst(hangingTogether(constraint, left)))) {
         joints.add(next, kernelFor(next), new BlockLayout(next.dimension, next.members.length));
       }
     }
@@ -94,4 +94,9 @@ function breadthFirst(constraints: readonly Constraint[]): Constraint[] {
     ring = [...next].sort((a, b) => a.order - b.order);
   }
   return [...listed, ...left];
+}
+
+/** Moves what only turns bodies to the end, where bounds have the last word: between the others it would cut them into short runs, and ragdolls take a fifth longer. */
+function turnsLast(constraints: Constraint[]): Constraint[] {
+  return constraints.sort((a, b) => +(kernelFor(a) === TURN) - +(kernelFor(b) === TURN));
 }
