@@ -105,18 +105,25 @@ export function planBounces(data: SolverData, h: number): void {
  */
 function planRound(data: SolverData, h: number, round: number): number {
   const { bounces: list, velocity: v } = data;
+  const { bodies, bouncing, shift } = list;
+  let planned = 0;
   for (let k = 0; k < list.count; k += 1) {
-    if (round === 0 || v[bodyOf(list, k, 0) + d.MARK] === -round || v[bodyOf(list, k, 1) + d.MARK] === -round) {
+    if (round === 0 || v[bodies[2 * k]! + d.MARK] === -round || v[bodies[2 * k + 1]! + d.MARK] === -round) {
       planBounce(data, k, h, round);
+      if (shift[k] === 0) {
+        bouncing[planned] = k;
+        planned += 1;
+      }
     }
   }
   let count = 0;
-  for (let k = 0; k < list.count; k += 1) {
-    if (list.shift[k] === 0 && setBiases(data, k)) {
-      list.bouncing[count] = k;
+  for (let n = 0; n < planned; n += 1) {
+    const k = bouncing[n]!;
+    if (setBiases(data, k)) {
+      bouncing[count] = k;
       count += 1;
-      v[bodyOf(list, k, 0) + d.MARK] = -1 - round;
-      v[bodyOf(list, k, 1) + d.MARK] = -1 - round;
+      v[bodies[2 * k]! + d.MARK] = -1 - round;
+      v[bodies[2 * k + 1]! + d.MARK] = -1 - round;
     }
   }
   // What stands for all that cannot move.
@@ -272,11 +279,6 @@ export function applyBounces(data: SolverData): void {
       r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
   }
-}
-
-/** Offset of the record of body A, 0, or B, 1, of a point. */
-function bodyOf({ batches, index }: BounceList, k: number, which: number): number {
-  return batches[k]!.bodies[2 * index[k]! + which]!;
 }
 
 /**

@@ -184,6 +184,8 @@ export class BounceList {
   readonly batches: ContactBatch[] = [];
   index = new Int32Array(16);
   shift = new Int32Array(16);
+  /** Offsets of the records of the two bodies of each. */
+  bodies = new Int32Array(32);
   bias = new Float64Array(16);
   /** Which bounced in the sub-step, see `bounce.ts`. */
   hit = new Uint8Array(16);
@@ -201,6 +203,8 @@ export class BounceList {
     this.batches[i] = batch;
     this.index[i] = index;
     this.shift[i] = shift;
+    this.bodies[2 * i] = batch.bodies[2 * index]!;
+    this.bodies[2 * i + 1] = batch.bodies[2 * index + 1]!;
     this.bias[i] = 0;
     this.count = i + 1;
     return i;
@@ -210,6 +214,7 @@ export class BounceList {
     const size = this.index.length * 2;
     this.index = widened(this.index, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
+    this.bodies = widened(this.bodies, new Int32Array(2 * size));
     this.bias = widened(this.bias, new Float64Array(size));
     this.bouncing = new Int32Array(size);
     this.hit = new Uint8Array(size);
