@@ -9,6 +9,7 @@ import {
   MAX_JOINT_SWEEPS,
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
+  TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
 } from '../config.js';
 import type { World } from '../world.js';
@@ -187,7 +188,8 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
  * hangs there, and fling up what lies on it.
  */
 function planSweeps(group: Group, error: number, first: number, after: number, eases: boolean): void {
-  const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / group.tolerance));
+  const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
+  const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
   const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
   const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
