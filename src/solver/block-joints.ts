@@ -360,19 +360,18 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   apply(data, joint, turned, work, 1, true);
 }
 
-/** The error now, by its linear part, to `left`. */
+/** The error now, by its linear part, to `left` if that is less. */
 export function measureBlock(data: SolverData, joint: Joint): void {
   const { records: r, left } = data.joints;
   const { at, layout } = joint;
-  length[0] = 0;
   if (r[at + j.PUSH] !== 0) {
     for (let n = 0; n < layout.rows; n += 1) {
       multiplyRow(data, joint, layout.turned, n, true);
       r[at + layout.work + n] = r[at + layout.error + n]! + product[0]!;
     }
     findLength(r, at + layout.work, violatedRows(r, joint, layout.work));
+    left[0] = Math.max(left[0]!, length[0]!);
   }
-  left[0] = length[0]!;
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */

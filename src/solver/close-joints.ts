@@ -6,8 +6,8 @@ import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
 import { type Group, impulseOf, type Joint } from './joint-data.js';
 import { CUSTOM, POINT, TURN } from './joint-layout.js';
-import { measurePoint, pushPoints } from './point-joints.js';
-import { measureTurn, pushTurns } from './turn-joints.js';
+import { measurePoints, pushPoints } from './point-joints.js';
+import { measureTurns, pushTurns } from './turn-joints.js';
 
 /** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
 const before = new Float64Array(12);
@@ -37,29 +37,35 @@ function forgetPart({ joints: { joints, records } }: SolverData, { start, end }:
 }
 
 /** @returns whether there was something to close. */
-function closeOnce(data: SolverData, { start, end }: Group): boolean {
+function closeOnce(data: SolverData, { runs }: Group): boolean {
   const { joints, left } = data.joints;
   let found = false;
-  for (let k = start; k < end; k += 1) {
-    measure(data, joints[k]!);
-    if (left[0]! > JOINT_OPEN && mayClose(joints[k]!)) {
-      found = true;
-      closePart(data, k);
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
+    measure(data, kernel, start, end);
+    const isOpen = left[0]! > JOINT_OPEN;
+    for (let k = start; k < end && isOpen; k += 1) {
+      measure(data, kernel, k, k + 1);
+      if (left[0]! > JOINT_OPEN && mayClose(joints[k]!)) {
+        found = true;
+        closePart(data, k);
+      }
     }
   }
   return found;
 }
 
-function measure(data: SolverData, joint: Joint): void {
-  const { kernel } = joint;
+/** The largest error of a part of a run, to `left`; of custom ones none. */
+function measure(data: SolverData, kernel: number, start: number, end: number): void {
   if (kernel === POINT) {
-    measurePoint(data, joint);
+    measurePoints(data, start, end);
   } else if (kernel === TURN) {
-    measureTurn(data, joint);
-  } else if (kernel === CUSTOM) {
-    data.joints.left[0] = 0;
+    measureTurns(data, start, end);
   } else {
-    measureBlock(data, joint);
+    data.joints.left[0] = 0;
+    for (let k = start; k < end && kernel !== CUSTOM; k += 1) {
+      measureBlock(data, data.joints.joints[k]!);
+    }
   }
 }
 

@@ -123,7 +123,7 @@ export class JointData implements Keeper {
   readonly worst = new Float64Array(2);
   /** … and which are strained: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
-  /** m, rad. Of one joint, the error that is left. */
+  /** m, rad. The largest error that is left. */
   readonly left = new Float64Array(1);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);

@@ -360,18 +360,25 @@ function haveTurned(
   return most > JOINT_FAR_TURN;
 }
 
-/** The error now, m, as linear in the motion since the last exact sweep, to `left`. */
-export function measurePoint({ joints, motion: q }: SolverData, { at, first }: Joint): void {
-  const { records: r, bodies, left } = joints;
-  const a = bodies[first]!;
-  const b = bodies[first + 1]!;
-  const wA = q[a + d.QW]!;
-  const wB = q[b + d.QW]!;
-  const turnedX = wA * r[at + j.PLACED_AY]! - wB * r[at + j.PLACED_BY]!;
-  const turnedY = wB * r[at + j.PLACED_BX]! - wA * r[at + j.PLACED_AX]!;
-  const cx = r[at + j.OFFSET_X]! + (q[b + d.QX]! - q[a + d.QX]! + turnedX);
-  const cy = r[at + j.OFFSET_Y]! + (q[b + d.QY]! - q[a + d.QY]! + turnedY);
-  left[0] = Math.sqrt(cx * cx + cy * cy);
+/** The largest error now, m, as linear in the motion since the last exact sweep, to `left`. */
+export function measurePoints({ joints: data, motion: q }: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints, left } = data;
+  let i = joints[start]!.at;
+  let n = joints[start]!.first;
+  let most = 0;
+  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    const wA = q[a + d.QW]!;
+    const wB = q[b + d.QW]!;
+    const turnedX = wA * r[i + j.PLACED_AY]! - wB * r[i + j.PLACED_BY]!;
+    const turnedY = wB * r[i + j.PLACED_BX]! - wA * r[i + j.PLACED_AX]!;
+    const cx = r[i + j.OFFSET_X]! + (q[b + d.QX]! - q[a + d.QX]! + turnedX);
+    const cy = r[i + j.OFFSET_Y]! + (q[b + d.QY]! - q[a + d.QY]! + turnedY);
+    const square = cx * cx + cy * cy;
+    most = square > most ? square : most;
+  }
+  left[0] = Math.sqrt(most);
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */

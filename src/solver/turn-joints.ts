@@ -182,12 +182,21 @@ export function pushTurns(data: SolverData, start: number, end: number): boolean
   return found;
 }
 
-/** How far it is beyond a bound now, rad, to `left`. */
-export function measureTurn({ joints, motion: q }: SolverData, { at, first }: Joint): void {
-  const { records: r, bodies, left } = joints;
-  const turned = r[at + j.TURN_RATIO]! * q[bodies[first + 1]! + d.QW]! - q[bodies[first]! + d.QW]!;
-  const value = r[at + j.TURN_VALUE]! + turned;
-  left[0] = r[at + j.PUSH]! * Math.max(value - r[at + j.TURN_UPPER]!, r[at + j.TURN_LOWER]! - value, 0);
+/** How far, rad, that is which is farthest beyond a bound now, to `left`. */
+export function measureTurns({ joints: data, motion: q }: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints, left } = data;
+  let i = joints[start]!.at;
+  let n = joints[start]!.first;
+  let most = 0;
+  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const turned = r[i + j.TURN_RATIO]! * q[(bodies[n + 1]! & d.OFFSET) + d.QW]! - q[(bodies[n]! & d.OFFSET) + d.QW]!;
+    const value = r[i + j.TURN_VALUE]! + turned;
+    const over = r[i + j.PUSH]! * (value - r[i + j.TURN_UPPER]!);
+    const under = r[i + j.PUSH]! * (r[i + j.TURN_LOWER]! - value);
+    most = over > most ? over : most;
+    most = under > most ? under : most;
+  }
+  left[0] = most;
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
