@@ -188,7 +188,6 @@ export class PackedTree<T> {
         }
       }
       // Back to what was left for later. The limit may have come nearer since then.
-      let at = 0;
       do {
         if (top === 0) {
           this.castStack = stack;
@@ -196,8 +195,7 @@ export class PackedTree<T> {
         }
         top -= 1;
         node = stack[top]!;
-        at = BOX * node;
-      } while ((boxes[at + nearX]! - ox) * inX > end || (boxes[at + nearY]! - oy) * inY > end);
+      } while ((boxes[BOX * node + nearX]! - ox) * inX > end || (boxes[BOX * node + nearY]! - oy) * inY > end);
     }
   }
 

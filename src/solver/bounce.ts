@@ -9,7 +9,7 @@ import {
   IMPACT_DEPTH,
   TOUCH_DEPTH,
 } from '../config.js';
-import type { BounceList, ContactBatch, SolverData } from './data.js';
+import type { BounceList, SolverData } from './data.js';
 import * as d from './data.js';
 import { solveVelocityOne } from './one-point.js';
 import { isTied } from './ties.js';
@@ -20,13 +20,13 @@ const BOUNCED = 1;
 /** … or is to bounce with all that the sweeps solve, as it bears a load that these must start from. */
 const LOADED = 2;
 
-function normalVelocity(data: SolverData, batch: ContactBatch, k: number, shift: number): number {
-  const r = batch.records;
-  const v = data.velocity;
-  const record = k * batch.stride;
-  const a = batch.bodies[2 * k]!;
-  const b = batch.bodies[2 * k + 1]!;
-  const i = record + shift;
+/** The speed at which the surfaces of a point part. */
+function normalVelocity({ bounces: list, velocity: v }: SolverData, k: number): number {
+  const { records: r, stride } = list.batches[k]!;
+  const record = list.index[k]! * stride;
+  const i = record + list.shift[k]!;
+  const a = list.bodies[2 * k]!;
+  const b = list.bodies[2 * k + 1]!;
   return (
     r[record + d.NX]! * (v[b + d.VX]! - v[a + d.VX]!) +
     r[record + d.NY]! * (v[b + d.VY]! - v[a + d.VY]!) +
@@ -39,14 +39,13 @@ function normalVelocity(data: SolverData, batch: ContactBatch, k: number, shift:
 const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
 
 /** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
-function findSeparation(data: SolverData, batch: ContactBatch, k: number, shift: number): void {
-  const r = batch.records;
-  const { velocity: v, motion: q } = data;
-  const record = k * batch.stride;
-  const a = batch.bodies[2 * k]!;
-  const b = batch.bodies[2 * k + 1]!;
-  const i = record + shift;
-  const isOne = batch === data.one;
+function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k: number): void {
+  const { records: r, stride } = list.batches[k]!;
+  const record = list.index[k]! * stride;
+  const i = record + list.shift[k]!;
+  const a = list.bodies[2 * k]!;
+  const b = list.bodies[2 * k + 1]!;
+  const isOne = stride === d.ONE_STRIDE;
   plan.separation =
     r[i + d.START1]! +
     r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
@@ -60,6 +59,13 @@ function findSeparation(data: SolverData, batch: ContactBatch, k: number, shift:
 /** What forces add in a sub-step to the velocity of one body against another along `(nx, ny)`; `a` and `b` are the offsets of their records. */
 export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: number, ny: number): number {
   return nx * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) + ny * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!);
+}
+
+function gainOf(data: SolverData, k: number): number {
+  const { bounces: list } = data;
+  const { records: r, stride } = list.batches[k]!;
+  const record = list.index[k]! * stride;
+  return normalGain(data, list.bodies[2 * k]!, list.bodies[2 * k + 1]!, r[record + d.NX]!, r[record + d.NY]!);
 }
 
 /**
@@ -82,9 +88,7 @@ function planSpeed({ bias }: BounceList, k: number, h: number): void {
  */
 export function planBounces(data: SolverData, h: number): void {
   const { bounces: list } = data;
-  for (let k = 0; k < list.count; k += 1) {
-    list.hit[k] = 0;
-  }
+  list.hit.fill(0);
   let count = planRound(data, h, 0);
   for (let round = 1; round <= BOUNCE_ROUNDS && count > 0; round += 1) {
     solveRound(data, h, count);
@@ -206,25 +210,23 @@ function dropAll(list: BounceList, count: number): void {
 }
 
 function planBounce(data: SolverData, k: number, h: number, round: number): void {
-  const list = data.bounces;
-  const batch = list.batches[k]!;
-  const index = list.index[k]!;
-  const shift = list.shift[k]!;
+  const { bounces: list } = data;
   // What makes energy makes it once in a sub-step.
   const elasticity = round === 0 ? list.elasticity[k]! : Math.min(list.elasticity[k]!, 1);
-  const comes = normalVelocity(data, batch, index, shift);
+  const comes = normalVelocity(data, k);
   list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
   list.hit[k] = list.hit[k]! & BOUNCED;
   if (elasticity * comes < -BOUNCE_THRESHOLD) {
-    findSeparation(data, batch, index, shift);
-    const { records: r, bodies, stride } = batch;
-    const record = index * stride;
+    findSeparation(data, k);
     plan.elasticity = elasticity;
     plan.comes = comes;
-    plan.gain = normalGain(data, bodies[2 * index]!, bodies[2 * index + 1]!, r[record + d.NX]!, r[record + d.NY]!);
-    const load = BOUNCE_LOAD * r[record + shift + d.NORMAL1]!;
+    plan.gain = gainOf(data, k);
+    const { records: r, stride } = list.batches[k]!;
+    const record = list.index[k]! * stride;
+    const i = record + list.shift[k]!;
+    const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
     const isLoaded =
-      batch === data.one ? -comes * r[record + d.NORMAL_MASS]! <= load : -comes <= load * r[record + shift + d.K11]!;
+      stride === d.ONE_STRIDE ? -comes * r[record + d.NORMAL_MASS]! <= load : -comes <= load * r[i + d.K11]!;
     if (plan.separation > TOUCH_DEPTH) {
       list.bias[k] = d.OFF;
     } else if (!isLoaded) {
@@ -246,13 +248,10 @@ function hangs({ batches, index }: BounceList, k: number): boolean {
 /** What bounced and is tied to others is to leave with the speed that it has now: a plank that a ball struck may be welded to a house. */
 function keepLeaving(data: SolverData, k: number): void {
   const { bounces: list } = data;
-  const batch = list.batches[k]!;
-  const index = list.index[k]!;
-  const { records: r, bodies, stride } = batch;
-  const record = index * stride;
-  const leaves = normalVelocity(data, batch, index, list.shift[k]!);
-  const gain = normalGain(data, bodies[2 * index]!, bodies[2 * index + 1]!, r[record + d.NX]!, r[record + d.NY]!);
-  list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gain - r[record + d.SURFACE_N]!) : 0;
+  const { records: r, stride } = list.batches[k]!;
+  const record = list.index[k]! * stride;
+  const leaves = normalVelocity(data, k);
+  list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
 }
 
 /** Lets a point start from nothing: what it was given until now belongs to the step. */
@@ -269,7 +268,7 @@ function dropImpulses(list: BounceList, k: number): void {
 
 /** After warm start: puts the plan in place of what the separation asked for. */
 export function applyBounces(data: SolverData): void {
-  const list = data.bounces;
+  const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
     const bias = list.bias[k]!;
     if (bias !== 0) {
@@ -286,16 +285,13 @@ export function applyBounces(data: SolverData): void {
  * that an impact would have come before.
  */
 export function releaseBounces(data: SolverData): void {
-  const list = data.bounces;
+  const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
-    const batch = list.batches[k]!;
-    const index = list.index[k]!;
-    const shift = list.shift[k]!;
-    if (list.bias[k] === d.OFF || normalVelocity(data, batch, index, shift) > BOUNCE_THRESHOLD) {
-      const { records: r } = batch;
-      const at = index * batch.stride + shift + d.SEPARATION1;
+    if (list.bias[k] === d.OFF || normalVelocity(data, k) > BOUNCE_THRESHOLD) {
+      const { records: r, stride, arbiters } = list.batches[k]!;
+      const at = list.index[k]! * stride + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {
-        const { shapeA, shapeB } = batch.arbiters[index]!;
+        const { shapeA, shapeB } = arbiters[list.index[k]!]!;
         findImpactDepth(shapeA, shapeB, IMPACT_DEPTH);
         r[at] = r[at]! + impactDepth[0]!;
       } else {
