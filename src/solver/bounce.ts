@@ -61,6 +61,7 @@ export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: n
   return nx * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) + ny * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!);
 }
 
+/** The same for a point of the list. */
 function gainOf(data: SolverData, k: number): number {
   const { bounces: list } = data;
   const { records: r, stride } = list.batches[k]!;

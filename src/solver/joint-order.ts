@@ -1,7 +1,7 @@
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
-import { Group } from './joint-data.js';
+import { Group, type JointData } from './joint-data.js';
 import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
 
 /**
@@ -29,9 +29,7 @@ export function orderJoints(world: World): void {
   for (const constraint of acting) {
     if (left.has(constraint)) {
       joints.groups.push(new Group(joints.joints.length));
-      for (const next of turnsLast(breadthFirst(hangingTogether(constraint, left)))) {
-        joints.add(next, kernelFor(next), new BlockLayout(next.dimension, next.members.length));
-      }
+      addTurnsLast(joints, breadthFirst(hangingTogether(constraint, left)));
     }
   }
   joints.allot();
@@ -96,7 +94,20 @@ function breadthFirst(constraints: readonly Constraint[]): Constraint[] {
   return [...listed, ...left];
 }
 
-/** Moves what only turns bodies to the end, where bounds have the last word: between the others it would cut them into short runs, and ragdolls take a fifth longer. */
-function turnsLast(constraints: Constraint[]): Constraint[] {
-  return constraints.sort((a, b) => +(kernelFor(a) === TURN) - +(kernelFor(b) === TURN));
+/** What only turns bodies comes last, where bounds have the last word: between the others it would cut them into short runs, and ragdolls take a fifth longer. */
+function addTurnsLast(joints: JointData, constraints: readonly Constraint[]): void {
+  const turns: Constraint[] = [];
+  const add = (constraint: Constraint, kernel: number) =>
+    joints.add(constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length));
+  for (const constraint of constraints) {
+    const kernel = kernelFor(constraint);
+    if (kernel === TURN) {
+      turns.push(constraint);
+    } else {
+      add(constraint, kernel);
+    }
+  }
+  for (const constraint of turns) {
+    add(constraint, TURN);
+  }
 }

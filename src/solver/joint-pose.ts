@@ -52,13 +52,13 @@ function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
  * their impulses.
  */
 export function advancePoses(data: SolverData): void {
-  if (inPieces(data, 1, data.bodyCount, advancePiece)) {
+  if (inPieces(data, 1, data.bodyCount, advancePosesPiece)) {
     forgetImpulses(data);
   }
 }
 
 /** @returns whether something was cut. */
-function advancePiece(data: SolverData, from: number, to: number): boolean {
+function advancePosesPiece(data: SolverData, from: number, to: number): boolean {
   const { pose: p, velocity: v, motion: q } = data;
   const most = MAX_SPEED * data.joints.h;
   let isCut = false;

@@ -182,7 +182,7 @@ export function pushTurns(data: SolverData, start: number, end: number): boolean
   return found;
 }
 
-/** How far, rad, that is which is farthest beyond a bound now, to `left`. */
+/** How far beyond a bound, rad, the worst of them is now, to `left`. */
 export function measureTurns({ joints: data, motion: q }: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints, left } = data;
   let i = joints[start]!.at;
