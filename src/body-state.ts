@@ -21,25 +21,32 @@ const SMALL = 1.499696813895631e-241;
 
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState extends BodyNumbers {
-  /** Attached shapes. Do not modify. */
-  readonly shapes: Shape[];
-  /** Constraints in a world, enabled or not, that use this body. Do not modify. */
-  readonly constraints: Constraint[] = [];
-  /** Anything of yours. */
-  userData: UserDataOf<'body'>;
+  // What steps ask of thousands comes first, as of shapes.
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
-  kind: number;
-  /** @internal the last step in which the body was not at rest or was woken */
-  wakeTime = 0;
+  kind = DYNAMIC;
+  /** @internal */
+  asleep = false;
+  /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
+  slot = 0;
+  /** @internal what `bullet` is */
+  isBullet = false;
+  /** @internal how many enabled constraints in a world keep it from interacting with other bodies */
+  ignoring = 0;
   /** @internal shapes, mass or radius differ from what is cached */
   massStale = true;
   /** @internal turned geometry, bounds and broadphase are behind the placement */
   placeStale = true;
-  /** @internal what `bullet` is */
-  isBullet: boolean;
-  /** @internal */
-  asleep: boolean;
+  /** @internal the last step in which the body was not at rest or was woken */
+  wakeTime = 0;
+  /** @internal index among the movers of a step, −1 if it is none */
+  mover = -1;
+  /** @internal index in the live list of its type, −1 while in none */
+  liveIndex = -1;
+  /** Attached shapes. Do not modify. */
+  readonly shapes: Shape[];
+  /** Constraints in a world, enabled or not, that use this body. Do not modify. */
+  readonly constraints: Constraint[] = [];
   /** @internal its `wake` event waits for the next step */
   woken = false;
   /** @internal */
@@ -48,20 +55,14 @@ export abstract class BodyState extends BodyNumbers {
   order = 0;
   /** @internal index in the world's list of bodies */
   index = -1;
-  /** @internal index in the live list of its type, −1 while in none */
-  liveIndex = -1;
-  /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
-  slot = 0;
   /** @internal the step that comes after something that touched it was taken away */
   unloaded = -1;
-  /** @internal index among the movers of a step, −1 if it is none */
-  mover = -1;
   /** @internal those it fell asleep with */
   island: Island | null = null;
-  /** @internal how many enabled constraints in a world keep it from interacting with other bodies */
-  ignoring = 0;
   /** @internal */
   listeners: Listeners<BodyHandler> = NO_LISTENERS;
+  /** Anything of yours. */
+  userData: UserDataOf<'body'>;
 
   /** @internal */
   constructor(params: RigidBodyParams | undefined) {

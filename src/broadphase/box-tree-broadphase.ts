@@ -1,9 +1,9 @@
-import { widened } from '../math/doubles.js';
+import { grown, widened } from '../math/doubles.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
 import { type Broadphase, type BroadphaseHandle, checkRect } from './broadphase.js';
 import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC } from './layout.js';
-import { grown, PackedTree } from './packed-tree.js';
+import { PackedTree } from './packed-tree.js';
 
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
 const MARGIN = 0.1;

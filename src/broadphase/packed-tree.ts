@@ -1,13 +1,14 @@
-import { widened } from '../math/doubles.js';
+import { grown, widened } from '../math/doubles.js';
 import { BOX, MAX_LEAN, NONE } from './layout.js';
-
-/** How many to make room for where there were so many: half as many again, as of twice as many a third is empty on the average. */
-export function grown(count: number): number {
-  return Math.ceil(1.5 * count);
-}
 
 /** 1 − 2⁻⁵⁰. Where a ray enters a box is reckoned early by more than rounding can make it late, as it must not miss a corner that it touches. */
 const EARLY = 1 - 4 * Number.EPSILON;
+
+/** 1 if the box of a node does not overlap another one, else 0: combined as numbers, as for a cast. */
+function misses(boxes: Float64Array, node: number, minX: number, minY: number, maxX: number, maxY: number): number {
+  const at = BOX * node;
+  return +(boxes[at]! > maxX) | +(boxes[at + 1]! > maxY) | +(boxes[at + 2]! < minX) | +(boxes[at + 3]! < minY);
+}
 
 /**
  * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding
@@ -91,36 +92,43 @@ export class PackedTree<T> {
     return this.left[node] === NONE;
   }
 
-  /** Writes the leaves whose boxes overlap `bounds` to `out` from `count` on. @returns the new count. */
+  /** Writes the leaves whose boxes overlap `bounds` to `out` from `count` on. It goes straight down as a cast does. @returns the new count. */
   query(bounds: ArrayLike<number>, out: number[], count: number): number {
-    if (this.root === NONE) {
-      return count;
-    }
     const minX = bounds[0]!;
     const minY = bounds[1]!;
     const maxX = bounds[2]!;
     const maxY = bounds[3]!;
     const { boxes, left, right, stack } = this.ready();
     let found = count;
-    let top = 1;
-    stack[0] = this.root;
-    while (top > 0) {
-      top -= 1;
-      const node = stack[top]!;
-      const at = BOX * node;
-      if (boxes[at]! > maxX || boxes[at + 2]! < minX || boxes[at + 1]! > maxY || boxes[at + 3]! < minY) {
-        continue;
-      }
-      if (left[node] === NONE) {
+    let top = 0;
+    let node = this.root;
+    if (node === NONE || misses(boxes, node, minX, minY, maxX, maxY) !== 0) {
+      return found;
+    }
+    for (;;) {
+      const a = left[node]!;
+      if (a === NONE) {
         out[found] = node;
         found += 1;
       } else {
-        stack[top] = left[node]!;
-        stack[top + 1] = right[node]!;
-        top += 2;
+        const b = right[node]!;
+        const missesA = misses(boxes, a, minX, minY, maxX, maxY);
+        const missesB = misses(boxes, b, minX, minY, maxX, maxY);
+        if ((missesA | missesB) === 0) {
+          stack[top] = b;
+          top += 1;
+          node = a;
+          continue;
+        }
+        if ((missesA & missesB) === 0) {
+          node = missesA === 0 ? a : b;
+          continue;
+        }
       }
+      if (top === 0) return found;
+      top -= 1;
+      node = stack[top]!;
     }
-    return found;
   }
 
   /**

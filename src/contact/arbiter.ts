@@ -44,14 +44,12 @@ export class Arbiter {
     return 1;
   }
 
-  /** The shape with the lower id. */
-  shapeA: Shape;
-  /** The other one: normals point from A to B. */
-  shapeB: Shape;
-  /** @internal the slab with the record of the pair: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
-  readonly numbers: Float64Array;
-  /** @internal where in that it begins */
-  readonly at: number;
+  // What steps ask of thousands comes first, as it is waited for: side by side in memory, and so in few lines of it.
+
+  /** @internal where the record of the pair begins: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
+  readonly at: number = slab.take(g.PAIR_NUMBERS);
+  /** @internal the slab that it is in */
+  readonly numbers: Float64Array = slab.numbers;
   /**
    * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
    * has to be skipped.
@@ -71,6 +69,8 @@ export class Arbiter {
   sensor = false;
   /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
   listed = false;
+  /** @internal index in the world's list it is in */
+  listIndex = -1;
   /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
   seen = -1;
   /** @internal the last step in which the shapes interacted */
@@ -81,20 +81,18 @@ export class Arbiter {
   freshPoints = 0;
   /** @internal how many points `contacts` lists */
   shown = 0;
-  /** @internal the step in which the present interaction began, or the last one */
-  began = -1;
-  /** @internal the last step in which it bore far more than the bodies weigh */
-  strained = NEVER;
   /** @internal for so many steps on end it did */
   strain = 0;
   /** @internal in the last step its two edges rocked on each other, in a column */
   rocks = false;
-  /** @internal index in the world's list it is in */
-  listIndex = -1;
-  /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
-  next: Arbiter | null = null;
+  /** @internal the last step in which it bore far more than the bodies weigh */
+  strained = NEVER;
   /** @internal */
   persistent = false;
+  /** @internal the step in which the present interaction began, or the last one */
+  began = -1;
+  /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
+  next: Arbiter | null = null;
   /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
   awake = false;
   /** @internal index in shapeA.arbiters */
@@ -110,16 +108,13 @@ export class Arbiter {
 
   /** @internal */
   constructor(
-    shapeA: Shape,
-    shapeB: Shape,
+    /** The shape with the lower id. */
+    public shapeA: Shape,
+    /** The other one: normals point from A to B. */
+    public shapeB: Shape,
     /** @internal among those of its world, from 1 on */
     readonly number: number,
-  ) {
-    this.shapeA = shapeA;
-    this.shapeB = shapeB;
-    this.at = slab.take(g.PAIR_NUMBERS);
-    this.numbers = slab.numbers;
-  }
+  ) {}
 
   /** @internal how many points were found, 0 to 2 */
   get count(): number {

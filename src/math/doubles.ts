@@ -33,6 +33,11 @@ export function doubles(count: number): Float64Array {
   return slab.numbers.subarray(start, start + count);
 }
 
+/** How many to make room for where there were so many: half as many again, as of twice as many a third is empty on the average. */
+export function grown(count: number): number {
+  return Math.ceil(1.5 * count);
+}
+
 /** The contents of a typed array in a longer one. */
 export function widened<A extends Float64Array | Int32Array | Uint8Array>(from: A, to: A): A {
   to.set(from);

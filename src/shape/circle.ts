@@ -26,7 +26,7 @@ export class Circle extends BaseShape {
   readonly type = 'CIRCLE';
 
   /** @internal */
-  readonly kind = CIRCLE;
+  declare readonly kind: typeof CIRCLE;
   /** @internal */
   originX: number;
   /** @internal */
@@ -38,7 +38,7 @@ export class Circle extends BaseShape {
     const given = options(where, params, true);
     const radius = checkedRadius(where, given.radius);
     const origin = given.origin === undefined ? [0, 0] : vector(where, 'origin', given.origin, 2, MAX_SIZE);
-    super(where, given, CIRCLE_NUMBERS);
+    super(where, given, CIRCLE, CIRCLE_NUMBERS);
     this.radius = radius;
     this.originX = origin[0]!;
     this.originY = origin[1]!;

@@ -99,7 +99,7 @@ export class Polygon extends BaseShape {
   readonly type = 'POLYGON';
 
   /** @internal */
-  readonly kind = POLYGON;
+  declare readonly kind: typeof POLYGON;
   /** @internal */
   offsets: Float64Array;
   /** @internal */
@@ -113,7 +113,7 @@ export class Polygon extends BaseShape {
     const where = 'createPolygonShape';
     const given = options(where, params, true);
     const vertices = convexVertices(where, 'vertices', given.vertices);
-    super(where, given, EDGES + vertices.length * 2);
+    super(where, given, POLYGON, EDGES + vertices.length * 2);
     this.form = formOf(vertices);
     this.offsets = this.form.offsets;
   }

@@ -69,28 +69,32 @@ const slab = /* @__PURE__ */ new Slab();
  * After every change of geometry or material the body's mass and inertia follow, unless they were given.
  */
 export abstract class BaseShape {
-  /** Tells circles from polygons. */
-  abstract readonly type: 'CIRCLE' | 'POLYGON';
+  // What steps ask of thousands comes first: side by side in memory, which it is waited for.
 
-  /** Grows with creation order, unique in the program. The lower id of a pair is `shapeA`. */
-  readonly id: number;
-  /** Tells what passes, and collides with nothing. */
-  readonly sensor: boolean;
-  /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
-  readonly arbiters: Arbiter[] = [];
-  /** Anything of yours. */
-  userData: UserDataOf<'shape'>;
-
-  /** @internal */
-  abstract readonly kind: ShapeKind;
-  /** @internal */
-  material: Material;
-  /** @internal of 32 bits with a sign, as it is compared */
-  group: number;
-  /** @internal */
-  mask: number;
   /** @internal */
   owner: RigidBody | null = null;
+  /** @internal where its numbers begin in a slab: what follows the placement of the body, see `geometry/layout.ts` */
+  at = 0;
+  /** @internal the slab */
+  numbers: Float64Array = slab.numbers;
+  /** Tells what passes, and collides with nothing. */
+  readonly sensor: boolean = false;
+  /** @internal of 32 bits with a sign, as it is compared */
+  group = 0;
+  /** @internal */
+  mask = 0;
+  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
+  radius = 0;
+  /** @internal */
+  handle: BroadphaseHandle | null = null;
+  /** @internal */
+  groundStamp = -1;
+  /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near, and the step they were found in */
+  grounds: Arbiter | null = null;
+  /** Grows with creation order, unique in the program. The lower id of a pair is `shapeA`. */
+  readonly id: number = nextId;
+  /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
+  readonly arbiters: Arbiter[] = [];
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
   /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
@@ -102,20 +106,20 @@ export abstract class BaseShape {
   /** @internal its place while the state of the world is walked over */
   stateIndex = 0;
   /** @internal */
-  handle: BroadphaseHandle | null = null;
-  /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near, and the step they were found in */
-  grounds: Arbiter | null = null;
-  /** @internal */
-  groundStamp = -1;
-  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
-  radius = 0;
-  /** @internal the slab with what follows the placement of the body, see `geometry/layout.ts` */
-  numbers: Float64Array;
-  /** @internal where in that it begins */
-  at: number;
+  material: Material;
+  /** Anything of yours. */
+  userData: UserDataOf<'shape'>;
+  /** Tells circles from polygons. */
+  abstract readonly type: 'CIRCLE' | 'POLYGON';
 
   /** @internal */
-  constructor(where: string, params: Partial<ShapeParams>, count: number) {
+  constructor(
+    where: string,
+    params: Partial<ShapeParams>,
+    /** @internal kernels are looked up by it */
+    readonly kind: ShapeKind,
+    count: number,
+  ) {
     this.sensor = boolean(where, 'sensor', optional(params.sensor, false));
     this.material =
       params.material === undefined
@@ -124,9 +128,7 @@ export abstract class BaseShape {
     this.group = bits(where, 'group', optional(params.group, 1)) | 0;
     this.mask = bits(where, 'mask', optional(params.mask, 0xffffffff)) | 0;
     this.userData = params.userData === undefined ? null : params.userData;
-    this.at = slab.take(count);
-    this.numbers = slab.numbers;
-    this.id = nextId;
+    this.resize(count);
     nextId += 1;
   }
 

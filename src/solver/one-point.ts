@@ -45,6 +45,9 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
     const p = r[i + d.NORMAL1]!;
     const t = r[i + d.TANGENT]!;
     const roll = r[i + d.ROLL]!;
+    if (p === 0 && t === 0 && roll === 0) {
+      continue;
+    }
     r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + p;
     r[i + d.TANGENT_SUM] = r[i + d.TANGENT_SUM]! + t;
     r[i + d.ROLL_SUM] = r[i + d.ROLL_SUM]! + roll;
@@ -93,10 +96,16 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     const dvx = vbx - vax;
     const dvy = vby - vay;
     const p = r[i + d.NORMAL1]!;
+    const t = r[i + d.TANGENT]!;
+    const roll = r[i + d.ROLL]!;
+    const rnA = r[i + d.RN_A1]!;
+    const rnB = r[i + d.RN_B1]!;
+    if (p === 0 && t === 0 && roll === 0 && nx * dvx + ny * dvy + rnB * wB - rnA * wA + r[i + d.BIAS1]! >= 0) {
+      continue;
+    }
 
     const rtA = r[i + d.RT_A]!;
     const rtB = r[i + d.RT_B]!;
-    const t = r[i + d.TANGENT]!;
     const limit = r[i + d.FRICTION]! * p;
     const slide = nx * dvy - ny * dvx + r[i + d.SURFACE_T]! + rtB * wB - rtA * wA;
     let nextT = t - slide * r[i + d.TANGENT_MASS]!;
@@ -108,7 +117,6 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     wA -= iA * rtA * dt;
     wB += iB * rtB * dt;
 
-    const roll = r[i + d.ROLL]!;
     const rollLimit = r[i + d.ROLL_FRICTION]! * p;
     let nextRoll = roll - (wB - wA) * r[i + d.ROLL_MASS]!;
     if (Math.abs(nextRoll) > rollLimit) {
@@ -118,8 +126,6 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     wA -= iA * (nextRoll - roll);
     wB += iB * (nextRoll - roll);
 
-    const rnA = r[i + d.RN_A1]!;
-    const rnB = r[i + d.RN_B1]!;
     const vn = nx * dvx + ny * dvy + rnB * wB - rnA * wA;
     const wanted = p - (vn + r[i + d.BIAS1]!) * r[i + d.NORMAL_MASS]!;
     const nextP = 0.5 * (wanted + Math.abs(wanted));

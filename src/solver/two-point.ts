@@ -51,6 +51,9 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
     const p1 = r[i + d.NORMAL1]!;
     const p2 = r[i + d.NORMAL2]!;
     const t = r[i + d.TANGENT]!;
+    if (p1 === 0 && p2 === 0 && t === 0) {
+      continue;
+    }
     r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + p1;
     r[i + d.NORMAL_SUM2] = r[i + d.NORMAL_SUM2]! + p2;
     r[i + d.TANGENT_SUM] = r[i + d.TANGENT_SUM]! + t;
@@ -101,10 +104,23 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
     const vn = nx * dvx + ny * dvy;
     const p1 = r[i + d.NORMAL1]!;
     const p2 = r[i + d.NORMAL2]!;
+    const before = r[i + d.TANGENT]!;
+    const rnA1 = r[i + d.RN_A1]!;
+    const rnB1 = r[i + d.RN_B1]!;
+    const rnA2 = r[i + d.RN_A2]!;
+    const rnB2 = r[i + d.RN_B2]!;
+    if (
+      p1 === 0 &&
+      p2 === 0 &&
+      before === 0 &&
+      vn + rnB1 * wB - rnA1 * wA + r[i + d.BIAS1]! >= 0 &&
+      vn + rnB2 * wB - rnA2 * wA + r[i + d.BIAS2]! >= 0
+    ) {
+      continue;
+    }
 
     const rtA = r[i + d.RT_A]!;
     const rtB = r[i + d.RT_B]!;
-    const before = r[i + d.TANGENT]!;
     const limit = r[i + d.FRICTION]! * (p1 + p2);
     const slide = nx * dvy - ny * dvx + r[i + d.SURFACE_T]! + rtB * wB - rtA * wA;
     let after = before - slide * r[i + d.TANGENT_MASS]!;
@@ -114,10 +130,6 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
     wA -= iA * rtA * t;
     wB += iB * rtB * t;
 
-    const rnA1 = r[i + d.RN_A1]!;
-    const rnB1 = r[i + d.RN_B1]!;
-    const rnA2 = r[i + d.RN_A2]!;
-    const rnB2 = r[i + d.RN_B2]!;
     const c1 = vn + rnB1 * wB - rnA1 * wA + r[i + d.BIAS1]!;
     const c2 = vn + rnB2 * wB - rnA2 * wA + r[i + d.BIAS2]!;
     const i12 = r[i + d.I12]!;
