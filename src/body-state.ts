@@ -21,7 +21,7 @@ const SMALL = 1.499696813895631e-241;
 
 /** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
 export abstract class BodyState extends BodyNumbers {
-  // What steps ask of thousands comes first, as of shapes.
+  // What steps ask of thousands comes first, as in shapes.
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
   kind = DYNAMIC;

@@ -44,7 +44,7 @@ export class Arbiter {
     return 1;
   }
 
-  // What steps ask of thousands comes first, as it is waited for: side by side in memory, and so in few lines of it.
+  // What steps ask of thousands comes first, side by side in memory: they wait for every line of it, which is worth a twentieth of a step.
 
   /** @internal where the record of the pair begins: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
   readonly at: number = slab.take(g.PAIR_NUMBERS);

@@ -69,7 +69,7 @@ const slab = /* @__PURE__ */ new Slab();
  * After every change of geometry or material the body's mass and inertia follow, unless they were given.
  */
 export abstract class BaseShape {
-  // What steps ask of thousands comes first: side by side in memory, which it is waited for.
+  // What steps ask of thousands comes first, side by side in memory: they wait for every line of it.
 
   /** @internal */
   owner: RigidBody | null = null;

@@ -65,7 +65,8 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
 }
 
 /**
- * One sweep over the contacts from one index to another: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal.
+ * One sweep over the contacts from one index to another: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal. What
+ * bears nothing, and whose surfaces do not come together, is passed by.
  *
  * Where it is a matter of chance which bound holds, as for circles that roll or not, it is told by absolute values, x⁺ = (x + |x|) / 2: what a
  * processor guesses wrong at a branch is worth a tenth of a step.

@@ -75,6 +75,7 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
  * One sweep over the contacts from one index to another. Friction, within ± μ · both normal impulses; then both normals as one linear
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
  * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
+ * What bears nothing, and whose surfaces do not come together, is passed by.
  *
  * @returns whether any velocity changed by more than tiny accelerations would change it in the sub-step, of length h.
  */
