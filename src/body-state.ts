@@ -39,6 +39,8 @@ export abstract class BodyState extends BodyNumbers {
   placeStale = true;
   /** @internal the last step in which the body was not at rest or was woken */
   wakeTime = 0;
+  /** @internal the step that comes after something that touched it was taken away */
+  unloaded = -1;
   /** @internal index among the movers of a step, −1 if it is none */
   mover = -1;
   /** @internal index in the live list of its type, −1 while in none */
@@ -55,8 +57,6 @@ export abstract class BodyState extends BodyNumbers {
   order = 0;
   /** @internal index in the world's list of bodies */
   index = -1;
-  /** @internal the step that comes after something that touched it was taken away */
-  unloaded = -1;
   /** @internal those it fell asleep with */
   island: Island | null = null;
   /** @internal */

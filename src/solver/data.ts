@@ -50,6 +50,11 @@ export const TOUCHED = 6;
 /** N·s. The normal impulses that all contacts of the body together start the step with. */
 export const LOAD = 7;
 
+/** Bits of `SolverData.traits`: some joint that is no custom constraint holds the body, it has several shapes, or its surface moves. */
+export const LINKED = 1;
+export const COMPOUND = 2;
+export const RUBS = 4;
+
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
  * solver needs of r: n · (R(θ) r) = RT·cos θ + RN·sin θ.
@@ -230,6 +235,8 @@ export class SolverData {
   drive = new Float64Array(64 * BODY_STRIDE);
   /** Placements as the sub-step starts; constraint/layout.ts names the offsets. */
   pose = new Float64Array(64 * BODY_STRIDE);
+  /** What contacts ask of their bodies, by slot: bits. */
+  traits = new Uint8Array(64);
   /** The pairs that are being packed; what lies beyond their count is old. */
   readonly window: Arbiter[] = [];
   readonly one = new ContactBatch(ONE_STRIDE);
@@ -241,6 +248,8 @@ export class SolverData {
    */
   readonly hard: number[] = [];
   hardCount = 0;
+  /** Something was taken from what an awake body lies on or carries. */
+  unloads = false;
   /** Set by a position iteration in which circles overlapped deeply. */
   crowded = false;
   /** How many sub-steps the step has: handlers may ask for others meanwhile. */
@@ -271,6 +280,7 @@ export class SolverData {
       this.motion = new Float64Array(size * BODY_STRIDE);
       this.drive = new Float64Array(size * BODY_STRIDE);
       this.pose = new Float64Array(size * BODY_STRIDE);
+      this.traits = new Uint8Array(size);
     }
     this.motion.fill(0, 0, count * BODY_STRIDE);
     this.velocity.fill(0, 0, BODY_STRIDE);

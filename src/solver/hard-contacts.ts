@@ -31,7 +31,7 @@ export function markHard(data: SolverData, count: number, stamp: number): number
   const mark = 1 + 2 * (data.one.count + data.two.count);
   for (let i = 0; i < count; i += 1) {
     const { active, began, strained: latest, rocks, bodyA, bodyB } = window[i]!;
-    if (bodyA.unloaded === stamp || bodyB.unloaded === stamp) {
+    if (data.unloads && (bodyA.unloaded === stamp || bodyB.unloaded === stamp)) {
       return ALL_HARD;
     }
     if (stamp - latest < STRAIN_STEPS) {
@@ -40,7 +40,7 @@ export function markHard(data: SolverData, count: number, stamp: number): number
       note(data, bodyB, mark);
     }
     rocking += rocks ? 1 : 0;
-    fresh += active && stamp - began < NEW_STEPS && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
+    fresh += stamp - began < NEW_STEPS && active && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
   if (
     fresh > NEW_SHARE * count ||

@@ -303,39 +303,43 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Ar
   records[at + d.NY] = n[o + g.NY]!;
   const mA = data.velocity[a + d.INV_MASS]!;
   const mB = data.velocity[b + d.INV_MASS]!;
-  records[at + d.SHARE] = mA > 0 && mB > 0 ? shareOfTwo(pair, mA < HEAVY * mB && mB < HEAVY * mA) : PUSH_SHARE_STATIC;
-  records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
-  records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
+  const { traits } = data;
+  const traitsA = traits[bodyA.slot]!;
+  const traitsB = traits[bodyB.slot]!;
+  // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
+  let share = PUSH_SHARE_STATIC;
+  if (mA > 0 && mB > 0) {
+    const mayHook = ((traitsA | traitsB) & d.COMPOUND) !== 0 || (traitsA & traitsB & d.LINKED) !== 0;
+    share = mayHook && mA < HEAVY * mB && mB < HEAVY * mA ? PUSH_SHARE_HOOKED : shareOfTwo(pair);
+  }
+  records[at + d.SHARE] = share;
+  records[at + d.SURFACE_T] = -0;
+  records[at + d.SURFACE_N] = -0;
   const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;
   drive[a + d.TOUCHED] = 1;
   drive[b + d.TOUCHED] = 1;
   drive[a + d.LOAD]! += load;
   drive[b + d.LOAD]! += load;
-  // What is carried or driven along, however slowly, is not to be brought to rest.
+  if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC || ((traitsA | traitsB) & d.RUBS) !== 0) {
+    packSurfaces(data, batch, index, pair);
+  }
+}
+
+/** Of bodies that are not dynamic, or whose surfaces move. What is carried or driven along, however slowly, is not to be brought to rest. */
+function packSurfaces({ drive }: SolverData, batch: ContactBatch, index: number, { bodyA, bodyB }: Arbiter): void {
+  const at = index * batch.stride;
+  batch.records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
+  batch.records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   if (bodyA.kind !== DYNAMIC && isMoving(bodyA)) {
-    drive[b + d.REST_RADIUS] = -1;
+    drive[bodyB.slot * d.BODY_STRIDE + d.REST_RADIUS] = -1;
   }
   if (bodyB.kind !== DYNAMIC && isMoving(bodyB)) {
-    drive[a + d.REST_RADIUS] = -1;
+    drive[bodyA.slot * d.BODY_STRIDE + d.REST_RADIUS] = -1;
   }
 }
 
-/** What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them. */
-function shareOfTwo({ bodyA, bodyB, shapeA, shapeB }: Arbiter, areAlike: boolean): number {
-  if (areAlike && (bodyA.shapes.length > 1 || bodyB.shapes.length > 1 || (isLinked(bodyA) && isLinked(bodyB)))) {
-    return PUSH_SHARE_HOOKED;
-  }
+function shareOfTwo({ shapeA, shapeB }: Arbiter): number {
   return shapeA.kind !== POLYGON && shapeB.kind !== POLYGON ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
-}
-
-/** Custom constraints hold whatever they like: they do not count. */
-function isLinked({ constraints }: RigidBody): boolean {
-  for (let i = 0; i < constraints.length; i += 1) {
-    if (constraints[i]!.enabled && constraints[i]!.type !== 'CUSTOM') {
-      return true;
-    }
-  }
-  return false;
 }
 
 function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {

@@ -52,12 +52,14 @@ function packBodies(world: World, h: number): void {
   const dynamics = world.liveDynamics;
   const kinematics = world.liveKinematics;
   data.resetBodies(1 + dynamics.length + kinematics.length);
+  data.unloads = false;
   let slot = 1;
   for (let i = 0; i < dynamics.length; i += 1) {
     const body = dynamics[i]!;
     linear.find(body.linearDrag, h);
     angular.find(body.angularDrag, h);
     packBody(data, body, slot);
+    data.unloads ||= body.unloaded === world.timeStamp;
     const at = slot * d.BODY_STRIDE;
     const invMass = data.velocity[at + d.INV_MASS]!;
     const invInertia = data.velocity[at + d.INV_INERTIA]!;
@@ -105,4 +107,18 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   motion[at + d.INV_INERTIA] = invInertia;
   data.drive[at + d.TOUCHED] = 0;
   data.drive[at + d.LOAD] = 0;
+  data.traits[slot] =
+    (body.constraints.length > 0 && isLinked(body) ? d.LINKED : 0) |
+    (body.shapes.length > 1 ? d.COMPOUND : 0) |
+    (body.surfaceX !== 0 || body.surfaceY !== 0 ? d.RUBS : 0);
+}
+
+/** Custom constraints hold whatever they like: they do not count. */
+function isLinked({ constraints }: RigidBody): boolean {
+  for (let i = 0; i < constraints.length; i += 1) {
+    if (constraints[i]!.enabled && constraints[i]!.type !== 'CUSTOM') {
+      return true;
+    }
+  }
+  return false;
 }

@@ -46,8 +46,11 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
     const surface = r[i + d.SURFACE_N]!;
     r[i + d.SEPARATION1] = s1;
     r[i + d.SEPARATION2] = s2;
-    r[i + d.BIAS1] = s1 > -TOUCH_DEPTH ? (s1 + TOUCH_DEPTH) * inverseH + surface : surface;
-    r[i + d.BIAS2] = s2 > -TOUCH_DEPTH ? (s2 + TOUCH_DEPTH) * inverseH + surface : surface;
+    // What is not positive is left out by absolute values: which it is is a matter of chance, see `solveVelocityOne`.
+    const gap1 = s1 + TOUCH_DEPTH;
+    const gap2 = s2 + TOUCH_DEPTH;
+    r[i + d.BIAS1] = 0.5 * (gap1 + Math.abs(gap1)) * inverseH + surface;
+    r[i + d.BIAS2] = 0.5 * (gap2 + Math.abs(gap2)) * inverseH + surface;
     const p1 = r[i + d.NORMAL1]!;
     const p2 = r[i + d.NORMAL2]!;
     const t = r[i + d.TANGENT]!;
