@@ -20,8 +20,10 @@ import * as d from './data.js';
 
 /** Writes the outcome of a contact of two points back to its pair. A point that was apart from the start and met nothing was not used. */
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
-  const { records: r, arbiters } = data.two;
+  const { records: r, bodies, arbiters } = data.two;
   const i = (index * d.TWO_STRIDE) & d.OFFSET;
+  const a = bodies[2 * index]!;
+  const b = bodies[2 * index + 1]!;
   const pair = arbiters[index]!;
   const { numbers: n } = pair;
   const o = pair.at & d.OFFSET;
@@ -47,14 +49,19 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
   n[o + c.TANGENT + c.IMPULSES] = (1 - part) * tangent + 0;
   n[o + c.STEP_NORMAL + c.IMPULSES] = total2;
   n[o + c.STEP_TANGENT + c.IMPULSES] = slid2;
-  const isUsed1 = total1 !== 0 || slid1 !== 0 || n[o + g.S0]! <= 0;
-  const isUsed2 = total2 !== 0 || slid2 !== 0 || n[o + g.S1]! <= 0;
-  noteUse(pair, (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0), isRocking(data, index), isStrainedTwo(data, index), stamp);
+  const isUsed1 = total1 !== 0 || slid1 !== 0 || !(n[o + g.S0]! > 0);
+  const isUsed2 = total2 !== 0 || slid2 !== 0 || !(n[o + g.S1]! > 0);
+  const isStrained =
+    p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
+    (areUnlike(data, a, b, STRAIN_UNLIKE) ||
+      p1 + p2 > STRAIN_PART * Math.min(data.drive[a + d.LOAD]!, data.drive[b + d.LOAD]!));
+  noteUse(pair, (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0), isStrained, stamp);
+  pair.rocks = isRocking(data, a, b, p1 + p2);
 }
 
 /** The same for a contact of one point; a second point that the solver did not see has no impulse. */
 export function storeOne(data: SolverData, index: number, stamp: number): void {
-  const { records: r, arbiters, point } = data.one;
+  const { records: r, bodies, arbiters, point } = data.one;
   const i = (index * d.ONE_STRIDE) & d.OFFSET;
   const pair = arbiters[index]!;
   const which = point[index]! & 1;
@@ -76,70 +83,38 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
   n[to + c.STEP_TANGENT] = slid;
   n[o + c.ROLL] = roll;
   n[o + c.STEP_ROLL] = r[i + d.ROLL_SUM]! + roll;
-  const isUsed = total !== 0 || slid !== 0 || n[o + g.S0 + g.POINT * which]! <= 0;
+  const isUsed = total !== 0 || slid !== 0 || !(n[o + g.S0 + g.POINT * which]! > 0);
   const others = pair.usedPoints & ~(1 << which);
-  noteUse(pair, others | (isUsed ? 1 << which : 0), false, isStrainedOne(data, index), stamp);
+  const isStrained =
+    p > STRAIN_SPEED * r[i + d.NORMAL_MASS]! &&
+    areUnlike(data, bodies[2 * index]!, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
+  noteUse(pair, others | (isUsed ? 1 << which : 0), isStrained, stamp);
+  pair.rocks = false;
 }
 
-/** Which points the solver used, and how hard the contact was to solve. */
-function noteUse(pair: Arbiter, used: number, rocks: boolean, isStrained: boolean, stamp: number): void {
+/** Which points the solver used, and since when the contact is hard to solve: since it bears far more than its bodies weigh, and they are unlike or it bears much of what either does. */
+function noteUse(pair: Arbiter, used: number, isStrained: boolean, stamp: number): void {
   const { usedPoints, strain } = pair;
   pair.usedPoints = used;
   pair.freshPoints = used & ~usedPoints;
-  pair.rocks = rocks;
-  if (isStrained) {
-    pair.strain = strain + 1;
-    if (strain + 1 >= STRAIN_DELAY) pair.strained = stamp;
-  } else if (strain > 0) {
-    pair.strain = 0;
-  }
+  pair.strain = isStrained ? strain + 1 : 0;
+  if (pair.strain >= STRAIN_DELAY) pair.strained = stamp;
 }
 
-/** Whether a contact bears far more than its bodies weigh, and they are unlike or it bears much of what either of them does. */
-function isStrainedTwo({ two, velocity: v, drive }: SolverData, index: number): boolean {
-  const { records: r, bodies } = two;
-  const i = (index * d.TWO_STRIDE) & d.OFFSET;
-  const p1 = r[i + d.NORMAL1]!;
-  const p2 = r[i + d.NORMAL2]!;
-  if (!(p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED)) {
-    return false;
-  }
-  const a = bodies[2 * index]!;
-  const b = bodies[2 * index + 1]!;
+function areUnlike({ velocity: v }: SolverData, a: number, b: number, share: number): boolean {
   const mA = v[a + d.INV_MASS]!;
   const mB = v[b + d.INV_MASS]!;
-  return (
-    Math.abs(mA - mB) > STRAIN_UNLIKE * (mA + mB) ||
-    p1 + p2 > STRAIN_PART * Math.min(drive[a + d.LOAD]!, drive[b + d.LOAD]!)
-  );
-}
-
-/** The same for one point, between unlike bodies. */
-function isStrainedOne({ one, velocity: v }: SolverData, index: number): boolean {
-  const { records: r, bodies } = one;
-  const i = (index * d.ONE_STRIDE) & d.OFFSET;
-  if (!(r[i + d.NORMAL1]! > STRAIN_SPEED * r[i + d.NORMAL_MASS]!)) {
-    return false;
-  }
-  const mA = v[bodies[2 * index]! + d.INV_MASS]!;
-  const mB = v[bodies[2 * index + 1]! + d.INV_MASS]!;
-  return Math.abs(mA - mB) > STRAIN_UNLIKE_ONE * (mA + mB);
+  return Math.abs(mA - mB) > share * (mA + mB);
 }
 
 /** Whether two edges turn against each other, slowly, and bear about half of all that either body does: as in a column that sways. */
-function isRocking({ two, velocity: v, drive }: SolverData, index: number): boolean {
-  const { records: r, bodies } = two;
-  const i = (index * d.TWO_STRIDE) & d.OFFSET;
-  const a = bodies[2 * index]!;
-  const b = bodies[2 * index + 1]!;
+function isRocking({ velocity: v, drive }: SolverData, a: number, b: number, load: number): boolean {
   const spin = Math.abs(v[b + d.W]! - v[a + d.W]!);
-  if (!(spin > ROCK_SPIN && spin < TUMBLE_SPIN)) {
-    return false;
-  }
-  const load = r[i + d.NORMAL1]! + r[i + d.NORMAL2]!;
   const loadA = drive[a + d.LOAD]!;
   const loadB = drive[b + d.LOAD]!;
   return (
+    spin > ROCK_SPIN &&
+    spin < TUMBLE_SPIN &&
     load > COLUMN_PART * Math.min(a === 0 ? Infinity : loadA, b === 0 ? Infinity : loadB) &&
     load < (1 - COLUMN_PART) * Math.max(a === 0 ? 0 : loadA, b === 0 ? 0 : loadB)
   );
