@@ -16,7 +16,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
-import type { ContactBatch, SolverData } from './data.js';
+import type { BounceList, ContactBatch, SolverData } from './data.js';
 import * as d from './data.js';
 import { canGiveWay } from './find-pairs.js';
 import { markHard, markOf } from './hard-contacts.js';
@@ -133,9 +133,8 @@ function packTwo(data: SolverData, index: number): void {
   const o = pair.at & d.OFFSET;
   const r = batch.records;
   const v = data.velocity;
-  packPair(data, batch, index, pair);
-  const a = batch.bodies[2 * index]! & d.OFFSET;
-  const b = batch.bodies[2 * index + 1]! & d.OFFSET;
+  const a = (pair.bodyA.slot * d.BODY_STRIDE) & d.OFFSET;
+  const b = (pair.bodyB.slot * d.BODY_STRIDE) & d.OFFSET;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
   const x1 = n[o + g.X0]!;
@@ -182,7 +181,6 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.I22] = k11 * inverse;
   r[at + d.START1] = together || s1 <= s2 ? s1 : d.NEVER;
   r[at + d.START2] = together || s2 < s1 ? s2 : d.NEVER;
-  packFriction(data, batch, index, pair);
 
   const scale = data.impulseScale;
   const tangent = (n[o + c.TANGENT]! + n[o + c.TANGENT + c.IMPULSES]!) * scale;
@@ -192,17 +190,7 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.NORMAL2] = p2 * scale;
   r[at + d.NORMAL_SUM1] = -p1 * scale;
   r[at + d.NORMAL_SUM2] = -p2 * scale;
-  addBounce(data, batch, index, 0);
-  addBounce(data, batch, index, d.SECOND);
-}
-
-function addBounce({ bounces }: SolverData, batch: ContactBatch, index: number, shift: number): void {
-  const { numbers, at } = batch.arbiters[index]!;
-  const elasticity = numbers[at + c.ELASTICITY]!;
-  if (elasticity > 0) {
-    const k = bounces.add(batch, index, shift);
-    bounces.elasticity[k] = elasticity;
-  }
+  packPair(data, batch, index, a, b);
 }
 
 /** The same for a contact of one point; of two points the deeper one. */
@@ -215,9 +203,8 @@ function packOne(data: SolverData, index: number): void {
   const v = data.velocity;
   const which = count === 2 && n[o + g.S1]! < n[o + g.S0]! ? 1 : 0;
   batch.point[index] = count === 2 ? which | d.ONE_OF_TWO : which;
-  packPair(data, batch, index, pair);
-  const a = batch.bodies[2 * index]! & d.OFFSET;
-  const b = batch.bodies[2 * index + 1]! & d.OFFSET;
+  const a = (pair.bodyA.slot * d.BODY_STRIDE) & d.OFFSET;
+  const b = (pair.bodyB.slot * d.BODY_STRIDE) & d.OFFSET;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
   const ax = n[o + g.X0 + g.POINT * which]!;
@@ -253,7 +240,6 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
   r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
   r[at + d.START1] = separation;
-  packFriction(data, batch, index, pair);
 
   const scale = data.impulseScale;
   r[at + d.NORMAL1] = n[o + c.NORMAL + c.IMPULSES * which]! * scale;
@@ -262,66 +248,64 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.NORMAL_SUM1] = -r[at + d.NORMAL1]!;
   r[at + d.TANGENT_SUM] = -r[at + d.TANGENT]!;
   r[at + d.ROLL_SUM] = -r[at + d.ROLL]!;
-  addBounce(data, batch, index, 0);
+  packPair(data, batch, index, a, b);
 }
 
-/** Effective mass along the tangent and coefficient of friction, for the arms of the record. */
-function packFriction({ velocity: v }: SolverData, batch: ContactBatch, index: number, pair: Arbiter): void {
-  const { records: r, bodies } = batch;
-  const at = (index * batch.stride) & d.OFFSET;
-  const a = bodies[2 * index]! & d.OFFSET;
-  const b = bodies[2 * index + 1]! & d.OFFSET;
-  const { numbers: n, at: o } = pair;
+/** What the points of a pair share, once their arms are in the record; `a` and `b` are the offsets of the bodies' records. */
+function packPair(data: SolverData, batch: ContactBatch, index: number, a: number, b: number): void {
+  const { records: r, bodies, arbiters, stride } = batch;
+  const { velocity: v, drive, traits } = data;
+  const at = (index * stride) & d.OFFSET;
+  const pair = arbiters[index]!;
+  const { bodyA, bodyB, numbers: n } = pair;
+  const o = pair.at & d.OFFSET;
+  bodies[2 * index] = a;
+  bodies[2 * index + 1] = b;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  r[at + d.NX] = nx;
+  r[at + d.NY] = ny;
+  const mA = v[a + d.INV_MASS]!;
+  const mB = v[b + d.INV_MASS]!;
   const rtA = r[at + d.RT_A]!;
   const rtB = r[at + d.RT_B]!;
-  const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;
-  const kt = mass + v[a + d.INV_INERTIA]! * rtA * rtA + v[b + d.INV_INERTIA]! * rtB * rtB;
+  const kt = mA + mB + v[a + d.INV_INERTIA]! * rtA * rtA + v[b + d.INV_INERTIA]! * rtB * rtB;
   r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
   const slide =
-    r[at + d.NX]! * (v[b + d.VY]! - v[a + d.VY]!) -
-    r[at + d.NY]! * (v[b + d.VX]! - v[a + d.VX]!) +
-    rtB * v[b + d.W]! -
-    rtA * v[a + d.W]!;
+    nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
   const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
   r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
-}
 
-/** What the points of a pair share. */
-function packPair(data: SolverData, batch: ContactBatch, index: number, pair: Arbiter): void {
-  const records = batch.records;
-  const at = index * batch.stride;
-  const bodyA = pair.bodyA;
-  const bodyB = pair.bodyB;
-  const a = bodyA.slot * d.BODY_STRIDE;
-  const b = bodyB.slot * d.BODY_STRIDE;
-  batch.bodies[2 * index] = a;
-  batch.bodies[2 * index + 1] = b;
-  const { drive } = data;
-  const { numbers: n } = pair;
-  const o = pair.at & d.OFFSET;
-  records[at + d.NX] = n[o + g.NX]!;
-  records[at + d.NY] = n[o + g.NY]!;
-  const mA = data.velocity[a + d.INV_MASS]!;
-  const mB = data.velocity[b + d.INV_MASS]!;
-  const { traits } = data;
-  const traitsA = traits[bodyA.slot]!;
-  const traitsB = traits[bodyB.slot]!;
-  // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
+  const both = traits[bodyA.slot]! & traits[bodyB.slot]!;
+  const either = traits[bodyA.slot]! | traits[bodyB.slot]!;
   let share = PUSH_SHARE_STATIC;
   if (mA > 0 && mB > 0) {
-    const mayHook = ((traitsA | traitsB) & d.COMPOUND) !== 0 || (traitsA & traitsB & d.LINKED) !== 0;
+    // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
+    const mayHook = (either & d.COMPOUND) !== 0 || (both & d.LINKED) !== 0;
     share = mayHook && mA < HEAVY * mB && mB < HEAVY * mA ? PUSH_SHARE_HOOKED : shareOfTwo(pair);
   }
-  records[at + d.SHARE] = share;
-  records[at + d.SURFACE_T] = -0;
-  records[at + d.SURFACE_N] = -0;
+  r[at + d.SHARE] = share;
+  r[at + d.SURFACE_T] = -0;
+  r[at + d.SURFACE_N] = -0;
   const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;
   drive[a + d.TOUCHED] = 1;
   drive[b + d.TOUCHED] = 1;
   drive[a + d.LOAD]! += load;
   drive[b + d.LOAD]! += load;
-  if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC || ((traitsA | traitsB) & d.RUBS) !== 0) {
+  if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC || (either & d.RUBS) !== 0) {
     packSurfaces(data, batch, index, pair);
+  }
+  if (n[o + c.ELASTICITY]! > 0) {
+    addBounces(data.bounces, batch, index);
+  }
+}
+
+function addBounces(list: BounceList, batch: ContactBatch, index: number): void {
+  const { numbers, at } = batch.arbiters[index]!;
+  const count = batch.stride === d.TWO_STRIDE ? 2 : 1;
+  for (let i = 0; i < count; i += 1) {
+    const k = list.add(batch, index, d.SECOND * i);
+    list.elasticity[k] = numbers[at + c.ELASTICITY]!;
   }
 }
 
