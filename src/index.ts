@@ -10,7 +10,7 @@ export type { BodyType, RigidBodyParams } from './body-params.js';
 export type { BoxTreeExternalNode, BoxTreeRayResult } from './broadphase/box-tree.js';
 export { BoxTree, BoxTreeNode } from './broadphase/box-tree.js';
 export { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
-export type { Broadphase, BroadphaseHandle } from './broadphase/broadphase.js';
+export type { Broadphase, BroadphaseFilter, BroadphaseHandle } from './broadphase/broadphase.js';
 export { SweepAndPrune } from './broadphase/sweep-and-prune.js';
 export { CollisionUtils } from './collide/utils.js';
 export type { AngleConstraintParams } from './constraint/angle.js';

@@ -112,6 +112,8 @@ export abstract class WorldState {
   jointsTouched = false;
   /** @internal grows with each body, shape and constraint added */
   nextOrder = 0;
+  /** @internal grows where pairs that were kept apart may interact now: a filter changed, or which joints keep their bodies from interacting */
+  filters = 1;
   /** @internal */
   readonly pairs = new Pairs();
   /** @internal */

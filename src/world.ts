@@ -435,7 +435,7 @@ export class World extends WorldState {
     shape.order = this.nextOrder;
     shape.entered = this.stamp;
     this.nextOrder += 1;
-    shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep, shape.owner!);
+    shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep, shape.owner!, shape);
   }
 
   /** @internal a shape is about to be detached from a body of this world */

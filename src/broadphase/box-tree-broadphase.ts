@@ -1,7 +1,15 @@
 import { grown, widened } from '../math/doubles.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
-import { type Broadphase, type BroadphaseHandle, checkRect } from './broadphase.js';
+import {
+  type Broadphase,
+  type BroadphaseFilter,
+  type BroadphaseHandle,
+  checkFilter,
+  checkRect,
+  letsMeet,
+  UNFILTERED,
+} from './broadphase.js';
 import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC } from './layout.js';
 import { PackedTree } from './packed-tree.js';
 
@@ -23,6 +31,7 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
     /** By which the broadphase has what it knows of it. */
     readonly number: number,
     readonly group: unknown,
+    readonly filter: BroadphaseFilter,
   ) {}
 }
 
@@ -62,10 +71,17 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private readonly samples: number[][] = [];
   private depth = 0;
 
-  insert(data: T, bounds: RectLike, isStatic: boolean, group: unknown = {}): BroadphaseHandle<T> {
+  insert(
+    data: T,
+    bounds: RectLike,
+    isStatic: boolean,
+    group: unknown = {},
+    filter: BroadphaseFilter = UNFILTERED,
+  ): BroadphaseHandle<T> {
     checkRect('BoxTreeBroadphase.insert', bounds);
     boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
-    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group);
+    checkFilter('BoxTreeBroadphase.insert', filter);
+    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group, filter);
     this.setBox(handle.number, bounds);
     this.enter(handle, bounds);
     return handle;
@@ -98,6 +114,10 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       this.noteMoved(number);
     }
     this.setBox(number, bounds);
+  }
+
+  refilter(handle: BroadphaseHandle<T>): void {
+    this.noteMoved(this.owned('BoxTreeBroadphase.refilter', handle).number);
   }
 
   /**
@@ -309,23 +329,26 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       }
     }
     states[handle * STATE + MARK] = this.search;
-    const { group } = tree.items[leaf]!;
+    const own = tree.items[leaf]!;
     tree.boxOf(leaf, this.box);
-    this.addPairs(handle, group, moving);
+    this.addPairs(own, moving);
     if (!isStatic) {
-      this.addPairs(handle, group, still);
+      this.addPairs(own, still);
     }
   }
 
-  /** Adds the pairs of a handle with the leaves that overlap `box`, unless they are marked, or of its group. */
-  private addPairs(handle: number, group: unknown, tree: PackedTree<TreeHandle<T>>): void {
+  /** Adds the pairs of a handle with the leaves that overlap `box`, unless they are marked, of its group, or kept apart by their filters. */
+  private addPairs({ number, group, filter }: TreeHandle<T>, tree: PackedTree<TreeHandle<T>>): void {
     const { met, states, search, box } = this;
     const count = tree.query(box, met, 0);
     for (let i = 0; i < count; i += 1) {
       const leaf = met[i]!;
       const other = tree.right[leaf]!;
-      if (states[other * STATE + MARK] !== search && tree.items[leaf]!.group !== group) {
-        this.addPair(handle, other);
+      if (states[other * STATE + MARK] !== search) {
+        const item = tree.items[leaf]!;
+        if (item.group !== group && letsMeet(item.filter, filter)) {
+          this.addPair(number, other);
+        }
       }
     }
   }

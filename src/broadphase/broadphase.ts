@@ -9,6 +9,22 @@ export interface BroadphaseHandle<T = unknown> {
   readonly isStatic: boolean;
 }
 
+/** Which things make pairs: those of which each one's `group` has a bit in common with the other one's `mask`. */
+export interface BroadphaseFilter {
+  /** Bits that say what it is. */
+  readonly group: number;
+  /** Bits of the groups that it meets. */
+  readonly mask: number;
+}
+
+/** Whether two filters let things make a pair. */
+export function letsMeet(a: BroadphaseFilter, b: BroadphaseFilter): boolean {
+  return (a.group & b.mask) !== 0 && (b.group & a.mask) !== 0;
+}
+
+/** Of things without a filter. */
+export const UNFILTERED: BroadphaseFilter = { group: -1, mask: -1 };
+
 /**
  * Finds things whose bounds overlap; knows nothing of shapes. Usable on its own, with any data; the same data may be
  * inserted many times. Bounds are `[minX, minY, maxX, maxY]`, copied, may be infinite; bounds that touch overlap. Any object
@@ -18,10 +34,11 @@ export interface BroadphaseHandle<T = unknown> {
  */
 export interface Broadphase<T = unknown> {
   /**
-   * Adds a thing. Things of the same `group`, whatever that is, never make a pair: the world gives shapes their body as theirs.
-   * @throws TypeError or RangeError unless `bounds` is a rectangle.
+   * Adds a thing. Things of the same `group`, whatever that is, never make a pair: the world gives shapes their body as theirs. What the filters of two
+   * keep apart need make no pair either: the world gives shapes themselves as theirs. A filter may change, which `refilter` tells.
+   * @throws TypeError or RangeError unless `bounds` is a rectangle, and `filter` has its numbers.
    */
-  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown): BroadphaseHandle<T>;
+  insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown, filter?: BroadphaseFilter): BroadphaseHandle<T>;
 
   /** Gives a handle new bounds, and another kind if `isStatic` is given. */
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void;
@@ -50,6 +67,9 @@ export interface Broadphase<T = unknown> {
     thisObject?: unknown,
   ): void;
 
+  /** Needed if pairs are left out for their filters: that of a handle has changed. */
+  refilter?(handle: BroadphaseHandle<T>): void;
+
   /** Not needed, but makes continuous collision fast: as `sample`, static handles only. Called by the engine; checks nothing. */
   sampleStatic?(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void;
 
@@ -58,6 +78,14 @@ export interface Broadphase<T = unknown> {
    * as early as is cheap. `visit` returns up to where the ray matters from then on. Called by the engine; checks nothing.
    */
   castRay?(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
+}
+
+/** Refuses what has not both numbers. */
+export function checkFilter(where: string, filter: BroadphaseFilter): void {
+  const { group, mask } = (filter ?? {}) as Partial<BroadphaseFilter>;
+  if (typeof group !== 'number' || typeof mask !== 'number') {
+    throw typeError(where, 'filter', 'an object with the numbers group and mask', filter);
+  }
 }
 
 /** Refuses what is not four numbers that are a rectangle. */

@@ -150,7 +150,7 @@ export abstract class BaseShape {
 
   /** Sets the bits that say what this shape is. Wakes the body; if that is static, what rests on it. */
   setGroup(group: number): void {
-    this.group = bits('Shape.setGroup', 'group', group) | 0;
+    this.setFilter(bits('Shape.setGroup', 'group', group) | 0, this.mask);
     this.owner?.rouse();
   }
 
@@ -161,8 +161,19 @@ export abstract class BaseShape {
 
   /** Sets the bits of the groups that this shape meets. Wakes as `setGroup` does. */
   setMask(mask: number): void {
-    this.mask = bits('Shape.setMask', 'mask', mask) | 0;
+    this.setFilter(this.group, bits('Shape.setMask', 'mask', mask) | 0);
     this.owner?.rouse();
+  }
+
+  /** @internal pairs that were left out may interact now */
+  setFilter(group: number, mask: number): void {
+    const world = this.owner?.owner ?? null;
+    if (world !== null && this.handle !== null && (group !== this.group || mask !== this.mask)) {
+      world.filters += 1;
+      world.broadphase.refilter?.(this.handle);
+    }
+    this.group = group;
+    this.mask = mask;
   }
 
   /** What it is made of. */

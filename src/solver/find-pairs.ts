@@ -19,30 +19,49 @@ import { areKeptApart } from './ties.js';
 
 /** Filters, and what makes an interaction possible at all. */
 export function mayInteract(a: Shape, b: Shape): boolean {
+  return !areApart(a, b) && canInteract(a, b);
+}
+
+/** Filters or joints keep two shapes from interacting: until either change, which `World.filters` counts. */
+function areApart(a: Shape, b: Shape): boolean {
+  const bodyA = a.owner!;
+  const bodyB = b.owner!;
+  return (
+    (a.group & b.mask) === 0 ||
+    (b.group & a.mask) === 0 ||
+    (bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB))
+  );
+}
+
+/** Of two bodies that are not of one kind that never does, or asleep both. */
+function canInteract(a: Shape, b: Shape): boolean {
   const bodyA = a.owner!;
   const bodyB = b.owner!;
   return (
     bodyA !== bodyB &&
-    (a.group & b.mask) !== 0 &&
-    (b.group & a.mask) !== 0 &&
     (bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC || a.sensor || b.sensor) &&
-    !(bodyA.asleep && bodyB.asleep) &&
-    !(bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB))
+    !(bodyA.asleep && bodyB.asleep)
   );
 }
 
-/** Called by the broadphase with `this` = the world. @returns the number of the pair, if there is one: what `reportAgain` is asked in the next step. */
+/**
+ * Called by the broadphase with `this` = the world. @returns what `reportAgain` is asked in the next step: the number of the pair, if there is one, or minus
+ * what `filters` is where they keep the shapes apart.
+ */
 function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): number {
   const a = first.data as Shape;
   const b = second.data as Shape;
-  if (!mayInteract(a, b)) {
+  if (areApart(a, b)) {
+    return -this.filters;
+  }
+  if (!canInteract(a, b)) {
     return 0;
   }
   return a.id < b.id ? this.pairs.report(a, b, this.timeStamp) : this.pairs.report(b, a, this.timeStamp);
 }
 
-function reportAgain(this: World, pair: number): boolean {
-  return this.pairs.reportAgain(pair, this.timeStamp);
+function reportAgain(this: World, note: number): boolean {
+  return note < 0 ? -note === this.filters : this.pairs.reportAgain(note, this.timeStamp);
 }
 
 /**

@@ -100,6 +100,7 @@ export function breakOff(world: World, constraint: Constraint): void {
 /** Bodies count the constraints that keep them from interacting with others: most have none, and need not be asked for more. */
 export function countIgnoring(constraint: Constraint, change: number): void {
   if (constraint.enabled && constraint.ignoreInteractions) {
+    constraint.owner!.filters += 1;
     for (const body of distinct(constraint)) {
       body.ignoring += change;
     }

@@ -130,8 +130,7 @@ export function keepShape(tape: Tape, shape: Shape): boolean {
   const y = n[5]!;
   tape.require(stamp >= 1 && stamp <= MOST && radius > 0 && Math.max(radius, Math.abs(x), Math.abs(y)) <= MAX_SIZE);
   if (tape.takes) {
-    shape.group = n[0]! | 0;
-    shape.mask = n[1]! | 0;
+    shape.setFilter(n[0]! | 0, n[1]! | 0);
     shape.entered = n[2]! | 0;
   }
   if (polygon !== null) {

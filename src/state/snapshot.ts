@@ -270,7 +270,7 @@ function place(world: World, { bodies, inside }: Scene): void {
     for (const shape of body.shapes) {
       if (shape.handle === null) {
         body.place();
-        shape.handle = world.broadphase.insert(shape, widened(shape), body.asleep, body);
+        shape.handle = world.broadphase.insert(shape, widened(shape), body.asleep, body, shape);
       }
       body.placeStale ||= shape.handle.isStatic !== body.asleep;
     }
