@@ -31,6 +31,7 @@ export function prepare(world: World, h: number): void {
   const data = world.solver;
   if (world.liveDynamics.length + world.liveKinematics.length + world.liveConstraints.length > 0) {
     packBodies(world, h);
+    packTraits(world);
     const growth = h / (data.previousH || h);
     data.impulseScale = growth > MAX_GROWTH ? 0 : growth;
     data.previousH = h;
@@ -52,14 +53,12 @@ function packBodies(world: World, h: number): void {
   const dynamics = world.liveDynamics;
   const kinematics = world.liveKinematics;
   data.resetBodies(1 + dynamics.length + kinematics.length);
-  data.unloads = false;
   let slot = 1;
   for (let i = 0; i < dynamics.length; i += 1) {
     const body = dynamics[i]!;
     linear.find(body.linearDrag, h);
     angular.find(body.angularDrag, h);
     packBody(data, body, slot);
-    data.unloads ||= body.unloaded === world.timeStamp;
     const at = slot * d.BODY_STRIDE;
     const invMass = data.velocity[at + d.INV_MASS]!;
     const invInertia = data.velocity[at + d.INV_INERTIA]!;
@@ -107,10 +106,19 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   motion[at + d.INV_INERTIA] = invInertia;
   data.drive[at + d.TOUCHED] = 0;
   data.drive[at + d.LOAD] = 0;
-  data.traits[slot] =
-    (body.constraints.length > 0 && isLinked(body) ? d.LINKED : 0) |
-    (body.shapes.length > 1 ? d.COMPOUND : 0) |
-    (body.surfaceX !== 0 || body.surfaceY !== 0 ? d.RUBS : 0);
+}
+
+/** What contacts ask of dynamic bodies. A pass of its own: with it the one over all else would be too long to be compiled as a whole, and box numbers. */
+function packTraits({ solver, liveDynamics, timeStamp }: World): void {
+  solver.unloads = false;
+  for (let i = 0; i < liveDynamics.length; i += 1) {
+    const body = liveDynamics[i]!;
+    solver.unloads ||= body.unloaded === timeStamp;
+    solver.traits[1 + i] =
+      (body.constraints.length > 0 && isLinked(body) ? d.LINKED : 0) |
+      (body.shapes.length > 1 ? d.COMPOUND : 0) |
+      (body.surfaceX !== 0 || body.surfaceY !== 0 ? d.RUBS : 0);
+  }
 }
 
 /** Custom constraints hold whatever they like: they do not count. */
