@@ -165,10 +165,10 @@ export abstract class BaseShape {
     this.owner?.rouse();
   }
 
-  /** @internal pairs that were left out may interact now */
+  /** @internal sets both, of 32 bits with a sign; in a world pairs that were left out for them may interact now */
   setFilter(group: number, mask: number): void {
-    const world = this.owner?.owner ?? null;
-    if (world !== null && this.handle !== null && (group !== this.group || mask !== this.mask)) {
+    if (this.handle !== null && (group !== this.group || mask !== this.mask)) {
+      const world = this.owner!.owner!;
       world.filters += 1;
       world.broadphase.refilter?.(this.handle);
     }

@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { type BroadphaseHandle, letsMeet } from '../broadphase/broadphase.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { noteApproach } from '../contact/hit.js';
@@ -26,11 +26,7 @@ export function mayInteract(a: Shape, b: Shape): boolean {
 function areApart(a: Shape, b: Shape): boolean {
   const bodyA = a.owner!;
   const bodyB = b.owner!;
-  return (
-    (a.group & b.mask) === 0 ||
-    (b.group & a.mask) === 0 ||
-    (bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB))
-  );
+  return !letsMeet(a, b) || (bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB));
 }
 
 /** Of two bodies that are not of one kind that never does, or asleep both. */

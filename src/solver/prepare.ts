@@ -114,7 +114,7 @@ function packTraits({ solver, liveDynamics, timeStamp }: World): void {
   for (let i = 0; i < liveDynamics.length; i += 1) {
     const body = liveDynamics[i]!;
     solver.unloads ||= body.unloaded === timeStamp;
-    solver.traits[1 + i] =
+    solver.traits[body.slot] =
       (body.constraints.length > 0 && isLinked(body) ? d.LINKED : 0) |
       (body.shapes.length > 1 ? d.COMPOUND : 0) |
       (body.surfaceX !== 0 || body.surfaceY !== 0 ? d.RUBS : 0);
