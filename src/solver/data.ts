@@ -99,7 +99,11 @@ export const ROLL_SUM = 22;
 /** One-point records only: as RT, of what turns with the body; of a circle that is its centre, as its surface stays where it is when it turns. */
 export const PIVOT_A = 23;
 export const PIVOT_B = 24;
-export const ONE_STRIDE = 26;
+/** One-point records only: how much less the normal impulse is for each unit of friction and of rolling that is given before it, and rolling for friction. */
+export const NORMAL_OF_TANGENT = 25;
+export const NORMAL_OF_ROLL = 26;
+export const ROLL_OF_TANGENT = 27;
+export const ONE_STRIDE = 28;
 /** A bit of `ContactBatch.point`. */
 export const ONE_OF_TWO = 2;
 

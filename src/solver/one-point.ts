@@ -92,8 +92,8 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     const vay = v[a + d.VY]!;
     const vbx = v[b + d.VX]!;
     const vby = v[b + d.VY]!;
-    let wA = v[a + d.W]!;
-    let wB = v[b + d.W]!;
+    const wA = v[a + d.W]!;
+    const wB = v[b + d.W]!;
     const dvx = vbx - vax;
     const dvy = vby - vay;
     const p = r[i + d.NORMAL1]!;
@@ -101,34 +101,32 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     const roll = r[i + d.ROLL]!;
     const rnA = r[i + d.RN_A1]!;
     const rnB = r[i + d.RN_B1]!;
-    if (p === 0 && t === 0 && roll === 0 && nx * dvx + ny * dvy + rnB * wB - rnA * wA + r[i + d.BIAS1]! >= 0) {
+    const vn = nx * dvx + ny * dvy + (rnB * wB - rnA * wA + r[i + d.BIAS1]!);
+    if (p === 0 && t === 0 && roll === 0 && vn >= 0) {
       continue;
     }
 
     const rtA = r[i + d.RT_A]!;
     const rtB = r[i + d.RT_B]!;
     const limit = r[i + d.FRICTION]! * p;
-    const slide = nx * dvy - ny * dvx + r[i + d.SURFACE_T]! + rtB * wB - rtA * wA;
+    const slide = nx * dvy - ny * dvx + (rtB * wB - rtA * wA + r[i + d.SURFACE_T]!);
     let nextT = t - slide * r[i + d.TANGENT_MASS]!;
     if (Math.abs(nextT) > limit) {
       nextT = 0.5 * (Math.abs(nextT + limit) - Math.abs(nextT - limit));
     }
     const dt = nextT - t;
     r[i + d.TANGENT] = nextT;
-    wA -= iA * rtA * dt;
-    wB += iB * rtB * dt;
 
     const rollLimit = r[i + d.ROLL_FRICTION]! * p;
-    let nextRoll = roll - (wB - wA) * r[i + d.ROLL_MASS]!;
+    let nextRoll = roll - (wB - wA) * r[i + d.ROLL_MASS]! - r[i + d.ROLL_OF_TANGENT]! * dt;
     if (Math.abs(nextRoll) > rollLimit) {
       nextRoll = 0.5 * (Math.abs(nextRoll + rollLimit) - Math.abs(nextRoll - rollLimit));
     }
+    const dr = nextRoll - roll;
     r[i + d.ROLL] = nextRoll;
-    wA -= iA * (nextRoll - roll);
-    wB += iB * (nextRoll - roll);
 
-    const vn = nx * dvx + ny * dvy + rnB * wB - rnA * wA;
-    const wanted = p - (vn + r[i + d.BIAS1]!) * r[i + d.NORMAL_MASS]!;
+    const wanted =
+      p - vn * r[i + d.NORMAL_MASS]! - r[i + d.NORMAL_OF_TANGENT]! * dt - r[i + d.NORMAL_OF_ROLL]! * dr;
     const nextP = 0.5 * (wanted + Math.abs(wanted));
     const dp = nextP - p;
     r[i + d.NORMAL1] = nextP;
@@ -136,15 +134,15 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
       changed ||
       Math.abs(dp) > tolerance * r[i + d.NORMAL_MASS]! ||
       Math.abs(dt) > tolerance * r[i + d.TANGENT_MASS]! ||
-      Math.abs(nextRoll - roll) > tolerance * r[i + d.ROLL_MASS]!;
+      Math.abs(dr) > tolerance * r[i + d.ROLL_MASS]!;
     const jx = nx * dp - ny * dt;
     const jy = ny * dp + nx * dt;
     v[a + d.VX] = vax - mA * jx;
     v[a + d.VY] = vay - mA * jy;
-    v[a + d.W] = wA - iA * rnA * dp;
+    v[a + d.W] = wA - iA * (rtA * dt + dr + rnA * dp);
     v[b + d.VX] = vbx + mB * jx;
     v[b + d.VY] = vby + mB * jy;
-    v[b + d.W] = wB + iB * rnB * dp;
+    v[b + d.W] = wB + iB * (rtB * dt + dr + rnB * dp);
   }
   return changed;
 }

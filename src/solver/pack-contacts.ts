@@ -236,8 +236,13 @@ function packOne(data: SolverData, index: number): void {
   const iB = v[b + d.INV_INERTIA]!;
   const kn = mass + iA * rnA * rnA + iB * rnB * rnB;
   const rolls = count === 1 && iA + iB > MIN_INVERSE_MASS;
-  r[at + d.NORMAL_MASS] = kn > MIN_INVERSE_MASS ? 1 / kn : 0;
-  r[at + d.ROLL_MASS] = rolls ? 1 / (iA + iB) : 0;
+  const normalMass = kn > MIN_INVERSE_MASS ? 1 / kn : 0;
+  const rollMass = rolls ? 1 / (iA + iB) : 0;
+  r[at + d.NORMAL_MASS] = normalMass;
+  r[at + d.ROLL_MASS] = rollMass;
+  r[at + d.NORMAL_OF_TANGENT] = normalMass * (iA * rnA * rtA + iB * rnB * rtB);
+  r[at + d.NORMAL_OF_ROLL] = normalMass * (iA * rnA + iB * rnB);
+  r[at + d.ROLL_OF_TANGENT] = rollMass * (iA * rtA + iB * rtB);
   r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
   r[at + d.START1] = separation;
 
