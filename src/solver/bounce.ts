@@ -21,17 +21,14 @@ const BOUNCED = 1;
 const LOADED = 2;
 
 /** The speed at which the surfaces of a point part. */
-function normalVelocity({ bounces: list, velocity: v }: SolverData, k: number): number {
-  const { records: r, stride } = list.batches[k]!;
-  const record = list.index[k]! * stride;
-  const i = record + list.shift[k]!;
-  const a = list.bodies[2 * k]!;
-  const b = list.bodies[2 * k + 1]!;
+function normalVelocity({ bounces: { bodies, arms }, velocity: v }: SolverData, k: number): number {
+  const a = bodies[2 * k]! & d.OFFSET;
+  const b = bodies[2 * k + 1]! & d.OFFSET;
   return (
-    r[record + d.NX]! * (v[b + d.VX]! - v[a + d.VX]!) +
-    r[record + d.NY]! * (v[b + d.VY]! - v[a + d.VY]!) +
-    r[i + d.RN_B1]! * v[b + d.W]! -
-    r[i + d.RN_A1]! * v[a + d.W]!
+    arms[4 * k]! * (v[b + d.VX]! - v[a + d.VX]!) +
+    arms[4 * k + 1]! * (v[b + d.VY]! - v[a + d.VY]!) +
+    arms[4 * k + 3]! * v[b + d.W]! -
+    arms[4 * k + 2]! * v[a + d.W]!
   );
 }
 
@@ -110,48 +107,51 @@ export function planBounces(data: SolverData, h: number): void {
  */
 function planRound(data: SolverData, h: number, round: number): number {
   const { bounces: list, velocity: v } = data;
-  const { bodies, bouncing, shift } = list;
-  let planned = 0;
+  const { bodies, bouncing, bias, hit, elasticity, shift } = list;
+  let count = 0;
   for (let k = 0; k < list.count; k += 1) {
-    if (round === 0 || v[bodies[2 * k]! + d.MARK] === -round || v[bodies[2 * k + 1]! + d.MARK] === -round) {
+    if (round > 0 && v[bodies[2 * k]! + d.MARK] !== -round && v[bodies[2 * k + 1]! + d.MARK] !== -round) {
+      continue;
+    }
+    // What makes energy makes it once in a sub-step.
+    const share = round === 0 ? elasticity[k]! : Math.min(elasticity[k]!, 1);
+    const comes = normalVelocity(data, k);
+    const leaves = share * comes;
+    bias[k] = leaves > BOUNCE_THRESHOLD ? leaves : 0;
+    hit[k] = hit[k]! & BOUNCED;
+    if (leaves < -BOUNCE_THRESHOLD) {
+      plan.elasticity = share;
+      plan.comes = comes;
       planBounce(data, k, h, round);
-      if (shift[k] === 0) {
-        bouncing[planned] = k;
-        planned += 1;
+      const first = shift[k] === 0 ? k : k - 1;
+      if (bouncesNow(list, k) && (count === 0 || bouncing[count - 1] !== first)) {
+        bouncing[count] = first;
+        count += 1;
       }
     }
   }
-  let count = 0;
-  for (let n = 0; n < planned; n += 1) {
+  for (let n = 0; n < count; n += 1) {
     const k = bouncing[n]!;
-    if (setBiases(data, k)) {
-      bouncing[count] = k;
-      count += 1;
-      v[bodies[2 * k]! + d.MARK] = -1 - round;
-      v[bodies[2 * k + 1]! + d.MARK] = -1 - round;
-    }
+    setBiases(data, k);
+    v[bodies[2 * k]! + d.MARK] = -1 - round;
+    v[bodies[2 * k + 1]! + d.MARK] = -1 - round;
   }
   // What stands for all that cannot move.
   v[d.MARK] = 0;
   return count;
 }
 
-/** Of a contact, given by its first point: its points that do not bounce stay out of the round. @returns whether any does. */
-function setBiases({ bounces: list }: SolverData, first: number): boolean {
+/** Of a contact that bounces, given by its first point: its points that do not stay out of the round. */
+function setBiases({ bounces: list }: SolverData, first: number): void {
   const { records: r, stride } = list.batches[first]!;
   const record = list.index[first]! * stride;
   const after = first + (stride === d.TWO_STRIDE ? 2 : 1);
-  let found = false;
   for (let k = first; k < after; k += 1) {
-    found ||= bouncesNow(list, k);
-  }
-  for (let k = first; k < after && found; k += 1) {
     const bounces = bouncesNow(list, k);
     r[record + list.shift[k]! + d.BIAS1] = bounces ? list.bias[k]! + r[record + d.SURFACE_N]! : d.OFF;
     list.bias[k] = 0;
     if (bounces) list.hit[k] = BOUNCED;
   }
-  return found;
 }
 
 function bouncesNow({ bias, hit }: BounceList, k: number): boolean {
@@ -210,33 +210,27 @@ function dropAll(list: BounceList, count: number): void {
   }
 }
 
+/** Of a point that comes fast enough, see `plan`. */
 function planBounce(data: SolverData, k: number, h: number, round: number): void {
   const { bounces: list } = data;
-  // What makes energy makes it once in a sub-step.
-  const elasticity = round === 0 ? list.elasticity[k]! : Math.min(list.elasticity[k]!, 1);
-  const comes = normalVelocity(data, k);
-  list.bias[k] = elasticity * comes > BOUNCE_THRESHOLD ? elasticity * comes : 0;
-  list.hit[k] = list.hit[k]! & BOUNCED;
-  if (elasticity * comes < -BOUNCE_THRESHOLD) {
-    findSeparation(data, k);
-    plan.elasticity = elasticity;
-    plan.comes = comes;
-    plan.gain = gainOf(data, k);
-    const { records: r, stride } = list.batches[k]!;
-    const record = list.index[k]! * stride;
-    const i = record + list.shift[k]!;
-    const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
-    const isLoaded =
-      stride === d.ONE_STRIDE ? -comes * r[record + d.NORMAL_MASS]! <= load : -comes <= load * r[i + d.K11]!;
-    if (plan.separation > TOUCH_DEPTH) {
-      list.bias[k] = d.OFF;
-    } else if (!isLoaded) {
-      planSpeed(list, k, h);
-    } else if (round === 0) {
-      planSpeed(list, k, h);
-      list.bias[k] = list.bias[k]! - plan.gain;
-      list.hit[k] = LOADED;
-    }
+  findSeparation(data, k);
+  plan.gain = gainOf(data, k);
+  const { records: r, stride } = list.batches[k]!;
+  const record = list.index[k]! * stride;
+  const i = record + list.shift[k]!;
+  const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
+  const isLoaded =
+    stride === d.ONE_STRIDE
+      ? -plan.comes * r[record + d.NORMAL_MASS]! <= load
+      : -plan.comes <= load * r[i + d.K11]!;
+  if (plan.separation > TOUCH_DEPTH) {
+    list.bias[k] = d.OFF;
+  } else if (!isLoaded) {
+    planSpeed(list, k, h);
+  } else if (round === 0) {
+    planSpeed(list, k, h);
+    list.bias[k] = list.bias[k]! - plan.gain;
+    list.hit[k] = LOADED;
   }
 }
 

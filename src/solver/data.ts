@@ -195,6 +195,8 @@ export class BounceList {
   shift = new Int32Array(16);
   /** Offsets of the records of the two bodies of each. */
   bodies = new Int32Array(32);
+  /** Its NX, NY, RN_A1 and RN_B1 once more, four numbers each: all of them are looked at twice in a sub-step, and most do not bounce. */
+  arms = new Float64Array(64);
   bias = new Float64Array(16);
   /** Which bounced in the sub-step, see `bounce.ts`. */
   hit = new Uint8Array(16);
@@ -214,6 +216,12 @@ export class BounceList {
     this.shift[i] = shift;
     this.bodies[2 * i] = batch.bodies[2 * index]!;
     this.bodies[2 * i + 1] = batch.bodies[2 * index + 1]!;
+    const { records, stride } = batch;
+    const record = index * stride;
+    this.arms[4 * i] = records[record + NX]!;
+    this.arms[4 * i + 1] = records[record + NY]!;
+    this.arms[4 * i + 2] = records[record + shift + RN_A1]!;
+    this.arms[4 * i + 3] = records[record + shift + RN_B1]!;
     this.bias[i] = 0;
     this.count = i + 1;
     return i;
@@ -224,6 +232,7 @@ export class BounceList {
     this.index = widened(this.index, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
     this.bodies = widened(this.bodies, new Int32Array(2 * size));
+    this.arms = widened(this.arms, new Float64Array(4 * size));
     this.bias = widened(this.bias, new Float64Array(size));
     this.bouncing = new Int32Array(size);
     this.hit = new Uint8Array(size);
