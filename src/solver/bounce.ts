@@ -220,9 +220,7 @@ function planBounce(data: SolverData, k: number, h: number, round: number): void
   const i = record + list.shift[k]!;
   const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
   const isLoaded =
-    stride === d.ONE_STRIDE
-      ? -plan.comes * r[record + d.NORMAL_MASS]! <= load
-      : -plan.comes <= load * r[i + d.K11]!;
+    stride === d.ONE_STRIDE ? -plan.comes * r[record + d.NORMAL_MASS]! <= load : -plan.comes <= load * r[i + d.K11]!;
   if (plan.separation > TOUCH_DEPTH) {
     list.bias[k] = d.OFF;
   } else if (!isLoaded) {

@@ -99,7 +99,7 @@ export const ROLL_SUM = 22;
 /** One-point records only: as RT, of what turns with the body; of a circle that is its centre, as its surface stays where it is when it turns. */
 export const PIVOT_A = 23;
 export const PIVOT_B = 24;
-/** One-point records only: how much less the normal impulse is for each unit of friction and of rolling that is given before it, and rolling for friction. */
+/** One-point records only: by how much friction and rolling, for each unit that they change, lessen the normal impulse that is found after them, and friction the rolling. */
 export const NORMAL_OF_TANGENT = 25;
 export const NORMAL_OF_ROLL = 26;
 export const ROLL_OF_TANGENT = 27;

@@ -68,6 +68,9 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
  * One sweep over the contacts from one index to another: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal. What
  * bears nothing, and whose surfaces do not come together, is passed by.
  *
+ * Each of the three acts on what those before have made of the velocities; by how much is known beforehand (`NORMAL_OF_TANGENT` and its like), so that none has
+ * to wait for new velocities: a sixth of the time. Of two points nothing would be gained, whose sweeps do not wait but have more to do.
+ *
  * Where it is a matter of chance which bound holds, as for circles that roll or not, it is told by absolute values, x⁺ = (x + |x|) / 2: what a
  * processor guesses wrong at a branch is worth a tenth of a step.
  *
@@ -125,8 +128,7 @@ export function solveVelocityOne(data: SolverData, from: number, to: number, h: 
     const dr = nextRoll - roll;
     r[i + d.ROLL] = nextRoll;
 
-    const wanted =
-      p - vn * r[i + d.NORMAL_MASS]! - r[i + d.NORMAL_OF_TANGENT]! * dt - r[i + d.NORMAL_OF_ROLL]! * dr;
+    const wanted = p - vn * r[i + d.NORMAL_MASS]! - r[i + d.NORMAL_OF_TANGENT]! * dt - r[i + d.NORMAL_OF_ROLL]! * dr;
     const nextP = 0.5 * (wanted + Math.abs(wanted));
     const dp = nextP - p;
     r[i + d.NORMAL1] = nextP;
