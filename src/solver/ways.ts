@@ -1,8 +1,20 @@
 import { BOX } from '../broadphase/layout.js';
-import { sortFirst } from '../math/sort.js';
+import { widened } from '../math/doubles.js';
 import type { Shape } from '../shape/shape.js';
 
-/** Shapes on their ways, by the bounds of all places that each has on it: sorted by where these begin. */
+/** How many boxes are put into a larger one. */
+const FAN = 4;
+/** Places along each axis, less one. */
+const PLACES = 0x7fff;
+/** More than there are of them. */
+const MOST = 0x400000;
+
+/**
+ * Shapes on their ways, by the bounds of all places that each has on it. Once all are added and the first is looked for, they are put in Morton order, by the
+ * bits of their centres' coordinates by turns (Morton 1966), so that those next to each other lie near each other; and each few of them into a larger box, and
+ * each few of these, up to one (a packed tree; Roussopoulos & Leifker 1985). Sorted from the left to the right a wide one, or many above each other, would make
+ * each search one through all of them.
+ */
 export class Ways {
   count = 0;
   /** What lies beyond the count is for later, here and in the other lists. */
@@ -12,71 +24,162 @@ export class Ways {
   /** Of the last search: which, in the order in which they were added. */
   readonly found: number[] = [];
   /** minX, minY, maxX, maxY of each. */
-  private readonly boxes: number[] = [];
-  /** Which, from the left to the right once the first is looked for: often none is. */
-  private readonly order: number[] = [];
-  private isSorted = false;
-  /** The largest width, m. */
-  private widest = 0.5;
-  private readonly isFartherLeft = (a: number, b: number): boolean => this.boxes[a * BOX]! < this.boxes[b * BOX]!;
+  private boxes = new Float64Array(0);
+  /** Their places in the order, times the most there may be, plus which they are. */
+  private keys = new Float64Array(0);
+  /** The boxes in that order, then those around each few of them, and so on; in the end those of one group. */
+  private tree = new Float64Array(0);
+  /** Of each of these the first of the group that it is around, or of one way −1 − which. */
+  private below = new Int32Array(0);
+  private top = 0;
+  private isBuilt = false;
+  private readonly stack: number[] = [];
 
   clear(): void {
     this.count = 0;
-    this.widest = 0;
-    this.isSorted = false;
+    this.isBuilt = false;
   }
 
   /** Adds a shape with its bounds. */
   add(shape: Shape, mover: number, bounds: Float64Array): void {
     const { count } = this;
+    const at = BOX * count;
+    if (at === this.boxes.length) {
+      this.grow();
+    }
     this.shapes[count] = shape;
     this.movers[count] = mover;
-    this.order[count] = count;
     for (let i = 0; i < BOX; i += 1) {
-      this.boxes[count * BOX + i] = bounds[i]!;
+      this.boxes[at + i] = bounds[i]!;
     }
-    this.widest = Math.max(this.widest, bounds[2]! - bounds[0]!);
     this.count += 1;
+  }
+
+  private grow(): void {
+    const room = 2 * this.count + 16;
+    this.boxes = widened(this.boxes, new Float64Array(BOX * room));
+    this.keys = new Float64Array(room);
+    this.tree = new Float64Array(BOX * (2 * room + 64));
+    this.below = new Int32Array(2 * room + 64);
   }
 
   /** Looks for those whose bounds overlap others, when all are added. @returns how many were found. */
   find(bounds: Float64Array): number {
-    if (!this.isSorted) {
-      sortFirst(this.order, this.count, this.isFartherLeft);
-      this.isSorted = true;
+    if (this.count === 0) {
+      return 0;
     }
-    const { boxes, count, order, found } = this;
+    if (!this.isBuilt) {
+      this.build();
+    }
+    const { tree, below, stack, found } = this;
     const minX = bounds[0]!;
     const minY = bounds[1]!;
     const maxX = bounds[2]!;
     const maxY = bounds[3]!;
-    const left = minX - this.widest;
-    let first = 0;
-    for (let end = count; first < end; ) {
-      const middle = (first + end) >> 1;
-      if (boxes[order[middle]! * BOX]! < left) {
-        first = middle + 1;
-      } else {
-        end = middle;
-      }
-    }
     let size = 0;
-    for (; first < count; first += 1) {
-      const which = order[first]!;
-      const at = which * BOX;
-      if (boxes[at]! > maxX) {
-        break;
-      }
-      // Combined as numbers: branches that go either way would cost more than the comparisons.
-      if (+(boxes[at + 2]! >= minX) & +(boxes[at + 1]! <= maxY) & +(boxes[at + 3]! >= minY)) {
-        let k = size;
-        for (; k > 0 && found[k - 1]! > which; k -= 1) {
-          found[k] = found[k - 1]!;
+    stack[0] = this.top;
+    for (let height = 1; height > 0; ) {
+      height -= 1;
+      const first = stack[height]!;
+      for (let i = first; i < first + FAN; i += 1) {
+        const at = BOX * i;
+        // Combined as numbers: branches that go either way would cost more than the comparisons.
+        if (+(tree[at]! <= maxX) & +(tree[at + 1]! <= maxY) & +(tree[at + 2]! >= minX) & +(tree[at + 3]! >= minY)) {
+          const next = below[i]!;
+          if (next >= 0) {
+            stack[height] = next;
+            height += 1;
+          } else {
+            let k = size;
+            for (; k > 0 && found[k - 1]! > ~next; k -= 1) {
+              found[k] = found[k - 1]!;
+            }
+            found[k] = ~next;
+            size += 1;
+          }
         }
-        found[k] = which;
-        size += 1;
       }
     }
     return size;
   }
+
+  private build(): void {
+    const { count, boxes, keys, tree, below } = this;
+    this.encode();
+    keys.subarray(0, count).sort();
+    for (let i = 0; i < count; i += 1) {
+      const which = keys[i]! % MOST;
+      below[i] = ~which;
+      for (let k = 0; k < BOX; k += 1) {
+        tree[BOX * i + k] = boxes[BOX * which + k]!;
+      }
+    }
+    let from = 0;
+    let to = this.fill(count);
+    while (to - from > FAN) {
+      let next = to;
+      for (let i = from; i < to; i += FAN, next += 1) {
+        this.enclose(i, next);
+      }
+      from = to;
+      to = this.fill(next);
+    }
+    this.top = from;
+    this.isBuilt = true;
+  }
+
+  /** Fills a group with boxes that nothing overlaps. @returns where it ends. */
+  private fill(from: number): number {
+    const to = FAN * Math.ceil(from / FAN);
+    this.tree.fill(NaN, BOX * from, BOX * to);
+    return to;
+  }
+
+  /** Puts a box around a group. */
+  private enclose(first: number, into: number): void {
+    const { tree } = this;
+    this.below[into] = first;
+    for (let k = 0; k < BOX; k += 1) {
+      let most = k < 2 ? Infinity : -Infinity;
+      for (let i = first; i < first + FAN; i += 1) {
+        const value = tree[BOX * i + k]!;
+        if (k < 2 ? value < most : value > most) most = value;
+      }
+      tree[BOX * into + k] = most;
+    }
+  }
+
+  /** Finds the place of each in the order: that of its centre among those of all. */
+  private encode(): void {
+    const { count, boxes, keys } = this;
+    let minX = Infinity;
+    let minY = Infinity;
+    let maxX = -Infinity;
+    let maxY = -Infinity;
+    for (let at = 0; at < BOX * count; at += BOX) {
+      const x = boxes[at]! + boxes[at + 2]!;
+      const y = boxes[at + 1]! + boxes[at + 3]!;
+      minX = x < minX ? x : minX;
+      minY = y < minY ? y : minY;
+      maxX = x > maxX ? x : maxX;
+      maxY = y > maxY ? y : maxY;
+    }
+    const scaleX = maxX > minX ? PLACES / (maxX - minX) : 0;
+    const scaleY = maxY > minY ? PLACES / (maxY - minY) : 0;
+    for (let i = 0; i < count; i += 1) {
+      const at = BOX * i;
+      const x = spread((boxes[at]! + boxes[at + 2]! - minX) * scaleX);
+      const y = spread((boxes[at + 1]! + boxes[at + 3]! - minY) * scaleY);
+      keys[i] = (x + 2 * y) * MOST + i;
+    }
+  }
+}
+
+/** The lower 15 bits of a number, a zero between each two. */
+function spread(value: number): number {
+  let bits = value & PLACES;
+  bits = (bits | (bits << 8)) & 0x00ff00ff;
+  bits = (bits | (bits << 4)) & 0x0f0f0f0f;
+  bits = (bits | (bits << 2)) & 0x33333333;
+  return (bits | (bits << 1)) & 0x55555555;
 }
