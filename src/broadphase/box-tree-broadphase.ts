@@ -122,7 +122,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   /**
    * Writes bounds to `reach` that will not be left for a while by what goes on as in the last step. What is too fast for that often turns back soon:
-   * what holds where it was of late, unless that is too much.
+   * what holds where it was of late, unless that is too much, as where it was put elsewhere.
    */
   private foresee(box: number, bounds: RectLike, reach: Float64Array): void {
     const { boxes } = this;
@@ -130,7 +130,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     for (let low = 0; low < 2; low += 1) {
       const high = low + 2;
       const way = bounds[low]! - boxes[box + low]!;
-      const ahead = isFast ? -way : Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * way));
+      const back = Math.abs(way) <= MAX_STAY ? -way : 0;
+      const ahead = isFast ? back : Math.max(-MAX_AHEAD, Math.min(MAX_AHEAD, AHEAD * way));
       const min = bounds[low]! + Math.min(ahead, 0);
       const max = bounds[high]! + Math.max(ahead, 0);
       const least = Math.min(min, reach[low]!);

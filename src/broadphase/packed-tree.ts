@@ -57,7 +57,10 @@ export class PackedTree<T> {
     return leaf;
   }
 
-  /** Gives a leaf another box. It stays where it is in the tree if that overlaps the old one: the exchanges on the way up see to the rest. */
+  /**
+   * Gives a leaf another box. It stays where it is in the tree if that overlaps the old one and is no farther from its sibling than both are long: the
+   * exchanges on the way up see to the rest. What goes its own way would drag the boxes of those that it once was next to along.
+   */
   move(leaf: number, bounds: ArrayLike<number>): void {
     const { boxes } = this;
     const at = BOX * leaf;
@@ -66,14 +69,24 @@ export class PackedTree<T> {
       boxes[at + 1]! <= bounds[3]! &&
       boxes[at + 2]! >= bounds[0]! &&
       boxes[at + 3]! >= bounds[1]!;
-    if (isNear) {
-      this.setBox(leaf, bounds);
+    this.setBox(leaf, bounds);
+    if (isNear && this.staysBeside(leaf)) {
       this.refit(this.parent[leaf]!);
     } else {
       this.detach(leaf);
-      this.setBox(leaf, bounds);
       this.attach(leaf);
     }
+  }
+
+  /** The box around a leaf and its sibling has no larger perimeter than both together. */
+  private staysBeside(leaf: number): boolean {
+    const joint = this.parent[leaf]!;
+    if (joint === NONE) {
+      return true;
+    }
+    const sibling = this.left[joint] === leaf ? this.right[joint]! : this.left[joint]!;
+    this.boxOf(leaf, this.box);
+    return this.joinedPerimeter(sibling) <= this.perimeter(leaf) + this.perimeter(sibling);
   }
 
   remove(leaf: number): void {

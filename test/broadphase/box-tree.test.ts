@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { PackedTree } from '../../src/broadphase/packed-tree.js';
-import { BoxTree, type BoxTreeExternalNode, type Rect } from '../../src/index.js';
+import { BoxTree, BoxTreeBroadphase, type BoxTreeExternalNode, type Rect, type Vec2 } from '../../src/index.js';
 import { generator } from '../scenes/mixed.js';
 import { overlap } from './model.js';
 
@@ -9,6 +9,10 @@ interface Item extends BoxTreeExternalNode {
 }
 
 const ids = (items: readonly Item[]): number[] => items.map((item) => item.id).sort((a, b) => a - b);
+
+function around([x, y]: Vec2, reach: number): Rect {
+  return [x - reach, y - reach, x + reach, y + reach];
+}
 
 function randomTree(count: number, seed: number): { tree: BoxTree<Item>; items: Item[]; boxes: Rect[] } {
   const random = generator(seed);
@@ -236,6 +240,66 @@ describe('packed tree, used for long', () => {
     }
     console.log(`perimeters of trees after ${40 * COUNT} moves, beside new ones: × ${(worn / fresh).toFixed(3)}`);
     expect(worn / fresh).toBeLessThan(1.05);
+  });
+
+  it('stays good where each thing goes its own way', () => {
+    let [worn, fresh] = [0, 0];
+    for (let seed = 1; seed <= 6; seed += 1) {
+      const random = generator(20 + seed);
+      const tree = new PackedTree<number>(0.1);
+      const flights = Array.from({ length: COUNT }, () => {
+        const [x, y] = [40 * random(), 40 * random()];
+        return { x, y, dx: random() - 0.5, dy: random() - 0.5, leaf: tree.insert(0, [x, y, x + 0.5, y + 0.5]) };
+      });
+      for (let round = 0; round < 200; round += 1) {
+        for (const flight of flights) {
+          // What leaves on one side comes back on the other.
+          flight.x = (flight.x + flight.dx + 40) % 40;
+          flight.y = (flight.y + flight.dy + 40) % 40;
+          const { x, y, leaf } = flight;
+          tree.move(leaf, [x, y, x + 0.5, y + 0.5]);
+        }
+      }
+      worn += checkBelow(tree, tree.root).perimeter;
+      fresh += halved(flights.map(({ leaf }) => [...tree.boxOf(leaf)]));
+    }
+    console.log(
+      `perimeters of trees after ${200 * COUNT} moves in flights, beside new ones: × ${(worn / fresh).toFixed(3)}`,
+    );
+    expect(worn / fresh).toBeLessThan(1.15);
+  });
+});
+
+describe('box tree broadphase', () => {
+  it('is as fast where things were put elsewhere as where they were put at once', () => {
+    const random = generator(7);
+    const places = Array.from({ length: 2000 }, (): Vec2 => [200 * random(), 200 * random()]);
+    const made = new BoxTreeBroadphase<number>();
+    const moved = new BoxTreeBroadphase<number>();
+    const handles = places.map((_, i) => moved.insert(i, around(places.at(-1 - i)!, 0.2), false));
+    for (const [i, place] of places.entries()) {
+      made.insert(i, around(place, 0.2), false);
+      moved.update(handles[i]!, around(place, 0.2));
+    }
+    /** ms. At best, to look at all places. */
+    const timeOf = (broadphase: BoxTreeBroadphase<number>): number => {
+      let best = Infinity;
+      for (let round = 0; round < 8; round += 1) {
+        let found = 0;
+        const start = performance.now();
+        for (const place of places) {
+          broadphase.sample(around(place, 1), () => {
+            found += 1;
+          });
+        }
+        best = Math.min(best, performance.now() - start);
+        expect(found).toBeGreaterThan(2000);
+      }
+      return best;
+    };
+    timeOf(made);
+    timeOf(moved);
+    expect(timeOf(moved) / timeOf(made)).toBeLessThan(3);
   });
 });
 
