@@ -117,16 +117,20 @@ function comesNear({ all, ways }: Movers): boolean {
 
 /** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
 function meetStill(world: World, mover: Mover, count: number, depth: number): void {
+  const { movers } = world;
   const { shapes, kind } = mover.body;
   const areAllMovers = count === world.liveDynamics.length + world.liveKinematics.length;
   for (let i = 0; i < shapes.length; i += 1) {
     const shape = shapes[i]!;
+    if (shape.sensor && movers.ahead > 0) {
+      // It is not foreseen what it will be crossed by.
+      continue;
+    }
     sweepBounds(mover, shape, bounds);
-    const size = findNearby(world, bounds, !areAllMovers && (meetsMovers(mover) || shape.sensor));
+    const size = findNearby(world, bounds, !areAllMovers && (meetsMovers(mover) || shape.sensor), count);
     for (let k = 0; k < size; k += 1) {
-      const other = world.movers.nearby.shapes[k]!;
-      const { mover: index } = other.owner!;
-      if ((index < 0 || index >= count) && (kind === DYNAMIC || !isPassed(world, mover, shape, other))) {
+      const other = movers.nearby.shapes[k]!;
+      if (kind === DYNAMIC || !isPassed(world, mover, shape, other)) {
         note(world, shape, other, depth);
       }
     }

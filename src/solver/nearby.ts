@@ -8,10 +8,16 @@ export class Nearby {
   /** What was found last. What lies beyond the count is left from before: shortening the list would cost its storage. */
   readonly shapes: Shape[] = [];
   count = 0;
+  /** Of the movers so many, the first ones, are left out. */
+  passed = 0;
 
-  readonly gather = (handle: BroadphaseHandle): void => {
-    this.shapes[this.count] = handle.data as Shape;
-    this.count += 1;
+  readonly gather = ({ data }: BroadphaseHandle): void => {
+    const shape = data as Shape;
+    const { mover } = shape.owner!;
+    if (mover < 0 || mover >= this.passed) {
+      this.shapes[this.count] = shape;
+      this.count += 1;
+    }
   };
 
   readonly gatherStatic = (handle: BroadphaseHandle): void => {
@@ -23,11 +29,12 @@ export class Nearby {
 
 /**
  * Lists the shapes that have something to do with `bounds`, by their ids, as broadphases differ in the order in which they find them: all,
- * or the static and sleeping ones. @returns how many.
+ * or the static and sleeping ones; but for the first `passed` movers. @returns how many.
  */
-export function findNearby({ broadphase, movers }: World, bounds: Float64Array, all: boolean): number {
+export function findNearby({ broadphase, movers }: World, bounds: Float64Array, all: boolean, passed = 0): number {
   const { nearby } = movers;
   nearby.count = 0;
+  nearby.passed = passed;
   if (all) {
     broadphase.sample(bounds, nearby.gather);
   } else if (broadphase.sampleStatic === undefined) {
