@@ -58,35 +58,20 @@ export class PackedTree<T> {
   }
 
   /**
-   * Gives a leaf another box. It stays where it is in the tree if that overlaps the old one and is no farther from its sibling than both are long: the
-   * exchanges on the way up see to the rest. What goes its own way would drag the boxes of those that it once was next to along.
+   * Gives a leaf another box. It stays where it is in the tree while the box around it and its sibling has no larger perimeter than both together: the
+   * exchanges on the way up see to the rest. What goes its own way would drag along the boxes of those that it once was next to.
    */
   move(leaf: number, bounds: ArrayLike<number>): void {
-    const { boxes } = this;
-    const at = BOX * leaf;
-    const isNear =
-      boxes[at]! <= bounds[2]! &&
-      boxes[at + 1]! <= bounds[3]! &&
-      boxes[at + 2]! >= bounds[0]! &&
-      boxes[at + 3]! >= bounds[1]!;
     this.setBox(leaf, bounds);
-    if (isNear && this.staysBeside(leaf)) {
-      this.refit(this.parent[leaf]!);
+    const joint = this.parent[leaf]!;
+    const sibling = joint === NONE ? leaf : this.otherChild(joint, leaf);
+    this.boxOf(leaf, this.box);
+    if (this.joinedPerimeter(sibling) <= this.perimeter(leaf) + this.perimeter(sibling)) {
+      this.refit(joint);
     } else {
       this.detach(leaf);
       this.attach(leaf);
     }
-  }
-
-  /** The box around a leaf and its sibling has no larger perimeter than both together. */
-  private staysBeside(leaf: number): boolean {
-    const joint = this.parent[leaf]!;
-    if (joint === NONE) {
-      return true;
-    }
-    const sibling = this.left[joint] === leaf ? this.right[joint]! : this.left[joint]!;
-    this.boxOf(leaf, this.box);
-    return this.joinedPerimeter(sibling) <= this.perimeter(leaf) + this.perimeter(sibling);
   }
 
   remove(leaf: number): void {
@@ -260,7 +245,7 @@ export class PackedTree<T> {
     return a[i]! <= b[j + 2]! && a[i + 2]! >= b[j]! && a[i + 1]! <= b[j + 3]! && a[i + 3]! >= b[j + 1]!;
   }
 
-  /** A stack that is deep enough: a walk holds at most one node a level beside the one it goes down. */
+  /** A stack that is deep enough: a walk holds at most one node a level beside its own. */
   private ready(): this {
     if (this.stack.length < this.height + 2) {
       this.stack = new Int32Array(2 * (this.height + 2));
@@ -334,12 +319,16 @@ export class PackedTree<T> {
       this.root = NONE;
       return;
     }
-    const sibling = this.left[joint] === leaf ? this.right[joint]! : this.left[joint]!;
+    const sibling = this.otherChild(joint, leaf);
     const above = this.parent[joint]!;
     this.parent[sibling] = above;
     this.replaceChild(above, joint, sibling);
     this.release(joint);
     this.refit(above);
+  }
+
+  private otherChild(node: number, child: number): number {
+    return this.left[node] === child ? this.right[node]! : this.left[node]!;
   }
 
   private replaceChild(parent: number, before: number, after: number): void {
@@ -392,12 +381,8 @@ export class PackedTree<T> {
   /** Restores boxes, heights and balance from a node up to where nothing changes any more. */
   private refit(from: number): void {
     for (let node = from; node !== NONE; node = this.parent[node]!) {
-      if (!this.balance(node)) {
-        this.tighten(node);
-      }
-      if (!this.join(node)) {
-        break;
-      }
+      if (!this.balance(node)) this.tighten(node);
+      if (!this.join(node)) break;
     }
   }
 
@@ -469,8 +454,8 @@ export class PackedTree<T> {
   /** node: (high: (keep, give), low)  →  node: (give, high: (keep, low)) */
   private exchange(node: number, high: number, keep: number): void {
     const { left, right, parent } = this;
-    const give = left[high] === keep ? right[high]! : left[high]!;
-    const low = left[node] === high ? right[node]! : left[node]!;
+    const give = this.otherChild(high, keep);
+    const low = this.otherChild(node, high);
     left[high] = keep;
     right[high] = low;
     parent[low] = high;

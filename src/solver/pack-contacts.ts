@@ -9,8 +9,10 @@ import {
   PUSH_SHARE_DYNAMIC,
   PUSH_SHARE_HOOKED,
   PUSH_SHARE_STATIC,
+  PUSH_SHARE_UNEVEN,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
+  UNEVEN,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
@@ -288,6 +290,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
     const mayHook = (either & d.COMPOUND) !== 0 || (both & d.LINKED) !== 0;
     share = mayHook && mA < HEAVY * mB && mB < HEAVY * mA ? PUSH_SHARE_HOOKED : shareOfTwo(pair);
+    if (share === PUSH_SHARE_DYNAMIC && (mA > UNEVEN * mB || mB > UNEVEN * mA)) share = PUSH_SHARE_UNEVEN;
   }
   r[at + d.SHARE] = share;
   r[at + d.SURFACE_T] = -0;
