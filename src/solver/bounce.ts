@@ -114,13 +114,13 @@ function planRound(data: SolverData, h: number, round: number): number {
       continue;
     }
     // What makes energy makes it once in a sub-step.
-    const share = round === 0 ? elasticity[k]! : Math.min(elasticity[k]!, 1);
+    const restitution = round === 0 ? elasticity[k]! : Math.min(elasticity[k]!, 1);
     const comes = normalVelocity(data, k);
-    const leaves = share * comes;
+    const leaves = restitution * comes;
     bias[k] = leaves > BOUNCE_THRESHOLD ? leaves : 0;
     hit[k] = hit[k]! & BOUNCED;
     if (leaves < -BOUNCE_THRESHOLD) {
-      plan.elasticity = share;
+      plan.elasticity = restitution;
       plan.comes = comes;
       planBounce(data, k, h, round);
       const first = shift[k] === 0 ? k : k - 1;
