@@ -1,14 +1,9 @@
 import { grown, widened } from '../math/doubles.js';
+import { areBeside, misses } from './boxes.js';
 import { BOX, MAX_LEAN, NONE } from './layout.js';
 
 /** 1 − 2⁻⁵⁰. Where a ray enters a box is reckoned early by more than rounding can make it late, as it must not miss a corner that it touches. */
 const EARLY = 1 - 4 * Number.EPSILON;
-
-/** 1 if the box of a node does not overlap another one, else 0: combined as numbers, as for a cast. */
-function misses(boxes: Float64Array, node: number, minX: number, minY: number, maxX: number, maxY: number): number {
-  const at = BOX * node;
-  return +(boxes[at]! > maxX) | +(boxes[at + 1]! > maxY) | +(boxes[at + 2]! < minX) | +(boxes[at + 3]! < minY);
-}
 
 /**
  * A dynamic bounding box tree over packed arrays. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding
@@ -65,8 +60,7 @@ export class PackedTree<T> {
     this.setBox(leaf, bounds);
     const joint = this.parent[leaf]!;
     const sibling = joint === NONE ? leaf : this.otherChild(joint, leaf);
-    this.boxOf(leaf, this.box);
-    if (this.joinedPerimeter(sibling) <= this.perimeter(leaf) + this.perimeter(sibling)) {
+    if (areBeside(this.boxes, leaf, sibling)) {
       this.refit(joint);
     } else {
       this.detach(leaf);

@@ -20,20 +20,19 @@ const BOUNCED = 1;
 /** … or is to bounce with all that the sweeps solve, as it bears a load that these must start from. */
 const LOADED = 2;
 
-/** The speed at which the surfaces of a point part. */
-function normalVelocity({ bounces: { bodies, arms }, velocity: v }: SolverData, k: number): number {
+/** What is known of a point: numbers that go from function to function would be boxed. */
+const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
+
+/** Finds the speed at which the surfaces of a point part: negative, they come. */
+function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: number): void {
   const a = bodies[2 * k]! & d.OFFSET;
   const b = bodies[2 * k + 1]! & d.OFFSET;
-  return (
+  plan.comes =
     arms[4 * k]! * (v[b + d.VX]! - v[a + d.VX]!) +
     arms[4 * k + 1]! * (v[b + d.VY]! - v[a + d.VY]!) +
     arms[4 * k + 3]! * v[b + d.W]! -
-    arms[4 * k + 2]! * v[a + d.W]!
-  );
+    arms[4 * k + 2]! * v[a + d.W]!;
 }
-
-/** What `planBounce` knows of a point: numbers that go from function to function would be boxed. */
-const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
 
 /** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
 function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k: number): void {
@@ -115,13 +114,12 @@ function planRound(data: SolverData, h: number, round: number): number {
     }
     // What makes energy makes it once in a sub-step.
     const restitution = round === 0 ? elasticity[k]! : Math.min(elasticity[k]!, 1);
-    const comes = normalVelocity(data, k);
-    const leaves = restitution * comes;
+    findSpeed(data, k);
+    const leaves = restitution * plan.comes;
     bias[k] = leaves > BOUNCE_THRESHOLD ? leaves : 0;
     hit[k] = hit[k]! & BOUNCED;
     if (leaves < -BOUNCE_THRESHOLD) {
       plan.elasticity = restitution;
-      plan.comes = comes;
       planBounce(data, k, h, round);
       const first = shift[k] === 0 ? k : k - 1;
       if (bouncesNow(list, k) && (count === 0 || bouncing[count - 1] !== first)) {
@@ -243,7 +241,8 @@ function keepLeaving(data: SolverData, k: number): void {
   const { bounces: list } = data;
   const { records: r, stride } = list.batches[k]!;
   const record = list.index[k]! * stride;
-  const leaves = normalVelocity(data, k);
+  findSpeed(data, k);
+  const leaves = plan.comes;
   list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
 }
 
@@ -280,7 +279,8 @@ export function applyBounces(data: SolverData): void {
 export function releaseBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
-    if (list.bias[k] === d.OFF || normalVelocity(data, k) > BOUNCE_THRESHOLD) {
+    findSpeed(data, k);
+    if (list.bias[k] === d.OFF || plan.comes > BOUNCE_THRESHOLD) {
       const { records: r, stride, arbiters } = list.batches[k]!;
       const at = list.index[k]! * stride + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {

@@ -48,10 +48,10 @@ export function findMeetings(world: World, depth: number): void {
   }
   const count = movers.count;
   movers.meetings.clear();
-  const alone = listWays(movers);
+  listWays(movers);
   for (let i = 0; i < sweeping; i += 1) {
     const mover = movers.all[i]!;
-    mover.clear = alone && movers.ahead > 0 && mover.body.kind === DYNAMIC && isClear(world, mover);
+    mover.clear = movers.ahead > 0 && !meetsMovers(mover) && isClear(world, mover);
     if (!mover.clear) {
       meetStill(world, mover, count, depth);
     }
@@ -66,10 +66,9 @@ export function findMeetings(world: World, depth: number): void {
   lookAtBouncing(world, depth);
 }
 
-/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. @returns whether there are no such bullets. */
-function listWays(movers: Movers): boolean {
+/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. */
+function listWays(movers: Movers): void {
   const { ways } = movers;
-  let alone = true;
   ways.clear();
   for (let i = 0; i < movers.count; i += 1) {
     const mover = movers.all[i]!;
@@ -77,25 +76,23 @@ function listWays(movers: Movers): boolean {
     if (!meetsMovers(mover)) {
       continue;
     }
-    alone &&= mover.body.kind !== DYNAMIC;
     const { shapes } = mover.body;
     for (let k = 0; k < shapes.length; k += 1) {
       sweepBounds(mover, shapes[k]!, bounds);
       ways.add(shapes[k]!, i, bounds);
     }
   }
-  return alone;
 }
 
 /**
- * Nothing that a body might be swept against is near it, wherever it goes in this step with little more than the speed foreseen: then it need not be
- * looked at, now or at the end of the step.
+ * Nothing that a body which is no fast bullet might be swept against is near it, wherever it goes in this step with little more than the speed foreseen: then
+ * it need not be looked at, now or at the end of the step. Bullets that come all the same are swept themselves.
  */
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
   for (let i = 0; i < body.shapes.length; i += 1) {
     growBounds(body.shapes[i]!, reach, bounds);
-    if (body.shapes[i]!.sensor || comesNear(world.movers) || findNearby(world, bounds, false) > 0) {
+    if (body.shapes[i]!.sensor || comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
       return false;
     }
   }
@@ -103,7 +100,20 @@ function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   return true;
 }
 
-/** Whether a kinematic shape may come into `bounds` on its way. */
+/** All that is still and may come into `bounds` is sensors that the shape is in already: zones, which take no notice of its way. */
+function isAmidSensors(world: World, shape: Shape): boolean {
+  const { pairs, movers } = world;
+  for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
+    const other = movers.nearby.shapes[k]!;
+    const pair = shape.id < other.id ? pairs.find(shape, other) : pairs.find(other, shape);
+    if (!other.sensor || pair === null || !pair.active) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Whether a kinematic shape or a bullet may come into `bounds` on its way. */
 function comesNear({ all, ways }: Movers): boolean {
   const size = ways.find(bounds);
   for (let i = 0; i < size; i += 1) {

@@ -1,13 +1,12 @@
 import { BOX } from '../broadphase/layout.js';
 import { widened } from '../math/doubles.js';
+import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 
 /** How many boxes are put into a larger one. */
 const FAN = 4;
 /** Places along each axis, less one. */
 const PLACES = 0x7fff;
-/** More than there are of them. */
-const MOST = 0x400000;
 
 /**
  * Shapes on their ways, by the bounds of all places that each has on it. Once all are added and the first is looked for, they are put in Morton order, by the
@@ -25,8 +24,9 @@ export class Ways {
   readonly found: number[] = [];
   /** minX, minY, maxX, maxY of each. */
   private boxes = new Float64Array(0);
-  /** Their places in the order, times the most there may be, plus which they are. */
-  private keys = new Float64Array(0);
+  /** Which, in Morton order, and the places of all in it. */
+  private readonly order: number[] = [];
+  private codes = new Int32Array(0);
   /** The boxes in that order, then those around each few of them, and so on; in the end those of one group. */
   private tree = new Float64Array(0);
   /** Of each of these the first of the group that it is around, or of one way −1 − which. */
@@ -34,6 +34,7 @@ export class Ways {
   private top = 0;
   private isBuilt = false;
   private readonly stack: number[] = [];
+  private readonly comesBefore = (a: number, b: number): boolean => this.codes[a]! < this.codes[b]!;
 
   clear(): void {
     this.count = 0;
@@ -58,7 +59,7 @@ export class Ways {
   private grow(): void {
     const room = 2 * this.count + 16;
     this.boxes = widened(this.boxes, new Float64Array(BOX * room));
-    this.keys = new Float64Array(room);
+    this.codes = new Int32Array(room);
     this.tree = new Float64Array(BOX * (2 * room + 64));
     this.below = new Int32Array(2 * room + 64);
   }
@@ -90,25 +91,22 @@ export class Ways {
             stack[height] = next;
             height += 1;
           } else {
-            let k = size;
-            for (; k > 0 && found[k - 1]! > ~next; k -= 1) {
-              found[k] = found[k - 1]!;
-            }
-            found[k] = ~next;
+            found[size] = ~next;
             size += 1;
           }
         }
       }
     }
+    sortFirst(found, size, isLess);
     return size;
   }
 
   private build(): void {
-    const { count, boxes, keys, tree, below } = this;
+    const { count, boxes, order, tree, below } = this;
     this.encode();
-    keys.subarray(0, count).sort();
+    sortFirst(order, count, this.comesBefore);
     for (let i = 0; i < count; i += 1) {
-      const which = keys[i]! % MOST;
+      const which = order[i]!;
       below[i] = ~which;
       for (let k = 0; k < BOX; k += 1) {
         tree[BOX * i + k] = boxes[BOX * which + k]!;
@@ -151,7 +149,7 @@ export class Ways {
 
   /** Finds the place of each in the order: that of its centre among those of all. */
   private encode(): void {
-    const { count, boxes, keys } = this;
+    const { count, boxes, order, codes } = this;
     let minX = Infinity;
     let minY = Infinity;
     let maxX = -Infinity;
@@ -170,9 +168,14 @@ export class Ways {
       const at = BOX * i;
       const x = spread((boxes[at]! + boxes[at + 2]! - minX) * scaleX);
       const y = spread((boxes[at + 1]! + boxes[at + 3]! - minY) * scaleY);
-      keys[i] = (x + 2 * y) * MOST + i;
+      order[i] = i;
+      codes[i] = x | (y << 1);
     }
   }
+}
+
+function isLess(a: number, b: number): boolean {
+  return a < b;
 }
 
 /** The lower 15 bits of a number, a zero between each two. */

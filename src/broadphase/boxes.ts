@@ -1,0 +1,27 @@
+import { BOX } from './layout.js';
+
+// Boxes that lie side by side in an array, by their numbers.
+
+/** 1 if the box with a number does not overlap another one, else 0: combined as numbers, as for a cast. */
+export function misses(
+  boxes: Float64Array,
+  node: number,
+  minX: number,
+  minY: number,
+  maxX: number,
+  maxY: number,
+): number {
+  const at = BOX * node;
+  return +(boxes[at]! > maxX) | +(boxes[at + 1]! > maxY) | +(boxes[at + 2]! < minX) | +(boxes[at + 3]! < minY);
+}
+
+/** The box around two of them has no larger perimeter than both together. Without calls, which would box what they return. */
+export function areBeside(boxes: Float64Array, a: number, b: number): boolean {
+  const i = BOX * a;
+  const j = BOX * b;
+  const x = Math.max(boxes[i + 2]!, boxes[j + 2]!) - Math.min(boxes[i]!, boxes[j]!);
+  const y = Math.max(boxes[i + 3]!, boxes[j + 3]!) - Math.min(boxes[i + 1]!, boxes[j + 1]!);
+  const width = boxes[i + 2]! - boxes[i]! + boxes[j + 2]! - boxes[j]!;
+  const height = boxes[i + 3]! - boxes[i + 1]! + boxes[j + 3]! - boxes[j + 1]!;
+  return x + y <= width + height;
+}
