@@ -27,8 +27,9 @@ export function continuous(world: World, dt: number): void {
   if (movers.count === 0) {
     return;
   }
+  movers.length = dt;
   findMeetings(world, IMPACT_DEPTH);
-  settle(world, dt);
+  settle(world);
   const { meetings } = movers;
   for (let i = 0; i < meetings.count; i += 1) {
     const { a, b, time } = meetings.all[i]!;
@@ -46,7 +47,7 @@ function comesTo(world: World, shape: Shape, time: number): boolean {
 }
 
 /** Lets the impacts happen in the order in which they come; each changes what comes after it. */
-function settle(world: World, dt: number): void {
+function settle(world: World): void {
   const { movers } = world;
   const { meetings } = movers;
   for (let next = meetings.first(); next !== null && next.time < Infinity; next = meetings.first()) {
@@ -61,8 +62,8 @@ function settle(world: World, dt: number): void {
     come(two, next);
     const pair = strike(world, next);
     if (pair !== null) {
-      halt(world, one, two, pair, dt);
-      halt(world, two, one, pair, dt);
+      halt(world, one, two, pair);
+      halt(world, two, one, pair);
       lookAgain(world, one);
       lookAgain(world, two);
     }
@@ -81,7 +82,7 @@ function come(mover: Mover, { time }: Meeting): void {
 }
 
 /** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along, also after something else met it. */
-function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: number): void {
+function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter): void {
   if (mover.body.kind !== DYNAMIC) {
     return;
   }
@@ -97,7 +98,7 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: num
     mover.ride(carrier);
   }
   if (isDeeper) {
-    slide(mover, partner, pair, dt);
+    slide(world, mover, partner, pair);
     stopShort(world, mover, mover.body === pair.bodyA ? pair.shapeB : pair.shapeA);
   }
 }
@@ -106,7 +107,7 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter, dt: num
  * What touched before, and only got too deep as it turned, goes on along the surface and out of it, without turning: else it would never get away.
  * The surface itself may turn until the end of the step: no farther than where half-way, on the straight, that would lead to its other side.
  */
-function slide(mover: Mover, under: Mover, pair: Arbiter, dt: number): void {
+function slide({ movers }: World, mover: Mover, under: Mover, pair: Arbiter): void {
   const { numbers: n, at: o, bodyA } = pair;
   const { body } = mover;
   const { body: base } = under;
@@ -117,7 +118,7 @@ function slide(mover: Mover, under: Mover, pair: Arbiter, dt: number): void {
   const vx = body.vx - (base.vx - base.w * (body.y - base.y));
   const vy = body.vy - (base.vy + base.w * (body.x - base.x));
   const turn = under.turn * rest;
-  const far = (nx * vy - ny * vx) * rest * dt;
+  const far = (nx * vy - ny * vx) * rest * movers.length;
   findImpactDepth(pair.shapeA, pair.shapeB, IMPACT_DEPTH);
   const bend = Math.abs(far * turn) / (4 * impactDepth[0]!);
   const way = far / Math.max(1, bend);

@@ -22,7 +22,7 @@ import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
-import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
+import { isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 import { isTied } from './ties.js';
 
 const sweep = new Sweep();
@@ -91,7 +91,12 @@ function listWays(movers: Movers): void {
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
   for (let i = 0; i < body.shapes.length; i += 1) {
-    growBounds(body.shapes[i]!, reach, bounds);
+    // As `growBounds`, called from where the number might be boxed.
+    const { numbers: n, at } = body.shapes[i]!;
+    bounds[0] = n[at]! - reach;
+    bounds[1] = n[at + 1]! - reach;
+    bounds[2] = n[at + 2]! + reach;
+    bounds[3] = n[at + 3]! + reach;
     if (body.shapes[i]!.sensor || comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
       return false;
     }
@@ -106,7 +111,7 @@ function isAmidSensors(world: World, shape: Shape): boolean {
   for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
     const other = movers.nearby.shapes[k]!;
     const pair = shape.id < other.id ? pairs.find(shape, other) : pairs.find(other, shape);
-    if (!other.sensor || pair === null || !pair.active) {
+    if (!other.sensor || !pair?.active) {
       return false;
     }
   }

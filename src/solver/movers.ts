@@ -280,6 +280,8 @@ export class Movers {
   readonly nearby = new Nearby();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
+  /** s. Of the step that is over, at its end. Here, as handed from function to function it would be boxed for each impact. */
+  length = 0.5;
   /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */
   bouncy = false;
   /** s. So long what forces give a body acts on the average of that step. */

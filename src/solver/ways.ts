@@ -26,7 +26,7 @@ export class Ways {
   private boxes = new Float64Array(0);
   /** Which, in Morton order, and the places of all in it. */
   private readonly order: number[] = [];
-  private codes = new Int32Array(0);
+  private readonly codes: number[] = [];
   /** The boxes in that order, then those around each few of them, and so on; in the end those of one group. */
   private tree = new Float64Array(0);
   /** Of each of these the first of the group that it is around, or of one way −1 − which. */
@@ -59,7 +59,6 @@ export class Ways {
   private grow(): void {
     const room = 2 * this.count + 16;
     this.boxes = widened(this.boxes, new Float64Array(BOX * room));
-    this.codes = new Int32Array(room);
     this.tree = new Float64Array(BOX * (2 * room + 64));
     this.below = new Int32Array(2 * room + 64);
   }
