@@ -139,7 +139,7 @@ function planRound(data: SolverData, h: number, round: number): number {
   return count;
 }
 
-/** Of a contact that bounces, given by its first point: its points that do not stay out of the round. */
+/** Of a contact that bounces, given by its first point: those of its points that do not bounce stay out of the round. */
 function setBiases({ bounces: list }: SolverData, first: number): void {
   const { records: r, stride } = list.batches[first]!;
   const record = list.index[first]! * stride;
@@ -272,6 +272,11 @@ export function applyBounces(data: SolverData): void {
   }
 }
 
+function fliesApart(data: SolverData, k: number): boolean {
+  findSpeed(data, k);
+  return plan.comes > BOUNCE_THRESHOLD;
+}
+
 /**
  * Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height; unless they are so deep
  * that an impact would have come before.
@@ -279,8 +284,7 @@ export function applyBounces(data: SolverData): void {
 export function releaseBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
-    findSpeed(data, k);
-    if (list.bias[k] === d.OFF || plan.comes > BOUNCE_THRESHOLD) {
+    if (list.bias[k] === d.OFF || fliesApart(data, k)) {
       const { records: r, stride, arbiters } = list.batches[k]!;
       const at = list.index[k]! * stride + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {

@@ -27,7 +27,7 @@ export function continuous(world: World, dt: number): void {
   if (movers.count === 0) {
     return;
   }
-  movers.length = dt;
+  movers.duration = dt;
   findMeetings(world, IMPACT_DEPTH);
   settle(world);
   const { meetings } = movers;
@@ -77,7 +77,8 @@ function settle(world: World): void {
 
 /** Puts a body to where it is when something meets it. */
 function come(mover: Mover, { time }: Meeting): void {
-  mover.putAt(time);
+  mover.at = time;
+  mover.put();
   mover.met = mover.body.kind !== STATIC;
 }
 
@@ -118,7 +119,7 @@ function slide({ movers }: World, mover: Mover, under: Mover, pair: Arbiter): vo
   const vx = body.vx - (base.vx - base.w * (body.y - base.y));
   const vy = body.vy - (base.vy + base.w * (body.x - base.x));
   const turn = under.turn * rest;
-  const far = (nx * vy - ny * vx) * rest * movers.length;
+  const far = (nx * vy - ny * vx) * rest * movers.duration;
   findImpactDepth(pair.shapeA, pair.shapeB, IMPACT_DEPTH);
   const bend = Math.abs(far * turn) / (4 * impactDepth[0]!);
   const way = far / Math.max(1, bend);

@@ -22,7 +22,7 @@ import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
-import { isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
+import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 import { isTied } from './ties.js';
 
 const sweep = new Sweep();
@@ -91,12 +91,7 @@ function listWays(movers: Movers): void {
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
   for (let i = 0; i < body.shapes.length; i += 1) {
-    // As `growBounds`, called from where the number might be boxed.
-    const { numbers: n, at } = body.shapes[i]!;
-    bounds[0] = n[at]! - reach;
-    bounds[1] = n[at + 1]! - reach;
-    bounds[2] = n[at + 2]! + reach;
-    bounds[3] = n[at + 3]! + reach;
+    growBounds(body.shapes[i]!, reach, bounds);
     if (body.shapes[i]!.sensor || comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
       return false;
     }
@@ -107,11 +102,10 @@ function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
 
 /** All that is still and may come into `bounds` is sensors that the shape is in already: zones, which take no notice of its way. */
 function isAmidSensors(world: World, shape: Shape): boolean {
-  const { pairs, movers } = world;
+  const { nearby, meetings } = world.movers;
   for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
-    const other = movers.nearby.shapes[k]!;
-    const pair = shape.id < other.id ? pairs.find(shape, other) : pairs.find(other, shape);
-    if (!other.sensor || !pair?.active) {
+    const { a, b } = meetings.draft(shape, nearby.shapes[k]!);
+    if (!nearby.shapes[k]!.sensor || !world.pairs.find(a, b)?.active) {
       return false;
     }
   }
@@ -137,10 +131,7 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
   const areAllMovers = count === world.liveDynamics.length + world.liveKinematics.length;
   for (let i = 0; i < shapes.length; i += 1) {
     const shape = shapes[i]!;
-    if (shape.sensor && movers.ahead > 0) {
-      // It is not foreseen what it will be crossed by.
-      continue;
-    }
+    if (isUnforeseen(movers, shape)) continue;
     sweepBounds(mover, shape, bounds);
     const size = findNearby(world, bounds, !areAllMovers && (meetsMovers(mover) || shape.sensor), count);
     for (let k = 0; k < size; k += 1) {
@@ -150,6 +141,11 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
       }
     }
   }
+}
+
+/** What a sensor will be crossed by is not foreseen. */
+function isUnforeseen({ ahead }: Movers, { sensor }: Shape): boolean {
+  return sensor && ahead > 0;
 }
 
 /** Whether a kinematic shape certainly misses one that was not looked at. */
@@ -166,6 +162,7 @@ function meetWays(world: World, index: number, sweeping: number, depth: number):
   const isListed = meetsMovers(mover);
   const { shapes } = mover.body;
   for (let i = 0; i < shapes.length; i += 1) {
+    if (isUnforeseen(movers, shapes[i]!)) continue;
     sweepBounds(mover, shapes[i]!, bounds);
     const size = ways.find(bounds);
     for (let k = 0; k < size; k += 1) {

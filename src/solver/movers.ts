@@ -181,7 +181,8 @@ export class Mover {
     this.put();
   }
 
-  private put(): void {
+  /** The same, at the time that is set as `at`. */
+  put(): void {
     const { body } = this;
     if (body.kind === STATIC) {
       return;
@@ -281,7 +282,7 @@ export class Movers {
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
   /** s. Of the step that is over, at its end. Here, as handed from function to function it would be boxed for each impact. */
-  length = 0.5;
+  duration = 0.5;
   /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */
   bouncy = false;
   /** s. So long what forces give a body acts on the average of that step. */

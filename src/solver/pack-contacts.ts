@@ -289,8 +289,10 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   if (mA > 0 && mB > 0) {
     // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
     const mayHook = (either & d.COMPOUND) !== 0 || (both & d.LINKED) !== 0;
-    share = mayHook && mA < HEAVY * mB && mB < HEAVY * mA ? PUSH_SHARE_HOOKED : shareOfTwo(pair);
-    if (share === PUSH_SHARE_DYNAMIC && (mA > UNEVEN * mB || mB > UNEVEN * mA)) share = PUSH_SHARE_UNEVEN;
+    share =
+      mayHook && mA < HEAVY * mB && mB < HEAVY * mA
+        ? PUSH_SHARE_HOOKED
+        : shareOfTwo(pair, mA > UNEVEN * mB || mB > UNEVEN * mA);
   }
   r[at + d.SHARE] = share;
   r[at + d.SURFACE_T] = -0;
@@ -330,8 +332,11 @@ function packSurfaces({ drive }: SolverData, batch: ContactBatch, index: number,
   }
 }
 
-function shareOfTwo({ shapeA, shapeB }: Arbiter): number {
-  return shapeA.kind !== POLYGON && shapeB.kind !== POLYGON ? PUSH_SHARE_CIRCLES : PUSH_SHARE_DYNAMIC;
+function shareOfTwo({ shapeA, shapeB }: Arbiter, areUneven: boolean): number {
+  if (shapeA.kind !== POLYGON && shapeB.kind !== POLYGON) {
+    return PUSH_SHARE_CIRCLES;
+  }
+  return areUneven ? PUSH_SHARE_UNEVEN : PUSH_SHARE_DYNAMIC;
 }
 
 function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {

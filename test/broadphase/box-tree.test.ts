@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { PackedTree } from '../../src/broadphase/packed-tree.js';
 import { BoxTree, BoxTreeBroadphase, type BoxTreeExternalNode, type Rect, type Vec2 } from '../../src/index.js';
+import { bestTime } from '../best-time.js';
 import { generator } from '../scenes/mixed.js';
 import { overlap } from './model.js';
 
@@ -282,21 +283,16 @@ describe('box tree broadphase', () => {
       moved.update(handles[i]!, around(place, 0.2));
     }
     /** ms. At best, to look at all places. */
-    const timeOf = (broadphase: BoxTreeBroadphase<number>): number => {
-      let best = Infinity;
-      for (let round = 0; round < 8; round += 1) {
+    const timeOf = (broadphase: BoxTreeBroadphase<number>): number =>
+      bestTime(() => {
         let found = 0;
-        const start = performance.now();
         for (const place of places) {
           broadphase.sample(around(place, 1), () => {
             found += 1;
           });
         }
-        best = Math.min(best, performance.now() - start);
         expect(found).toBeGreaterThan(2000);
-      }
-      return best;
-    };
+      });
     timeOf(made);
     timeOf(moved);
     expect(timeOf(moved) / timeOf(made)).toBeLessThan(3);
