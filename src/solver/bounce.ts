@@ -9,8 +9,8 @@ import {
   IMPACT_DEPTH,
   TOUCH_DEPTH,
 } from '../config.js';
-import type { BounceList, SolverData } from './data.js';
-import * as d from './data.js';
+import { type BounceList, recordAt, type SolverData } from './data.js';
+import * as d from './layout.js';
 import { solveVelocityOne } from './one-point.js';
 import { isTied } from './ties.js';
 import { solveVelocityTwo } from './two-point.js';
@@ -37,7 +37,7 @@ function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: nu
 /** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
 function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k: number): void {
   const { records: r, stride } = list.batches[k]!;
-  const record = list.index[k]! * stride;
+  const record = recordAt(list.index[k]!, stride);
   const i = record + list.shift[k]!;
   const a = list.bodies[2 * k]!;
   const b = list.bodies[2 * k + 1]!;
@@ -61,7 +61,7 @@ export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: n
 function gainOf(data: SolverData, k: number): number {
   const { bounces: list } = data;
   const { records: r, stride } = list.batches[k]!;
-  const record = list.index[k]! * stride;
+  const record = recordAt(list.index[k]!, stride);
   return normalGain(data, list.bodies[2 * k]!, list.bodies[2 * k + 1]!, r[record + d.NX]!, r[record + d.NY]!);
 }
 
@@ -142,7 +142,7 @@ function planRound(data: SolverData, h: number, round: number): number {
 /** Of a contact that bounces, given by its first point: those of its points that do not bounce stay out of the round. */
 function setBiases({ bounces: list }: SolverData, first: number): void {
   const { records: r, stride } = list.batches[first]!;
-  const record = list.index[first]! * stride;
+  const record = recordAt(list.index[first]!, stride);
   const after = first + (stride === d.TWO_STRIDE ? 2 : 1);
   for (let k = first; k < after; k += 1) {
     const bounces = bouncesNow(list, k);
@@ -180,7 +180,7 @@ function swapFriction({ bouncing, batches, index, bias }: BounceList, count: num
   for (let n = 0; n < count; n += 1) {
     const k = bouncing[n]!;
     const { records: r, stride } = batches[k]!;
-    const at = index[k]! * stride + d.TANGENT_MASS;
+    const at = recordAt(index[k]!, stride) + d.TANGENT_MASS;
     const mass = r[at]!;
     r[at] = bias[k]!;
     bias[k] = mass;
@@ -214,7 +214,7 @@ function planBounce(data: SolverData, k: number, h: number, round: number): void
   findSeparation(data, k);
   plan.gain = gainOf(data, k);
   const { records: r, stride } = list.batches[k]!;
-  const record = list.index[k]! * stride;
+  const record = recordAt(list.index[k]!, stride);
   const i = record + list.shift[k]!;
   const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
   const isLoaded =
@@ -240,7 +240,7 @@ function hangs({ batches, index }: BounceList, k: number): boolean {
 function keepLeaving(data: SolverData, k: number): void {
   const { bounces: list } = data;
   const { records: r, stride } = list.batches[k]!;
-  const record = list.index[k]! * stride;
+  const record = recordAt(list.index[k]!, stride);
   findSpeed(data, k);
   const leaves = plan.comes;
   list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
@@ -249,7 +249,7 @@ function keepLeaving(data: SolverData, k: number): void {
 /** Lets a point start from nothing: what it was given until now belongs to the step. */
 function dropImpulses(list: BounceList, k: number): void {
   const { records: r, stride } = list.batches[k]!;
-  const record = list.index[k]! * stride;
+  const record = recordAt(list.index[k]!, stride);
   const i = record + list.shift[k]!;
   r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
   r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
@@ -265,7 +265,7 @@ export function applyBounces(data: SolverData): void {
     const bias = list.bias[k]!;
     if (bias !== 0) {
       const { records: r, stride } = list.batches[k]!;
-      const record = list.index[k]! * stride;
+      const record = recordAt(list.index[k]!, stride);
       const at = record + list.shift[k]! + d.BIAS1;
       r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
@@ -286,7 +286,7 @@ export function releaseBounces(data: SolverData): void {
   for (let k = 0; k < list.count; k += 1) {
     if (list.bias[k] === d.OFF || fliesApart(data, k)) {
       const { records: r, stride, arbiters } = list.batches[k]!;
-      const at = list.index[k]! * stride + list.shift[k]! + d.SEPARATION1;
+      const at = recordAt(list.index[k]!, stride) + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {
         const { shapeA, shapeB } = arbiters[list.index[k]!]!;
         findImpactDepth(shapeA, shapeB, IMPACT_DEPTH);

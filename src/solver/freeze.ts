@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { FAR } from '../config.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
+import * as d from './layout.js';
 
 // In spite of all checks a body may come to numbers that are not finite: forces and masses are legal up to 1e308, and a custom constraint may write
 // what it likes. Such a body is frozen for the step, so that nothing else is touched.

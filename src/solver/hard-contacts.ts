@@ -11,7 +11,8 @@ import {
   STRAIN_STEPS,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD, type SolverData } from './data.js';
+import type { SolverData } from './data.js';
+import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD } from './layout.js';
 
 /**
  * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, if columns sway,

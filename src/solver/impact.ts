@@ -20,7 +20,7 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
+import * as d from './layout.js';
 import type { Meeting } from './meeting-queue.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';

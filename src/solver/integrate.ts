@@ -1,7 +1,7 @@
 import { REST_DAMPING, REST_SPEED } from '../config.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
+import * as d from './layout.js';
 import { inPieces } from './pieces.js';
 
 /** Angle, cosine, sine: scratch of `advancePiece`. */

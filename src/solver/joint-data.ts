@@ -9,7 +9,7 @@ import {
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
-import { WINDOW } from './data.js';
+import { WINDOW } from './layout.js';
 import {
   type BlockLayout,
   BREAK,

@@ -1,9 +1,10 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM } from '../config.js';
-import { INV_MASS, type SolverData } from './data.js';
+import type { SolverData } from './data.js';
 import { type Group, impulseOf, type Joint, steady } from './joint-data.js';
 import { CARRY, CUSTOM, POINT, POINT_CARRY, TURN } from './joint-layout.js';
+import { INV_MASS } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
 

@@ -5,8 +5,8 @@ import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
 import { impulseOf, type Joint } from './joint-data.js';
+import * as d from './layout.js';
 import { inPieces } from './pieces.js';
 
 /** Angle, cosine, sine: scratch. */

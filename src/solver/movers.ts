@@ -6,7 +6,7 @@ import * as c from '../contact/layout.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
+import * as d from './layout.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
 import { Nearby } from './nearby.js';
 import { isTied } from './ties.js';

@@ -18,10 +18,10 @@ import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
-import type { BounceList, ContactBatch, SolverData } from './data.js';
-import * as d from './data.js';
+import { type BounceList, type ContactBatch, recordAt, type SolverData } from './data.js';
 import { canGiveWay } from './find-pairs.js';
 import { markHard, markOf } from './hard-contacts.js';
+import * as d from './layout.js';
 
 /**
  * Brings the world's lists of arbiters up to date, in the order of their shapes, which what fell asleep leaves; and writes the records of all contacts, a
@@ -129,7 +129,7 @@ function hasTwoPoints(pair: Arbiter): boolean {
  */
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
-  const at = (index * d.TWO_STRIDE) & d.OFFSET;
+  const at = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { numbers: n } = pair;
   const o = pair.at & d.OFFSET;
@@ -198,7 +198,7 @@ function packTwo(data: SolverData, index: number): void {
 /** The same for a contact of one point; of two points the deeper one. */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
-  const at = (index * d.ONE_STRIDE) & d.OFFSET;
+  const at = ((index & d.PAIR) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { count, numbers: n, at: o } = pair;
   const r = batch.records;
@@ -262,7 +262,7 @@ function packOne(data: SolverData, index: number): void {
 function packPair(data: SolverData, batch: ContactBatch, index: number, a: number, b: number): void {
   const { records: r, bodies, arbiters, stride } = batch;
   const { velocity: v, drive, traits } = data;
-  const at = (index * stride) & d.OFFSET;
+  const at = recordAt(index, stride) & d.OFFSET;
   const pair = arbiters[index]!;
   const { bodyA, bodyB, numbers: n } = pair;
   const o = pair.at & d.OFFSET;
@@ -321,7 +321,7 @@ function addBounces(list: BounceList, batch: ContactBatch, index: number): void 
 
 /** Of bodies that are not dynamic, or whose surfaces move. What is carried or driven along, however slowly, is not to be brought to rest. */
 function packSurfaces({ drive }: SolverData, batch: ContactBatch, index: number, { bodyA, bodyB }: Arbiter): void {
-  const at = index * batch.stride;
+  const at = recordAt(index, batch.stride);
   batch.records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   batch.records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
   if (bodyA.kind !== DYNAMIC && isMoving(bodyA)) {

@@ -1,4 +1,5 @@
-import { type SolverData, WINDOW } from './data.js';
+import type { SolverData } from './data.js';
+import { WINDOW } from './layout.js';
 
 /** A loop over bodies or contacts from one index to another; `h` is for those that ask for it. */
 type Loop = (data: SolverData, from: number, to: number, h: number) => unknown;

@@ -3,9 +3,9 @@ import { COS, SIN, X, Y } from '../constraint/layout.js';
 import type { PointConstraint } from '../constraint/point.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
+import * as d from './layout.js';
 
 /**
  * Rigid point joints that do not break; all others are block joints. The error is C = Δ(x + r) between the bodies, and by velocities

@@ -1,6 +1,6 @@
 import type { SolverData } from './data.js';
-import * as d from './data.js';
 import * as j from './joint-layout.js';
+import * as d from './layout.js';
 
 /** The sweeps of block joints for one row between two bodies, straight-line. All else is done there. */
 

@@ -13,7 +13,7 @@ import {
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
+import * as d from './layout.js';
 
 // Straight-line, as packing is: they run once a step for every contact. Zeros are never negative, as users and snapshots read them. The next step does not start from
 // all that this one changed, see IMPULSE_MEMORY; of an impact, which is over, nothing is to be left.
@@ -21,7 +21,7 @@ import * as d from './data.js';
 /** Writes the outcome of a contact of two points back to its pair. A point that was apart from the start and met nothing was not used. */
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const { records: r, bodies, arbiters } = data.two;
-  const i = (index * d.TWO_STRIDE) & d.OFFSET;
+  const i = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
   const a = bodies[2 * index]!;
   const b = bodies[2 * index + 1]!;
   const pair = arbiters[index]!;
@@ -62,7 +62,7 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
 /** The same for a contact of one point; a second point that the solver did not see has no impulse. */
 export function storeOne(data: SolverData, index: number, stamp: number): void {
   const { records: r, bodies, arbiters, point } = data.one;
-  const i = (index * d.ONE_STRIDE) & d.OFFSET;
+  const i = ((index & d.PAIR) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
   const pair = arbiters[index]!;
   const which = point[index]! & 1;
   if ((point[index]! & d.ONE_OF_TWO) !== 0) {

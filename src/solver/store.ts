@@ -6,10 +6,10 @@ import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
-import * as d from './data.js';
 import { endForesight } from './foresee.js';
 import { settleFrozen } from './freeze.js';
 import { beginLate, solveImpact } from './impact.js';
+import * as d from './layout.js';
 import { storeOne, storeTwo } from './store-contacts.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */

@@ -3,9 +3,9 @@ import type { AngleConstraint } from '../constraint/angle.js';
 import { ANGLE } from '../constraint/layout.js';
 import type { MotorConstraint } from '../constraint/motor.js';
 import type { SolverData } from './data.js';
-import * as d from './data.js';
 import { type Joint, packHead } from './joint-data.js';
 import * as j from './joint-layout.js';
+import * as d from './layout.js';
 
 /**
  * Angles and motors that do not break. The method and the record are those of a block joint, but of the one row (0, 0, −1, 0, 0, ratio) only the turns count;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
 import { solveVelocityContacts } from '../../src/solver/contacts.js';
-import { BODY_STRIDE, VY, WINDOW } from '../../src/solver/data.js';
+import { BODY_STRIDE, VY, WINDOW } from '../../src/solver/layout.js';
 import {
   add,
   addFloor,

@@ -1,0 +1,148 @@
+/**
+ * Offsets into the packed arrays that the iterations of a step run on; a file without imports, as only then its numbers stand in the loops themselves, which is
+ * worth a quarter of a step.
+ *
+ * Bodies: slot 0 stands for everything that can neither move nor be moved; awake dynamic bodies follow, then awake
+ * kinematic ones. A body has a record in `velocity`, one in `motion`, one in `drive`, and in `pose` if there are joints: a run of numbers at a multiple of
+ * its stride.
+ */
+export const BODY_STRIDE = 8;
+
+/** `velocity`: what velocity iterations read and write. */
+export const VX = 0;
+export const VY = 1;
+export const W = 2;
+/** Inverse mass and inertia, in `velocity` and in `motion` at the same offsets. */
+export const INV_MASS = 3;
+export const INV_INERTIA = 4;
+/** Cosine − 1 and sine of the turn since the start of the step, in `velocity`, where the contacts look anyway. */
+export const COS_LESS_ONE = 5;
+export const SIN = 6;
+/** How near it is to strained contacts, in `velocity`, see `markHard`. */
+export const MARK = 7;
+/** Marks that all and no contacts are above. */
+export const ALL_HARD = 0;
+export const NONE_HARD = 1e9;
+
+/** `motion`: displacement within this sub-step (velocity · h, then pushes) … */
+export const QX = 0;
+export const QY = 1;
+export const QW = 2;
+/** … and since the start of the step, without this sub-step's. */
+export const DX = 5;
+export const DY = 6;
+export const DW = 7;
+
+/** `drive`: what integration adds and takes in each sub-step. */
+export const GAIN_X = 0;
+export const GAIN_Y = 1;
+export const GAIN_W = 2;
+export const KEEP_LINEAR = 3;
+export const KEEP_ANGULAR = 4;
+/** Square of the radius of gyration times REST_SPIN_WEIGHT; negative for bodies that rest damping leaves alone … */
+export const REST_RADIUS = 5;
+/** … as it does with those that have no contact: 1 if the body has one. */
+export const TOUCHED = 6;
+/** N·s. The normal impulses that all contacts of the body together start the step with. */
+export const LOAD = 7;
+
+/** Bits of `SolverData.traits`: some joint that is no custom constraint holds the body, it has several shapes, or its surface moves. */
+export const LINKED = 1;
+export const COMPOUND = 2;
+export const RUBS = 4;
+
+/**
+ * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
+ * solver needs of r: n · (R(θ) r) = RT·cos θ + RN·sin θ.
+ *
+ * Records lie two by two, their numbers by turns, as kernels that solve two at a time want them: that of contact k begins at (k & PAIR) · stride + (k & 1), and
+ * from a number of it to the next it is two.
+ *
+ * Two points lie on a line along t, or nearly so; friction at either does the same. So there is one friction for both, at a point between them, with both their loads.
+ */
+export const PAIR = -2;
+export const NX = 0;
+export const NY = 2;
+/** Share of the overlap that a position iteration removes. */
+export const SHARE = 4;
+/** Surface velocity along t and along n. */
+export const SURFACE_T = 6;
+export const SURFACE_N = 8;
+export const RT_A = 10;
+export const RT_B = 12;
+/** Effective mass along the tangent, coefficient of friction. */
+export const TANGENT_MASS = 14;
+export const FRICTION = 16;
+/** Impulse of this sub-step, and of the whole step without this sub-step's. */
+export const TANGENT = 18;
+export const TANGENT_SUM = 20;
+
+/** Of each point: */
+export const RN_A1 = 22;
+export const RN_B1 = 24;
+/** Impulse of this sub-step, and of the whole step without this sub-step's. */
+export const NORMAL1 = 26;
+export const NORMAL_SUM1 = 28;
+/** What the normal velocity is driven to, with the sign changed. */
+export const BIAS1 = 30;
+/** Separation at the start of the step, and at the start of the sub-step. */
+export const START1 = 32;
+export const SEPARATION1 = 34;
+
+/** One-point records only: effective mass along the normal. */
+export const NORMAL_MASS = 36;
+/** One-point records only: rolling. */
+export const ROLL_MASS = 38;
+export const ROLL_FRICTION = 40;
+export const ROLL = 42;
+export const ROLL_SUM = 44;
+/** One-point records only: as RT, of what turns with the body; of a circle that is its centre, as its surface stays where it is when it turns. */
+export const PIVOT_A = 46;
+export const PIVOT_B = 48;
+/** One-point records only: by how much friction and rolling, for each unit that they change, lessen the normal impulse that is found after them, and friction the rolling. */
+export const NORMAL_OF_TANGENT = 50;
+export const NORMAL_OF_ROLL = 52;
+export const ROLL_OF_TANGENT = 54;
+/** How many numbers a record has. */
+export const ONE_STRIDE = 28;
+/** A bit of `ContactBatch.point`. */
+export const ONE_OF_TWO = 2;
+
+/** Two-point records only: the second point at the offsets of the first plus SECOND, and K of both points. */
+export const SECOND = 16;
+export const RN_A2 = RN_A1 + SECOND;
+export const RN_B2 = RN_B1 + SECOND;
+export const NORMAL2 = NORMAL1 + SECOND;
+export const NORMAL_SUM2 = NORMAL_SUM1 + SECOND;
+export const BIAS2 = BIAS1 + SECOND;
+export const START2 = START1 + SECOND;
+export const SEPARATION2 = SEPARATION1 + SECOND;
+export const K11 = 36;
+export const K22 = K11 + SECOND;
+export const K12 = 54;
+/** K⁻¹. */
+export const I11 = 56;
+export const I12 = 58;
+export const I22 = 60;
+/** How far friction is from the second point, 0, towards the first, 1: that much of it the first point keeps for the next step. */
+export const PART = 62;
+export const TWO_STRIDE = 32;
+
+/**
+ * Offsets pass through this mask in the hot loops. It changes none, as no array is that long, but tells the compiler that they are small,
+ * so that adding a field to one needs no check for overflow: a twentieth of a step.
+ */
+export const OFFSET = 0xfffffff;
+
+/** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
+export const WINDOW = 128;
+export const RUN = 32;
+
+/** kg⁻¹. Stands for an infinite inverse mass, but may be multiplied by zero. */
+export const IMMOVABLE = 1e30;
+/** m. A separation that no motion of a step can close: switches a point off. */
+export const NEVER = 1e9;
+/** m/s. A bias that no impulse can meet by pushing: keeps a point out of a sub-step. */
+export const OFF = 1e9;
+/** rad. Up to this turn a short series for sine and cosine is exact to the last digit that matters. */
+export const SMALL_TURN = 0.2;
