@@ -16,6 +16,7 @@ import type { Material, MaterialParams } from './material.js';
 import type { Vec2 } from './math/vectors.js';
 import type { Circle, CircleParams } from './shape/circle.js';
 import type { Polygon, PolygonParams } from './shape/polygon.js';
+import { simdKernels } from './simd.js';
 import { worldState } from './state/snapshot.js';
 import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
@@ -41,7 +42,7 @@ export class Physics2DDevice {
 
   /** A world without bodies, that can be saved, restored and hashed. */
   createWorld(params?: WorldParams): World {
-    return new World(params, worldState);
+    return new World(params, worldState, simdKernels);
   }
 
   /** A broadphase for any scene; the default of `createWorld`. */

@@ -59,6 +59,7 @@ export {
 export { Physics2DDebugDraw } from './debug/index.js';
 export { Physics2DDevice, phys2D, phys2D as default } from './device.js';
 export { createBoxVertices, createRectangleVertices, createRegularPolygonVertices } from './geometry/vertices.js';
+export { Kernels } from './kernels.js';
 export type { MaterialParams } from './material.js';
 export { Material } from './material.js';
 export type { Matrix23Like, NumberSink, Ray, Rect, RectLike, Vec2, Vec2Like, Vec3, Vec3Like } from './math/vectors.js';
@@ -70,6 +71,7 @@ export type { PolygonParams } from './shape/polygon.js';
 export { Polygon } from './shape/polygon.js';
 export type { HitHandler, ShapeEvents, ShapeEventType, ShapeHandler, ShapeParams } from './shape/shape.js';
 export { Shape } from './shape/shape.js';
+export { simdKernels } from './simd.js';
 export { worldState } from './state/snapshot.js';
 export type { UserData } from './user-data.js';
 export { World } from './world.js';

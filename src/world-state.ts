@@ -6,6 +6,7 @@ import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
+import { Kernels, plainKernels } from './kernels.js';
 import { type Listeners, NO_LISTENERS } from './listeners.js';
 import { List } from './math/list.js';
 import type { Vec2Like } from './math/vectors.js';
@@ -17,7 +18,7 @@ import { JointData } from './solver/joint-data.js';
 import type { JointSolver } from './solver/joints.js';
 import { Movers } from './solver/movers.js';
 import type { Tape } from './state/tape.js';
-import { boolean, callable, integer, optional, options, typeError, vector } from './validate.js';
+import { boolean, callable, instance, integer, optional, options, typeError, vector } from './validate.js';
 import type { World } from './world.js';
 
 /** What `World.poses` is: a `PoseBuffer`, or anything with such a method. */
@@ -51,6 +52,11 @@ export interface WorldParams {
    * save worlds has nothing of it, and these methods throw; `worldState` with the one of `phys2D`.
    */
   state?: WorldSaving | undefined;
+  /**
+   * What solves contacts: `simdKernels`, twice as fast in WebAssembly where there is such. Default: `simdKernels` with the `createWorld` of `phys2D`, and with the function
+   * plain TypeScript, so that a bundle has less. The results are the same to the bit.
+   */
+  kernels?: Kernels | undefined;
 }
 
 /** What `WorldParams.state` is: `worldState`. */
@@ -119,7 +125,7 @@ export abstract class WorldState {
   /** @internal */
   readonly events = new EventQueue();
   /** @internal */
-  readonly solver = new SolverData(new JointData());
+  readonly solver: SolverData;
   /** @internal */
   readonly islandWork = new IslandWork();
   /** @internal what moved fast in this step */
@@ -144,7 +150,7 @@ export abstract class WorldState {
   private measured: Profile | null = null;
 
   /** @internal use `createWorld` */
-  constructor(params?: WorldParams, saving: WorldSaving | null = null) {
+  constructor(params?: WorldParams, saving: WorldSaving | null = null, kernels: Kernels = plainKernels) {
     const where = 'createWorld';
     const given = options(where, params, false);
     const gravity = given.gravity === undefined ? [0, 10] : vector(where, 'gravity', given.gravity, 2);
@@ -165,6 +171,10 @@ export abstract class WorldState {
     this.parts = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
     this.mayRest = boolean(where, 'allowSleeping', optional(given.allowSleeping, true));
     this.saving = given.state === undefined ? saving : checkedSaving(where, given.state);
+    this.solver = new SolverData(
+      new JointData(),
+      given.kernels === undefined ? kernels : instance(where, 'kernels', given.kernels, Kernels, 'simdKernels'),
+    );
     this.broadphase =
       given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
   }

@@ -2,6 +2,7 @@ import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
+import type { Kernels } from './kernels.js';
 import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './listeners.js';
 import { takeOut } from './math/list.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
@@ -46,8 +47,8 @@ export class World extends WorldState {
   }
 
   /** @internal use `createWorld` */
-  constructor(params?: WorldParams, saving?: WorldSaving) {
-    super(params, saving);
+  constructor(params?: WorldParams, saving?: WorldSaving, kernels?: Kernels) {
+    super(params, saving, kernels);
   }
 
   /**

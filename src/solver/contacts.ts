@@ -1,29 +1,26 @@
 import { CROWD_SWEEPS, HARD_SWEEPS } from '../config.js';
 import type { SolverData } from './data.js';
-import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
+import type { Sweep } from './loops.js';
 import { inPieces } from './pieces.js';
-import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
 
 /** Starts a sub-step of length h. */
 export function warmStartContacts(data: SolverData, h: number): void {
+  const { warmStartTwo, warmStartOne } = data.loops!;
   inPieces(data, 0, data.two.count, warmStartTwo, h);
   inPieces(data, 0, data.one.count, warmStartOne, h);
 }
 
-/** A loop over contacts of one or of two points from one index to another. */
-type Loop = (data: SolverData, from: number, to: number, h: number) => boolean;
-
 /** One sweep over all contacts; over those that are hard to solve some more, until nothing changes. @returns whether anything did. */
-function sweep(data: SolverData, loopTwo: Loop, loopOne: Loop, h: number): boolean {
+function sweep(data: SolverData, sweepTwo: Sweep, sweepOne: Sweep, h: number): boolean {
   const { hard, hardCount } = data;
-  const changedTwo = inPieces(data, 0, data.two.count, loopTwo, h);
-  const changedOne = inPieces(data, 0, data.one.count, loopOne, h);
+  const changedTwo = inPieces(data, 0, data.two.count, sweepTwo, h);
+  const changedOne = inPieces(data, 0, data.one.count, sweepOne, h);
   const changed = changedTwo || changedOne;
   for (let i = 0; i < hardCount && changed; i += 4) {
     let more = true;
     for (let times = 1; times < HARD_SWEEPS && more; times += 1) {
-      const moreTwo = loopTwo(data, hard[i]!, hard[i + 1]!, h);
-      more = loopOne(data, hard[i + 2]!, hard[i + 3]!, h) || moreTwo;
+      const moreTwo = sweepTwo(data, hard[i]!, hard[i + 1]!, h);
+      more = sweepOne(data, hard[i + 2]!, hard[i + 3]!, h) || moreTwo;
     }
   }
   return changed;
@@ -31,13 +28,13 @@ function sweep(data: SolverData, loopTwo: Loop, loopOne: Loop, h: number): boole
 
 /** One sweep over all contacts, in a sub-step of length h. @returns whether any velocity changed by more than CALM_ACCELERATION · h. */
 export function solveVelocityContacts(data: SolverData, h: number): boolean {
-  return sweep(data, solveVelocityTwo, solveVelocityOne, h);
+  return sweep(data, data.loops!.solveVelocityTwo, data.loops!.solveVelocityOne, h);
 }
 
 /** One position iteration, likewise. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
   data.crowded = false;
-  return sweep(data, solvePositionTwo, solvePositionOne, 0);
+  return sweep(data, data.loops!.solvePositionTwo, data.loops!.solvePositionOne, 0);
 }
 
 /** Some more position iterations where circles crowd each other; what rests never does. */

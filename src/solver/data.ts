@@ -1,6 +1,9 @@
 import type { Arbiter } from '../contact/arbiter.js';
+import type { Kernels } from '../kernels.js';
 import type { JointData } from './joint-data.js';
 import * as d from './layout.js';
+import type { Loops } from './loops.js';
+import type { Scratch } from './scratch.js';
 
 /** Where the record of a contact begins, of `stride` numbers. */
 export function recordAt(index: number, stride: number): number {
@@ -10,35 +13,38 @@ export function recordAt(index: number, stride: number): number {
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {
   count = 0;
+  /** Lent for a step, as the two next: see `scratch.ts`. */
   records = new Float64Array(0);
   /** Offsets of the two bodies' records, A then B. */
   bodies = new Int32Array(0);
+  capacity = 0;
   arbiters: Arbiter[] = [];
   /** Which of the arbiter's points a one-point record is, 0 or 1; with `ONE_OF_TWO` if there is another. */
   point = new Uint8Array(0);
-  private capacity = 32;
 
-  /** Grows at once: what never changed is taken for constant, and loops that were compiled for that are thrown away when it first grows. */
-  constructor(readonly stride: number) {
-    this.grow();
-  }
+  constructor(
+    readonly stride: number,
+    private readonly owner: SolverData,
+  ) {}
 
   /** Appends a record for a pair. @returns its index. */
   add(pair: Arbiter): number {
     const index = this.count;
     if (index === this.capacity) {
-      this.grow();
+      this.owner.makeRoom();
     }
     this.arbiters[index] = pair;
     this.count = index + 1;
     return index;
   }
 
-  private grow(): void {
-    this.capacity *= 2;
-    this.records = widened(this.records, new Float64Array(this.capacity * this.stride));
-    this.bodies = widened(this.bodies, new Int32Array(this.capacity * 2));
-    this.point = widened(this.point, new Uint8Array(this.capacity));
+  lay(records: Float64Array<ArrayBuffer>, bodies: Int32Array<ArrayBuffer>): void {
+    this.records = records;
+    this.bodies = bodies;
+    this.capacity = bodies.length / 2;
+    if (this.point.length < this.capacity) {
+      this.point = widened(this.point, new Uint8Array(this.capacity));
+    }
   }
 }
 
@@ -75,7 +81,7 @@ export class BounceList {
     this.batches[i] = batch;
     this.index[i] = index;
     this.shift[i] = shift;
-    this.bodies[2 * i] = batch.bodies[2 * index]!;
+    this.bodies[2 * i] = batch.bodies[2 * index]! & d.OFFSET;
     this.bodies[2 * i + 1] = batch.bodies[2 * index + 1]!;
     const { records, stride } = batch;
     const record = recordAt(index, stride);
@@ -104,8 +110,10 @@ export class BounceList {
 /** Everything the solver keeps for a world. Of it only the previous sub-step's length and what joints remember survives a step. */
 export class SolverData {
   bodyCount = 0;
-  velocity = new Float64Array(64 * d.BODY_STRIDE);
-  motion = new Float64Array(64 * d.BODY_STRIDE);
+  /** The loops over contacts, and lent for a step, as the arrays of contacts are, what they work on; at other times these are anyone's. */
+  loops: Loops | null = null;
+  velocity = new Float64Array(0);
+  motion = new Float64Array(0);
   drive = new Float64Array(64 * d.BODY_STRIDE);
   /** Placements as the sub-step starts; constraint/layout.ts names the offsets. */
   pose = new Float64Array(64 * d.BODY_STRIDE);
@@ -113,8 +121,8 @@ export class SolverData {
   traits = new Uint8Array(64);
   /** The pairs that are being packed; what lies beyond their count is old. */
   readonly window: Arbiter[] = [];
-  readonly one = new ContactBatch(d.ONE_STRIDE);
-  readonly two = new ContactBatch(d.TWO_STRIDE);
+  readonly one = new ContactBatch(d.ONE_STRIDE, this);
+  readonly two = new ContactBatch(d.TWO_STRIDE, this);
   readonly bounces = new BounceList();
   /**
    * Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. What lies beyond
@@ -136,7 +144,12 @@ export class SolverData {
    */
   impulseScale = 0.5;
 
-  constructor(readonly joints: JointData) {}
+  private scratch: Scratch | null = null;
+
+  constructor(
+    readonly joints: JointData,
+    private readonly kernels: Kernels,
+  ) {}
 
   clearContacts(): void {
     this.one.count = 0;
@@ -145,16 +158,17 @@ export class SolverData {
     this.hardCount = 0;
   }
 
-  /** Makes room for `count` bodies; slot 0 is cleared, the others are to be filled. */
+  /** Takes arrays for a step, with room for `count` bodies; slot 0 is cleared, the others are to be filled. */
   resetBodies(count: number): void {
     this.bodyCount = count;
-    if (count * d.BODY_STRIDE > this.velocity.length) {
-      const size = Math.max(count, (this.velocity.length / d.BODY_STRIDE) * 2);
-      this.velocity = new Float64Array(size * d.BODY_STRIDE);
-      this.motion = new Float64Array(size * d.BODY_STRIDE);
-      this.drive = new Float64Array(size * d.BODY_STRIDE);
-      this.pose = new Float64Array(size * d.BODY_STRIDE);
-      this.traits = new Uint8Array(size);
+    this.scratch = this.kernels.lend(this, this.scratch);
+    this.scratch.reserve(count, 0, 0);
+    this.lay(this.scratch);
+    if (count * d.BODY_STRIDE > this.drive.length) {
+      const size = this.velocity.length;
+      this.drive = new Float64Array(size);
+      this.pose = new Float64Array(size);
+      this.traits = new Uint8Array(size / d.BODY_STRIDE);
     }
     this.motion.fill(0, 0, count * d.BODY_STRIDE);
     this.velocity.fill(0, 0, d.BODY_STRIDE);
@@ -162,5 +176,27 @@ export class SolverData {
     this.drive[d.KEEP_LINEAR] = 1;
     this.drive[d.KEEP_ANGULAR] = 1;
     this.drive[d.REST_RADIUS] = -1;
+  }
+
+  /** Makes room for one more contact of each kind. */
+  makeRoom(): void {
+    const scratch = this.scratch!;
+    scratch.reserve(this.bodyCount, this.one.count + 1, this.two.count + 1);
+    this.lay(scratch);
+  }
+
+  /** Gives the arrays back. */
+  release(): void {
+    if (this.scratch !== null) {
+      this.scratch.user = null;
+    }
+  }
+
+  private lay({ loops, doubles, offsets }: Scratch): void {
+    this.loops = loops;
+    this.velocity = doubles[0]!;
+    this.motion = doubles[1]!;
+    this.one.lay(doubles[2]!, offsets[0]!);
+    this.two.lay(doubles[3]!, offsets[1]!);
   }
 }

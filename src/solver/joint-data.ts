@@ -9,7 +9,6 @@ import {
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
-import { WINDOW } from './layout.js';
 import {
   type BlockLayout,
   BREAK,
@@ -37,6 +36,7 @@ import {
   TURN_IMPULSE,
   TURN_STRIDE,
 } from './joint-layout.js';
+import { WINDOW } from './layout.js';
 
 /** A constraint's place in the packed arrays. */
 export interface Joint {

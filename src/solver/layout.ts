@@ -133,6 +133,8 @@ export const TWO_STRIDE = 32;
  * so that adding a field to one needs no check for overflow: a twentieth of a step.
  */
 export const OFFSET = 0xfffffff;
+/** A bit of the first offset of the second contact of two: it shares a body that can move with the first. */
+export const WAITS = 0x20000000;
 
 /** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
 export const WINDOW = 128;

@@ -266,7 +266,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   const pair = arbiters[index]!;
   const { bodyA, bodyB, numbers: n } = pair;
   const o = pair.at & d.OFFSET;
-  bodies[2 * index] = a;
+  bodies[2 * index] = (index & 1) === 1 && waits(bodies, index, a, b) ? a | d.WAITS : a;
   bodies[2 * index + 1] = b;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
@@ -308,6 +308,13 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   if (n[o + c.ELASTICITY]! > 0) {
     addBounces(data.bounces, batch, index);
   }
+}
+
+/** Whether the bodies of a contact are those of the one before, other than slot 0. */
+function waits(bodies: Int32Array, index: number, a: number, b: number): boolean {
+  const otherA = bodies[2 * index - 2]!;
+  const otherB = bodies[2 * index - 1]!;
+  return (a !== 0 && (a === otherA || a === otherB)) || (b !== 0 && (b === otherA || b === otherB));
 }
 
 function addBounces(list: BounceList, batch: ContactBatch, index: number): void {

@@ -38,6 +38,7 @@ export function step(world: World, dt: number): void {
   integrate(world, h);
   world.jointSolver?.store(world);
   store(world);
+  solver.release();
   profile?.lap('store');
   continuous(world, dt);
   world.events.noteWoken(world);

@@ -22,7 +22,7 @@ import * as d from './layout.js';
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const { records: r, bodies, arbiters } = data.two;
   const i = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
-  const a = bodies[2 * index]!;
+  const a = bodies[2 * index]! & d.OFFSET;
   const b = bodies[2 * index + 1]!;
   const pair = arbiters[index]!;
   const { numbers: n } = pair;
@@ -87,7 +87,7 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
   const others = pair.usedPoints & ~(1 << which);
   const isStrained =
     p > STRAIN_SPEED * r[i + d.NORMAL_MASS]! &&
-    areUnlike(data, bodies[2 * index]!, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
+    areUnlike(data, bodies[2 * index]! & d.OFFSET, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
   noteUse(pair, others | (isUsed ? 1 << which : 0), isStrained, stamp);
   pair.rocks = false;
 }

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import * as audit from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as engine from '../../src/index.js';
-import { phys2D } from '../../src/index.js';
+import { phys2D, simdKernels } from '../../src/index.js';
 import * as runner from '../../src/runner.js';
 import * as state from '../../src/state/index.js';
 import { type Callable, Declarations, type Parameter } from './declarations.js';
@@ -172,6 +172,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
     'BroadphaseHandle<T>': { good: handles[owner as keyof typeof handles], bad: [...NO_OBJECT, {}] },
     Broadphase: { good: boxes, bad: [...NO_OBJECT, {}] },
     DebugGraphicsDevice: { good: device, bad: [...NO_OBJECT, {}] },
+    Kernels: { good: simdKernels, bad: [...NO_OBJECT, {}] },
     PoseUpdate: { good: state.PoseBuffer.create({ capacity: 1 }), bad: [...NO_OBJECT, {}, { update: 5 }] },
     Float64Array: { good: new Float64Array(1), bad: [...NO_OBJECT, {}, [1]] },
     Physics2DDevice: { good: phys2D, bad: [...NO_OBJECT, {}] },

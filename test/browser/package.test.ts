@@ -60,6 +60,27 @@ describe('in a browser', () => {
     expect(await page.evaluate(code)).toEqual(expected);
   });
 
+  it.each(['phys2d.js', 'phys2d.min.js'])(
+    '%s solves by WebAssembly, and without where a page forbids that',
+    async (name) => {
+      const ask = `import('/dist/${name}').then(({ simdKernels }) => simdKernels.isSupported())`;
+      expect(await page.evaluate(ask)).toBe(true);
+      const strict = await open(browser, []);
+      await strict.route('**/strict', (route) =>
+        route.fulfill({
+          contentType: 'text/html',
+          body: '',
+          headers: { 'Content-Security-Policy': "script-src 'self'" },
+        }),
+      );
+      await strict.goto(new URL('/strict', strict.url()).href);
+      expect(await strict.evaluate(ask)).toBe(false);
+      const code = `import('/dist/${name}').then(({ phys2D }) => (${fall})(phys2D))`;
+      expect(await strict.evaluate(code)).toEqual(expected);
+      await strict.close();
+    },
+  );
+
   it('no page has thrown anything', () => {
     expect(errors).toEqual([]);
   });

@@ -10,7 +10,7 @@ import { find } from '../browser/engines.mjs';
 import { askFirefox } from '../browser/firefox.js';
 import { goldenScript } from './golden.mjs';
 
-// The same scenes have the same hashes, every 10 steps for 600, in every JavaScript engine. A change that is meant to change results:
+// The same scenes have the same hashes, every 10 steps for 600, in every JavaScript engine; in QuickJS, which has no WebAssembly, by kernels in plain TypeScript. A change that is meant to change results:
 // node test/state/golden.mjs
 //
 // QuickJS interprets: it does the first third of each scene, and all of it when asked to, which takes a minute:
@@ -18,11 +18,20 @@ import { goldenScript } from './golden.mjs';
 
 type Hashes = Record<string, string[]>;
 
+/** What an engine comes to, and by which kernels. */
+interface Found {
+  readonly hashes: Hashes;
+  readonly kernels: string;
+}
+
+const RUN = '({ hashes: golden.runAll(), kernels: golden.kernels() })';
+
 const MINUTES = 60_000;
 const EVERY = 10;
 const QUICKJS_STEPS = Number(process.env.QUICKJS_STEPS ?? 200);
 const golden = JSON.parse(readFileSync(join(import.meta.dirname, 'golden.json'), 'utf8')) as Hashes;
 const folder = mkdtempSync(join(tmpdir(), 'phys2d-golden-'));
+const expected: Found = { hashes: golden, kernels: 'WebAssembly' };
 let script = '';
 
 beforeAll(async () => {
@@ -42,7 +51,7 @@ describe('golden hashes', () => {
   it(
     'in V8 (Node)',
     async () => {
-      expect(await runInShell(process.execPath, 'console.log')).toEqual(golden);
+      expect(await runInShell(process.execPath, 'console.log')).toEqual(expected);
     },
     2 * MINUTES,
   );
@@ -54,7 +63,7 @@ describe('golden hashes', () => {
       try {
         const page = await open(browser, []);
         await page.addScriptTag({ content: script });
-        expect(await page.evaluate('golden.runAll()')).toEqual(golden);
+        expect(await page.evaluate(RUN)).toEqual(expected);
       } finally {
         await browser.close();
       }
@@ -65,7 +74,7 @@ describe('golden hashes', () => {
   it(
     'in SpiderMonkey (Firefox)',
     async () => {
-      expect(await runInFirefox()).toEqual(golden);
+      expect(await runInFirefox()).toEqual(expected);
     },
     2 * MINUTES,
   );
@@ -73,7 +82,7 @@ describe('golden hashes', () => {
   it(
     'in JavaScriptCore (jsc)',
     async () => {
-      expect(await runInShell(find('jsc'), 'print')).toEqual(golden);
+      expect(await runInShell(find('jsc'), 'print')).toEqual(expected);
     },
     2 * MINUTES,
   );
@@ -84,6 +93,9 @@ describe('golden hashes', () => {
       const quickJS = await getQuickJS();
       const context = quickJS.newContext();
       context.unwrapResult(context.evalCode(script)).dispose();
+      const kernels = context.unwrapResult(context.evalCode('golden.kernels()'));
+      expect(context.dump(kernels)).toBe('TypeScript');
+      kernels.dispose();
       const found: Hashes = {};
       for (const name of Object.keys(golden)) {
         const result = context.unwrapResult(context.evalCode(`golden.run(${JSON.stringify(name)}, ${QUICKJS_STEPS})`));
@@ -104,18 +116,18 @@ describe('golden hashes', () => {
 });
 
 /** A program that runs a file, and what prints there. */
-async function runInShell(program: string, print: string): Promise<Hashes> {
+async function runInShell(program: string, print: string): Promise<Found> {
   const file = join(folder, `${print}.js`);
-  writeFileSync(file, `${script}; ${print}(JSON.stringify(golden.runAll()));`);
+  writeFileSync(file, `${script}; ${print}(JSON.stringify(${RUN}));`);
   const { stdout } = await promisify(execFile)(program, [file], { maxBuffer: 1e6 });
-  return JSON.parse(stdout) as Hashes;
+  return JSON.parse(stdout) as Found;
 }
 
 /** In a page that posts what it found. */
-async function runInFirefox(): Promise<Hashes> {
+async function runInFirefox(): Promise<Found> {
   const page = `<!doctype html><meta charset="utf-8"><script>${script}
-    const body = JSON.stringify(golden.runAll());
+    const body = JSON.stringify(${RUN});
     fetch('/', { method: 'POST', body });
   </script>`;
-  return askFirefox<Hashes>((url) => (url === '/' ? { type: 'text/html', body: page } : null));
+  return askFirefox<Found>((url) => (url === '/' ? { type: 'text/html', body: page } : null));
 }

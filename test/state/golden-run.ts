@@ -1,4 +1,4 @@
-import { phys2D } from '../../src/index.js';
+import { phys2D, simdKernels } from '../../src/index.js';
 import { GAMES } from '../scenes/states.js';
 
 /** Steps of a run, and how many lie between two hashes. */
@@ -21,4 +21,9 @@ export function run(name: string, steps: number = STEPS): string[] {
 /** Of all scenes. */
 export function runAll(): Record<string, string[]> {
   return Object.fromEntries(Object.keys(GAMES).map((name) => [name, run(name)]));
+}
+
+/** What solves the contacts of these scenes. */
+export function kernels(): string {
+  return simdKernels.isSupported() ? 'WebAssembly' : 'TypeScript';
 }

@@ -1,0 +1,2 @@
+export { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point';
+export { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point';

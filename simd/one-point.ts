@@ -1,0 +1,298 @@
+// Contacts of one point, two at a time: what `src/solver/one-point.ts` does, operation by operation, so that the results are the same to the bit.
+import * as d from '../src/solver/layout';
+import * as n from './lanes';
+import { at, Bodies, first, lanesOf, maskOf, number, OFFSETS, pick, put, second, two } from './lanes';
+
+/** Bytes of two records. */
+const RECORDS: usize = 16 * d.ONE_STRIDE;
+
+export function warmStartOne(
+  records: usize,
+  bodies: usize,
+  velocity: usize,
+  motion: usize,
+  from: i32,
+  to: i32,
+  h: f64,
+): void {
+  const zero = f64x2.splat(0);
+  const inverseH = f64x2.splat(1 / h);
+  for (let k = from & d.PAIR; k < to; k += 2) {
+    const r = records + <usize>(k >> 1) * RECORDS;
+    const pair = bodies + <usize>(k >> 1) * OFFSETS;
+    const a1 = load<i32>(pair) << 3;
+    const b1 = load<i32>(pair, 4) << 3;
+    const bodiesOfSecond = load<i32>(pair, 8);
+    const a2 = bodiesOfSecond << 3;
+    const b2 = load<i32>(pair, 12) << 3;
+    const nx = at(r, d.NX);
+    const ny = at(r, d.NY);
+    const rnA = at(r, d.RN_A1);
+    const rnB = at(r, d.RN_B1);
+    const rtA = at(r, d.RT_A);
+    const rtB = at(r, d.RT_B);
+    let x = at(motion + a1, d.DX);
+    let y = at(motion + a2, d.DX);
+    const dax = first(x, y);
+    const day = second(x, y);
+    x = at(motion + b1, d.DX);
+    y = at(motion + b2, d.DX);
+    const dx = f64x2.sub(first(x, y), dax);
+    const dy = f64x2.sub(second(x, y), day);
+    x = at(velocity + a1, d.COS_LESS_ONE);
+    y = at(velocity + a2, d.COS_LESS_ONE);
+    const cosA = first(x, y);
+    const sinA = second(x, y);
+    x = at(velocity + b1, d.COS_LESS_ONE);
+    y = at(velocity + b2, d.COS_LESS_ONE);
+    const cosB = first(x, y);
+    const sinB = second(x, y);
+    let s = f64x2.add(f64x2.add(at(r, d.START1), f64x2.mul(nx, dx)), f64x2.mul(ny, dy));
+    s = f64x2.add(f64x2.add(s, f64x2.mul(cosB, at(r, d.PIVOT_B))), f64x2.mul(sinB, rnB));
+    s = f64x2.sub(f64x2.sub(s, f64x2.mul(cosA, at(r, d.PIVOT_A))), f64x2.mul(sinA, rnA));
+    const gap = f64x2.add(s, number(n.DEPTH));
+    // What the velocities have no say in may be done for both at once.
+    put(r, d.SEPARATION1, s);
+    put(
+      r,
+      d.BIAS1,
+
+      f64x2.add(f64x2.mul(f64x2.mul(number(n.HALF), f64x2.add(gap, f64x2.abs(gap))), inverseH), at(r, d.SURFACE_N)),
+    );
+    const p = at(r, d.NORMAL1);
+    const t = at(r, d.TANGENT);
+    const roll = at(r, d.ROLL);
+    const idle = i64x2.bitmask(f64x2.eq(v128.or(v128.or(p, t), roll), zero));
+    const jx = f64x2.sub(f64x2.mul(nx, p), f64x2.mul(ny, t));
+    const jy = f64x2.add(f64x2.mul(ny, p), f64x2.mul(nx, t));
+    const jwA = f64x2.add(f64x2.add(f64x2.mul(rnA, p), f64x2.mul(rtA, t)), roll);
+    const jwB = f64x2.add(f64x2.add(f64x2.mul(rnB, p), f64x2.mul(rtB, t)), roll);
+    for (let lanes = lanesOf(bodiesOfSecond, k, from, to); lanes !== 0; lanes >>= 2) {
+      const busy = lanes & ~idle & 3;
+      if (busy === 0) {
+        continue;
+      }
+      let sumP = f64x2.add(at(r, d.NORMAL_SUM1), p);
+      let sumT = f64x2.add(at(r, d.TANGENT_SUM), t);
+      let sumRoll = f64x2.add(at(r, d.ROLL_SUM), roll);
+      if (busy !== 3) {
+        const mask = maskOf(busy);
+        sumP = pick(mask, sumP, at(r, d.NORMAL_SUM1));
+        sumT = pick(mask, sumT, at(r, d.TANGENT_SUM));
+        sumRoll = pick(mask, sumRoll, at(r, d.ROLL_SUM));
+      }
+      put(r, d.NORMAL_SUM1, sumP);
+      put(r, d.TANGENT_SUM, sumT);
+      put(r, d.ROLL_SUM, sumRoll);
+      Bodies.give(velocity + a1, velocity + a2, busy, f64x2.neg(jx), f64x2.neg(jy), f64x2.neg(jwA));
+      Bodies.give(velocity + b1, velocity + b2, busy, jx, jy, jwB);
+    }
+  }
+}
+
+/** @returns whether any velocity changed by more than the tolerance. */
+export function solveVelocityOne(
+  records: usize,
+  bodies: usize,
+  velocity: usize,
+  from: i32,
+  to: i32,
+  tolerance: f64,
+): bool {
+  const zero = f64x2.splat(0);
+  const limitOfCalm = f64x2.splat(tolerance);
+  let changed = 0;
+  for (let k = from & d.PAIR; k < to; k += 2) {
+    const r = records + <usize>(k >> 1) * RECORDS;
+    const pair = bodies + <usize>(k >> 1) * OFFSETS;
+    const a1 = velocity + (load<i32>(pair) << 3);
+    const b1 = velocity + (load<i32>(pair, 4) << 3);
+    const bodiesOfSecond = load<i32>(pair, 8);
+    const a2 = velocity + (bodiesOfSecond << 3);
+    const b2 = velocity + (load<i32>(pair, 12) << 3);
+    for (let lanes = lanesOf(bodiesOfSecond, k, from, to); lanes !== 0; lanes >>= 2) {
+      let x = at(a1, d.VX);
+      let y = at(a2, d.VX);
+      const vax = first(x, y);
+      const vay = second(x, y);
+      x = at(b1, d.VX);
+      y = at(b2, d.VX);
+      const vbx = first(x, y);
+      const vby = second(x, y);
+      x = at(a1, d.W);
+      y = at(a2, d.W);
+      const wA = first(x, y);
+      const mA = second(x, y);
+      x = at(b1, d.W);
+      y = at(b2, d.W);
+      const wB = first(x, y);
+      const mB = second(x, y);
+      const nx = at(r, d.NX);
+      const ny = at(r, d.NY);
+      const dvx = f64x2.sub(vbx, vax);
+      const dvy = f64x2.sub(vby, vay);
+      const p = at(r, d.NORMAL1);
+      const t = at(r, d.TANGENT);
+      const roll = at(r, d.ROLL);
+      const rnA = at(r, d.RN_A1);
+      const rnB = at(r, d.RN_B1);
+      const vn = f64x2.add(
+        f64x2.add(f64x2.mul(nx, dvx), f64x2.mul(ny, dvy)),
+        f64x2.add(f64x2.sub(f64x2.mul(rnB, wB), f64x2.mul(rnA, wA)), at(r, d.BIAS1)),
+      );
+      const idle = v128.and(f64x2.eq(v128.or(v128.or(p, t), roll), zero), f64x2.ge(vn, zero));
+      const busy = lanes & ~i64x2.bitmask(idle) & 3;
+      if (busy === 0) {
+        continue;
+      }
+
+      const rtA = at(r, d.RT_A);
+      const rtB = at(r, d.RT_B);
+      const tangentMass = at(r, d.TANGENT_MASS);
+      const rollMass = at(r, d.ROLL_MASS);
+      const normalMass = at(r, d.NORMAL_MASS);
+      const slide = f64x2.add(
+        f64x2.sub(f64x2.mul(nx, dvy), f64x2.mul(ny, dvx)),
+        f64x2.add(f64x2.sub(f64x2.mul(rtB, wB), f64x2.mul(rtA, wA)), at(r, d.SURFACE_T)),
+      );
+      const nextT = within(f64x2.sub(t, f64x2.mul(slide, tangentMass)), f64x2.mul(at(r, d.FRICTION), p));
+      const dt = f64x2.sub(nextT, t);
+      const rolled = f64x2.sub(roll, f64x2.mul(f64x2.sub(wB, wA), rollMass));
+      const nextRoll = within(
+        f64x2.sub(rolled, f64x2.mul(at(r, d.ROLL_OF_TANGENT), dt)),
+        f64x2.mul(at(r, d.ROLL_FRICTION), p),
+      );
+      const dr = f64x2.sub(nextRoll, roll);
+      let wanted = f64x2.sub(p, f64x2.mul(vn, normalMass));
+      wanted = f64x2.sub(wanted, f64x2.mul(at(r, d.NORMAL_OF_TANGENT), dt));
+      wanted = f64x2.sub(wanted, f64x2.mul(at(r, d.NORMAL_OF_ROLL), dr));
+      const nextP = f64x2.mul(number(n.HALF), f64x2.add(wanted, f64x2.abs(wanted)));
+      const dp = f64x2.sub(nextP, p);
+      if (busy === 3) {
+        put(r, d.TANGENT, nextT);
+        put(r, d.ROLL, nextRoll);
+        put(r, d.NORMAL1, nextP);
+      } else {
+        const mask = maskOf(busy);
+        put(r, d.TANGENT, pick(mask, nextT, t));
+        put(r, d.ROLL, pick(mask, nextRoll, roll));
+        put(r, d.NORMAL1, pick(mask, nextP, p));
+      }
+      if (changed === 0) {
+        const isMuch = v128.or(
+          v128.or(
+            f64x2.gt(f64x2.abs(dp), f64x2.mul(limitOfCalm, normalMass)),
+            f64x2.gt(f64x2.abs(dt), f64x2.mul(limitOfCalm, tangentMass)),
+          ),
+          f64x2.gt(f64x2.abs(dr), f64x2.mul(limitOfCalm, rollMass)),
+        );
+        changed = i64x2.bitmask(isMuch) & busy;
+      }
+      const jx = f64x2.sub(f64x2.mul(nx, dp), f64x2.mul(ny, dt));
+      const jy = f64x2.add(f64x2.mul(ny, dp), f64x2.mul(nx, dt));
+      const jwA = f64x2.add(f64x2.add(f64x2.mul(rtA, dt), dr), f64x2.mul(rnA, dp));
+      const jwB = f64x2.add(f64x2.add(f64x2.mul(rtB, dt), dr), f64x2.mul(rnB, dp));
+      Bodies.put(
+        a1,
+        a2,
+        busy,
+        f64x2.sub(vax, f64x2.mul(mA, jx)),
+        f64x2.sub(vay, f64x2.mul(mA, jy)),
+        f64x2.sub(wA, f64x2.mul(two(a1, a2, d.INV_INERTIA), jwA)),
+        mA,
+      );
+      Bodies.put(
+        b1,
+        b2,
+        busy,
+        f64x2.add(vbx, f64x2.mul(mB, jx)),
+        f64x2.add(vby, f64x2.mul(mB, jy)),
+        f64x2.add(wB, f64x2.mul(two(b1, b2, d.INV_INERTIA), jwB)),
+        mB,
+      );
+    }
+  }
+  return changed !== 0;
+}
+
+/** @returns 1 if anything was pushed, 3 if circles overlapped deeply. */
+export function solvePositionOne(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
+  const zero = f64x2.splat(0);
+  let found = 0;
+  for (let k = from & d.PAIR; k < to; k += 2) {
+    const r = records + <usize>(k >> 1) * RECORDS;
+    const pair = bodies + <usize>(k >> 1) * OFFSETS;
+    const a1 = motion + (load<i32>(pair) << 3);
+    const b1 = motion + (load<i32>(pair, 4) << 3);
+    const bodiesOfSecond = load<i32>(pair, 8);
+    const a2 = motion + (bodiesOfSecond << 3);
+    const b2 = motion + (load<i32>(pair, 12) << 3);
+    for (let lanes = lanesOf(bodiesOfSecond, k, from, to); lanes !== 0; lanes >>= 2) {
+      let x = at(a1, d.QX);
+      let y = at(a2, d.QX);
+      const qax = first(x, y);
+      const qay = second(x, y);
+      x = at(b1, d.QX);
+      y = at(b2, d.QX);
+      const qbx = first(x, y);
+      const qby = second(x, y);
+      x = at(a1, d.QW);
+      y = at(a2, d.QW);
+      const qaw = first(x, y);
+      const invMassA = second(x, y);
+      x = at(b1, d.QW);
+      y = at(b2, d.QW);
+      const qbw = first(x, y);
+      const invMassB = second(x, y);
+      const nx = at(r, d.NX);
+      const ny = at(r, d.NY);
+      const rnA = at(r, d.RN_A1);
+      const rnB = at(r, d.RN_B1);
+      let c = f64x2.add(at(r, d.SEPARATION1), f64x2.mul(nx, f64x2.sub(qbx, qax)));
+      c = f64x2.add(f64x2.add(c, f64x2.mul(ny, f64x2.sub(qby, qay))), f64x2.mul(rnB, qbw));
+      c = f64x2.add(f64x2.sub(c, f64x2.mul(rnA, qaw)), number(n.SLOP));
+      const busy = lanes & ~i64x2.bitmask(f64x2.gt(c, number(n.TOLERANCE))) & 3;
+      if (busy === 0) {
+        continue;
+      }
+      const share = at(r, d.SHARE);
+      const isRound = f64x2.eq(share, number(n.SHARE_CIRCLES));
+      const isCrowded = v128.and(isRound, f64x2.lt(c, number(n.NOT_DEEP)));
+      found |= i64x2.bitmask(isCrowded) & busy ? 3 : 1;
+      const deep = f64x2.add(c, pick(isRound, number(n.DEEP_CIRCLES), number(n.DEEP)));
+      const ofDeep = pick(isRound, number(n.SHARE_DEEP_CIRCLES), number(n.SHARE_DEEP));
+      const isDeep = v128.and(f64x2.lt(deep, zero), f64x2.lt(share, ofDeep));
+      const e = f64x2.add(f64x2.mul(share, c), v128.and(isDeep, f64x2.mul(f64x2.sub(ofDeep, share), deep)));
+      const least = pick(f64x2.eq(share, number(n.SHARE_HOOKED)), number(n.LEAST_HOOKED), number(n.LEAST));
+      const way = f64x2.neg(f64x2.pmax(e, least));
+      const p = f64x2.mul(way, at(r, d.NORMAL_MASS));
+      const mA = f64x2.mul(invMassA, p);
+      const mB = f64x2.mul(invMassB, p);
+      Bodies.put(
+        a1,
+        a2,
+        busy,
+        f64x2.sub(qax, f64x2.mul(mA, nx)),
+        f64x2.sub(qay, f64x2.mul(mA, ny)),
+        f64x2.sub(qaw, f64x2.mul(f64x2.mul(two(a1, a2, d.INV_INERTIA), rnA), p)),
+        invMassA,
+      );
+      Bodies.put(
+        b1,
+        b2,
+        busy,
+        f64x2.add(qbx, f64x2.mul(mB, nx)),
+        f64x2.add(qby, f64x2.mul(mB, ny)),
+        f64x2.add(qbw, f64x2.mul(f64x2.mul(two(b1, b2, d.INV_INERTIA), rnB), p)),
+        invMassB,
+      );
+    }
+  }
+  return found;
+}
+
+/** Cut to ± limit, as `solveVelocityOne` of the engine cuts it. */
+function within(x: v128, limit: v128): v128 {
+  const cut = f64x2.mul(number(n.HALF), f64x2.sub(f64x2.abs(f64x2.add(x, limit)), f64x2.abs(f64x2.sub(x, limit))));
+  return pick(f64x2.gt(f64x2.abs(x), limit), cut, x);
+}

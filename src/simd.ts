@@ -1,0 +1,112 @@
+import { CALM_ACCELERATION } from './config.js';
+import { Kernels, plainKernels } from './kernels.js';
+import type { Loops } from './solver/loops.js';
+import { type Memory, Scratch } from './solver/scratch.js';
+import { CODE } from './solver/simd-code.js';
+
+/** What of WebAssembly is needed. */
+interface Runtime {
+  readonly Module: new (code: Uint8Array) => object;
+  readonly Memory: new (size: { initial: number }) => Memory;
+  readonly Instance: new (module: object, imports: object) => { readonly exports: unknown };
+}
+
+/** The kernels: addresses of records, of the offsets of bodies, of `velocity` or `motion`, or of both; from one index to another; a tolerance, or the length of the sub-step. */
+interface Exports {
+  warmStartOne: WarmStart;
+  warmStartTwo: WarmStart;
+  solveVelocityOne: SolveVelocity;
+  solveVelocityTwo: SolveVelocity;
+  solvePositionOne: SolvePosition;
+  solvePositionTwo: SolvePosition;
+}
+
+type WarmStart = (r: number, bodies: number, v: number, q: number, from: number, to: number, h: number) => void;
+type SolveVelocity = (r: number, bodies: number, v: number, from: number, to: number, tolerance: number) => number;
+type SolvePosition = (r: number, bodies: number, q: number, from: number, to: number) => number;
+
+/** Bit of what `solvePositionOne` returns: circles overlapped deeply. */
+const CROWDED = 2;
+
+let compiled: object | null = null;
+
+/** Arrays in a memory of WebAssembly; where there is none, or none with 128-bit vectors, or it is not allowed to be used, plain ones. */
+function makeScratch(): Scratch {
+  try {
+    const { Module, Memory, Instance } = (globalThis as unknown as { WebAssembly: Runtime }).WebAssembly;
+    compiled ??= new Module(decode(CODE));
+    const memory = new Memory({ initial: 1 });
+    const { exports } = new Instance(compiled, { env: { memory } });
+    return new Scratch(loopsOf(exports as Exports), memory);
+  } catch {
+    return plainKernels.make();
+  }
+}
+
+function loopsOf(kernels: Exports): Loops {
+  return {
+    warmStartOne: ({ one, velocity, motion }, from, to, h) =>
+      kernels.warmStartOne(
+        one.records.byteOffset,
+        one.bodies.byteOffset,
+        velocity.byteOffset,
+        motion.byteOffset,
+        from,
+        to,
+        h,
+      ),
+    warmStartTwo: ({ two, velocity, motion }, from, to, h) =>
+      kernels.warmStartTwo(
+        two.records.byteOffset,
+        two.bodies.byteOffset,
+        velocity.byteOffset,
+        motion.byteOffset,
+        from,
+        to,
+        h,
+      ),
+    solveVelocityOne: ({ one, velocity }, from, to, h) =>
+      kernels.solveVelocityOne(
+        one.records.byteOffset,
+        one.bodies.byteOffset,
+        velocity.byteOffset,
+        from,
+        to,
+        CALM_ACCELERATION * h,
+      ) !== 0,
+    solveVelocityTwo: ({ two, velocity }, from, to, h) =>
+      kernels.solveVelocityTwo(
+        two.records.byteOffset,
+        two.bodies.byteOffset,
+        velocity.byteOffset,
+        from,
+        to,
+        CALM_ACCELERATION * h,
+      ) !== 0,
+    solvePositionOne: (data, from, to) => {
+      const { one, motion } = data;
+      const found = kernels.solvePositionOne(
+        one.records.byteOffset,
+        one.bodies.byteOffset,
+        motion.byteOffset,
+        from,
+        to,
+      );
+      data.crowded ||= (found & CROWDED) !== 0;
+      return found !== 0;
+    },
+    solvePositionTwo: ({ two, motion }, from, to) =>
+      kernels.solvePositionTwo(two.records.byteOffset, two.bodies.byteOffset, motion.byteOffset, from, to) !== 0,
+  };
+}
+
+/** Of hexadecimal digits, which compress better than those of Base64. */
+function decode(text: string): Uint8Array {
+  return Uint8Array.from({ length: text.length / 2 }, (_, i) => Number.parseInt(text.slice(2 * i, 2 * i + 2), 16));
+}
+
+/**
+ * For `createWorld({ kernels: simdKernels })`: contacts are solved two at a time, by WebAssembly with 128-bit vectors where there is such, with the same results to
+ * the bit. Worlds that `phys2D` makes have it.
+ */
+export const simdKernels: Kernels = /* @__PURE__ */ new Kernels(makeScratch);
