@@ -6,6 +6,16 @@ const box2dFlavour = (name) => import(`./node_modules/box2d3-wasm/build/dist/es/
 
 export const engines = {
   phys2d: { load: async () => (await import('../dist/phys2d.js')).phys2D },
+  'phys2d-plain': {
+    title: 'phys2d, plain',
+    isExtra: true,
+    load: async () => {
+      const { createWorld, phys2D, worldState } = await import('../dist/phys2d.js');
+      return Object.assign(Object.create(phys2D), {
+        createWorld: (params) => createWorld({ ...params, state: worldState }),
+      });
+    },
+  },
   Box2D: {
     title: 'Box2D SIMD',
     package: 'box2d3-wasm',

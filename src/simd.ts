@@ -100,9 +100,13 @@ function loopsOf(kernels: Exports): Loops {
   };
 }
 
-/** Of hexadecimal digits, which compress better than those of Base64. */
+/** Of hexadecimal digits, which compress better than those of Base64; four bytes at a time, as nothing is compiled yet when a program begins. */
 function decode(text: string): Uint8Array {
-  return Uint8Array.from({ length: text.length / 2 }, (_, i) => Number.parseInt(text.slice(2 * i, 2 * i + 2), 16));
+  const words = new DataView(new ArrayBuffer(Math.ceil(text.length / 8) * 4));
+  for (let i = 0; i < text.length; i += 8) {
+    words.setUint32(i / 2, Number.parseInt(text.slice(i, i + 8).padEnd(8, '0'), 16));
+  }
+  return new Uint8Array(words.buffer, 0, text.length / 2);
 }
 
 /**
