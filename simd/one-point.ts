@@ -56,7 +56,6 @@ export function warmStartOne(
     put(
       r,
       d.BIAS1,
-
       f64x2.add(f64x2.mul(f64x2.mul(number(n.HALF), f64x2.add(gap, f64x2.abs(gap))), inverseH), at(r, d.SURFACE_N)),
     );
     const p = at(r, d.NORMAL1);

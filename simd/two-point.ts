@@ -64,13 +64,11 @@ export function warmStartTwo(
     put(
       r,
       d.BIAS1,
-
       f64x2.add(f64x2.mul(f64x2.mul(number(n.HALF), f64x2.add(gap1, f64x2.abs(gap1))), inverseH), surface),
     );
     put(
       r,
       d.BIAS2,
-
       f64x2.add(f64x2.mul(f64x2.mul(number(n.HALF), f64x2.add(gap2, f64x2.abs(gap2))), inverseH), surface),
     );
     const p1 = at(r, d.NORMAL1);

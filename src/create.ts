@@ -22,7 +22,7 @@ import type { WorldParams } from './world-state.js';
 
 // One function for each kind of object, so that a bundler leaves out what a game does not make. The methods of `Physics2DDevice` are the same.
 
-/** A world without bodies. To save, restore and hash it, pass `state: worldState`. */
+/** A world without bodies. To save, restore and hash it, pass `state: worldState`; to solve contacts in WebAssembly, `kernels: simdKernels`. */
 export function createWorld(params?: WorldParams): World {
   return new World(params);
 }

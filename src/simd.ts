@@ -28,13 +28,24 @@ type SolvePosition = (r: number, bodies: number, q: number, from: number, to: nu
 /** Bit of what `solvePositionOne` returns: circles overlapped deeply. */
 const CROWDED = 2;
 
-let compiled: object | null = null;
+/** `null` where there is no WebAssembly, or none with 128-bit vectors, or it is not allowed to be used; it is tried once, as a page may report each attempt. */
+let compiled: object | null | undefined;
 
-/** Arrays in a memory of WebAssembly; where there is none, or none with 128-bit vectors, or it is not allowed to be used, plain ones. */
+function compile({ Module }: Runtime): object | null {
+  try {
+    return new Module(decode(CODE));
+  } catch {
+    return null;
+  }
+}
+
+/** Arrays in a memory of WebAssembly, or else plain ones. */
 function makeScratch(): Scratch {
   try {
-    const { Module, Memory, Instance } = (globalThis as unknown as { WebAssembly: Runtime }).WebAssembly;
-    compiled ??= new Module(decode(CODE));
+    const runtime = (globalThis as unknown as { WebAssembly: Runtime }).WebAssembly;
+    const { Memory, Instance } = runtime;
+    if (compiled === undefined) compiled = compile(runtime);
+    if (compiled === null) return plainKernels.make();
     const memory = new Memory({ initial: 1 });
     const { exports } = new Instance(compiled, { env: { memory } });
     return new Scratch(loopsOf(exports as Exports), memory);

@@ -62,7 +62,7 @@ export class BounceList {
   shift = new Int32Array(16);
   /** Offsets of the records of the two bodies of each. */
   bodies = new Int32Array(32);
-  /** Its d.NX, d.NY, d.RN_A1 and d.RN_B1 once more, four numbers each: all of them are looked at twice in a sub-step, and most do not bounce. */
+  /** Its NX, NY, RN_A1 and RN_B1 once more, four numbers each: all of them are looked at twice in a sub-step, and most do not bounce. */
   arms = new Float64Array(64);
   bias = new Float64Array(16);
   /** Which bounced in the sub-step, see `bounce.ts`. */

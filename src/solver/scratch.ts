@@ -1,7 +1,7 @@
 import { BODY_STRIDE, ONE_STRIDE, TWO_STRIDE } from './layout.js';
 import type { Loops } from './loops.js';
 
-/** Bytes. WebAssembly takes address 0 for none. */
+/** Bytes. Below it WebAssembly has numbers of its own. */
 const START = 1024;
 
 /** Bytes of a page of WebAssembly memory. */
