@@ -1,16 +1,13 @@
 import { plain } from './solver/loops.js';
-import { Scratch } from './solver/scratch.js';
+import { type Room, Scratch } from './solver/scratch.js';
 
 /** What `WorldParams.kernels` is: `simdKernels`. */
 export class Kernels {
   /** Held by the worlds that used it: with them it goes. */
   private shared: WeakRef<Scratch> | null = null;
 
-  /** @internal `make` makes arrays, with the loops that run over them */
-  constructor(
-    /** @internal */
-    readonly make: () => Scratch,
-  ) {}
+  /** @internal */
+  constructor(private readonly allot: (size: number) => Room) {}
 
   /**
    * Whether WebAssembly with 128-bit vectors is there and may be used (a page's `Content-Security-Policy` has to allow `'wasm-unsafe-eval'`). Where not, worlds solve
@@ -34,7 +31,7 @@ export class Kernels {
   }
 
   private renew(): Scratch {
-    const scratch = this.make();
+    const scratch = new Scratch(this.allot);
     this.shared = new WeakRef(scratch);
     return scratch;
   }
@@ -46,4 +43,9 @@ function isFree(scratch: Scratch | null, user: object): scratch is Scratch {
 }
 
 /** @internal */
-export const plainKernels = /* @__PURE__ */ new Kernels(() => new Scratch(plain));
+export function allotPlain(size: number): Room {
+  return { buffer: new ArrayBuffer(size), loops: plain };
+}
+
+/** @internal */
+export const plainKernels = /* @__PURE__ */ new Kernels(allotPlain);

@@ -1,13 +1,13 @@
 import { CALM_ACCELERATION } from './config.js';
-import { Kernels, plainKernels } from './kernels.js';
+import { allotPlain, Kernels } from './kernels.js';
 import type { Loops } from './solver/loops.js';
-import { type Memory, Scratch } from './solver/scratch.js';
+import type { Room } from './solver/scratch.js';
 import { CODE } from './solver/simd-code.js';
 
 /** What of WebAssembly is needed. */
 interface Runtime {
   readonly Module: new (code: Uint8Array) => object;
-  readonly Memory: new (size: { initial: number }) => Memory;
+  readonly Memory: new (size: { initial: number }) => { readonly buffer: ArrayBuffer };
   readonly Instance: new (module: object, imports: object) => { readonly exports: unknown };
 }
 
@@ -25,6 +25,9 @@ type WarmStart = (r: number, bodies: number, v: number, q: number, from: number,
 type SolveVelocity = (r: number, bodies: number, v: number, from: number, to: number, tolerance: number) => number;
 type SolvePosition = (r: number, bodies: number, q: number, from: number, to: number) => number;
 
+/** Bytes of a page of memory. */
+const PAGE = 65536;
+
 /** Bit of what `solvePositionOne` returns: circles overlapped deeply. */
 const CROWDED = 2;
 
@@ -39,19 +42,21 @@ function compile({ Module }: Runtime): object | null {
   }
 }
 
-/** Arrays in a memory of WebAssembly, or else plain ones. */
-function makeScratch(): Scratch {
+/** Room in a memory of WebAssembly, or else plain room. */
+function allotMemory(size: number): Room {
   try {
     const runtime = (globalThis as unknown as { WebAssembly: Runtime }).WebAssembly;
     const { Memory, Instance } = runtime;
     if (compiled === undefined) compiled = compile(runtime);
-    if (compiled === null) return plainKernels.make();
-    const memory = new Memory({ initial: 1 });
-    const { exports } = new Instance(compiled, { env: { memory } });
-    return new Scratch(loopsOf(exports as Exports), memory);
+    if (compiled !== null) {
+      const memory = new Memory({ initial: Math.ceil(size / PAGE) });
+      const { exports } = new Instance(compiled, { env: { memory } });
+      return { buffer: memory.buffer, loops: loopsOf(exports as Exports) };
+    }
   } catch {
-    return plainKernels.make();
+    // There is no WebAssembly, or no address left for another memory.
   }
+  return allotPlain(size);
 }
 
 function loopsOf(kernels: Exports): Loops {
@@ -124,4 +129,4 @@ function decode(text: string): Uint8Array {
  * For `createWorld({ kernels: simdKernels })`: contacts are solved two at a time, by WebAssembly with 128-bit vectors where there is such, with the same results to
  * the bit. Worlds that `phys2D` makes have it.
  */
-export const simdKernels: Kernels = /* @__PURE__ */ new Kernels(makeScratch);
+export const simdKernels: Kernels = /* @__PURE__ */ new Kernels(allotMemory);

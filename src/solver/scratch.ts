@@ -4,39 +4,35 @@ import type { Loops } from './loops.js';
 /** Bytes. Below it WebAssembly has numbers of its own. */
 const START = 1024;
 
-/** Bytes of a page of WebAssembly memory. */
-const PAGE = 65536;
-
 /** How much there is room for at first. */
 const FEWEST = 64;
 
-/** `WebAssembly.Memory`, which the types of the language do not have. */
-export interface Memory {
+/** A buffer, and the loops over contacts that work on it. */
+export interface Room {
   readonly buffer: ArrayBuffer;
-  grow(pages: number): number;
+  readonly loops: Loops;
 }
 
 /**
  * What the loops over contacts read and write, side by side in one buffer, as those in WebAssembly have to have it. None of it outlives a step, so worlds share it. It
- * grows by doubling.
+ * grows by doubling, into another buffer: a memory of WebAssembly that grew would take its buffer from those who have it, and once there was such a case V8 asks at each access to any typed
+ * array, which is a tenth of a step.
  */
 export class Scratch {
   /** Who has it for a step. */
   user: object | null = null;
+  loops: Loops;
   /** `velocity` and `motion` of `SolverData`, the records of contacts of one point and of two, … */
-  doubles = [0, 0, 0, 0].map((length) => new Float64Array(length));
+  doubles: readonly Float64Array<ArrayBuffer>[] = [];
   /** … and of these the offsets of the two bodies' records. */
-  offsets = [0, 0].map((length) => new Int32Array(length));
+  offsets: readonly Int32Array<ArrayBuffer>[] = [];
   private bodies = FEWEST;
   private ones = FEWEST;
   private twos = FEWEST;
 
-  /** Without a memory it makes itself buffers. */
-  constructor(
-    readonly loops: Loops,
-    private readonly pages: Memory | null = null,
-  ) {
-    this.lay();
+  /** Given what makes room for so many bytes. */
+  constructor(private readonly allot: (size: number) => Room) {
+    this.loops = this.lay();
   }
 
   /** Makes room for so many bodies and contacts of one point and of two; what there was stays. */
@@ -45,43 +41,24 @@ export class Scratch {
       this.bodies = doubledTo(bodies, this.bodies);
       this.ones = doubledTo(ones, this.ones);
       this.twos = doubledTo(twos, this.twos);
-      this.lay();
+      this.loops = this.lay();
     }
   }
 
-  private lay(): void {
-    const { bodies, ones, twos } = this;
-    // Copies, as a memory that grows takes itself from the arrays that were in it.
-    const doubles = this.doubles.map((array) => array.slice());
-    const offsets = this.offsets.map((array) => array.slice());
+  private lay(): Loops {
+    const { bodies, ones, twos, doubles, offsets } = this;
     const ofBodies = BODY_STRIDE * bodies;
     const lengths = [ofBodies, ofBodies, ONE_STRIDE * ones, TWO_STRIDE * twos];
-    const buffer = this.bufferOf(START + 8 * (lengths.reduce((sum, length) => sum + length) + ones + twos));
+    const { buffer, loops } = this.allot(START + 8 * (lengths.reduce((sum, length) => sum + length) + ones + twos));
     let at = START;
-    this.doubles = lengths.map((length, i) => {
-      const array = new Float64Array(buffer, at, length);
-      array.set(doubles[i]!);
+    const place = <A extends Float64Array | Int32Array>(array: A, old: A | undefined): A => {
+      if (old !== undefined) array.set(old);
       at += array.byteLength;
       return array;
-    });
-    this.offsets = [ones, twos].map((count, i) => {
-      const array = new Int32Array(buffer, at, 2 * count);
-      array.set(offsets[i]!);
-      at += array.byteLength;
-      return array;
-    });
-  }
-
-  private bufferOf(size: number): ArrayBuffer {
-    const { pages } = this;
-    if (pages === null) {
-      return new ArrayBuffer(size);
-    }
-    const missing = size - pages.buffer.byteLength;
-    if (missing > 0) {
-      pages.grow(Math.ceil(missing / PAGE));
-    }
-    return pages.buffer;
+    };
+    this.doubles = lengths.map((length, i) => place(new Float64Array(buffer, at, length), doubles[i]));
+    this.offsets = [ones, twos].map((count, i) => place(new Int32Array(buffer, at, 2 * count), offsets[i]));
+    return loops;
   }
 }
 
