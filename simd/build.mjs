@@ -8,8 +8,7 @@ const target = new URL('../src/solver/simd-code.ts', import.meta.url);
 
 /** The text of src/solver/simd-code.ts. */
 export async function compile() {
-  const options =
-    '--runtime stub --enable simd --importMemory --memoryBase 16 --noAssert -O3 --converge --disableWarning AS112';
+  const options = '--runtime stub --enable simd --importMemory --noAssert -O3 --converge --disableWarning AS112';
   let code;
   const { error, stderr } = await asc.main(
     ['simd/index.ts', '--baseDir', root, '--outFile', 'kernels.wasm', ...options.split(' ')],

@@ -1,2 +1,2 @@
-export { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point';
+export { solveVelocityOne, warmStartOne } from './one-point';
 export { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point';

@@ -1,12 +1,9 @@
 import {
   CONTACT_SLOP,
   DEEP_OVERLAP,
-  DEEP_OVERLAP_CIRCLES,
   MAX_PUSH,
   MAX_PUSH_HOOKED,
-  PUSH_SHARE_CIRCLES,
   PUSH_SHARE_DEEP,
-  PUSH_SHARE_DEEP_CIRCLES,
   PUSH_SHARE_HOOKED,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
@@ -23,40 +20,32 @@ const NUMBERS: usize = memory.data<f64>([
   CONTACT_SLOP,
   -PUSH_TOLERANCE,
   DEEP_OVERLAP,
-  -DEEP_OVERLAP,
-  DEEP_OVERLAP_CIRCLES,
   PUSH_SHARE_DEEP,
-  PUSH_SHARE_DEEP_CIRCLES,
   PUSH_SHARE_HOOKED,
-  PUSH_SHARE_CIRCLES,
   -MAX_PUSH,
   -MAX_PUSH_HOOKED,
 ]);
-
-/** By the bits of lanes: which they are, as a mask. */
-const MASKS: usize = memory.data<i64>([0, 0, -1, 0, 0, -1, -1, -1]);
-
-export function maskOf(lanes: i32): v128 {
-  return v128.load(MASKS + (lanes << 4));
-}
 
 export const HALF = 0;
 export const DEPTH = 1;
 export const SLOP = 2;
 export const TOLERANCE = 3;
 export const DEEP = 4;
-export const NOT_DEEP = 5;
-export const DEEP_CIRCLES = 6;
-export const SHARE_DEEP = 7;
-export const SHARE_DEEP_CIRCLES = 8;
-export const SHARE_HOOKED = 9;
-export const SHARE_CIRCLES = 10;
-export const LEAST = 11;
-export const LEAST_HOOKED = 12;
+export const SHARE_DEEP = 5;
+export const SHARE_HOOKED = 6;
+export const LEAST = 7;
+export const LEAST_HOOKED = 8;
 
 /** One of them, in both lanes. */
 export function number(which: i32): v128 {
   return v128.load64_splat(NUMBERS + which * 8);
+}
+
+/** By the bits of lanes: which they are, as a mask. */
+const MASKS: usize = memory.data<i64>([0, 0, -1, 0, 0, -1, -1, -1]);
+
+export function maskOf(lanes: i32): v128 {
+  return v128.load(MASKS + (lanes << 4));
 }
 
 /** From a number of a record to its address: of a pair both numbers lie side by side. */

@@ -148,22 +148,15 @@ export function solveVelocityTwo(
       const p1 = at(r, d.NORMAL1);
       const p2 = at(r, d.NORMAL2);
       const before = at(r, d.TANGENT);
-      const rnA1 = at(r, d.RN_A1);
-      const rnB1 = at(r, d.RN_B1);
-      const rnA2 = at(r, d.RN_A2);
-      const rnB2 = at(r, d.RN_B2);
-      const bias1 = at(r, d.BIAS1);
-      const bias2 = at(r, d.BIAS2);
-      const idle = v128.and(
-        f64x2.eq(v128.or(v128.or(p1, p2), before), zero),
-        v128.and(
-          f64x2.ge(along(vn, rnA1, wA, rnB1, wB, bias1), zero),
-          f64x2.ge(along(vn, rnA2, wA, rnB2, wB, bias2), zero),
-        ),
-      );
-      const busy = lanes & ~i64x2.bitmask(idle) & 3;
-      if (busy === 0) {
-        continue;
+      let busy = lanes & 3;
+      const isBare = i64x2.bitmask(f64x2.eq(v128.or(v128.or(p1, p2), before), zero));
+      if (isBare & busy) {
+        const c1 = along(r, vn, wA, wB, 0);
+        const c2 = along(r, vn, wA, wB, d.SECOND);
+        busy &= ~(isBare & i64x2.bitmask(v128.and(f64x2.ge(c1, zero), f64x2.ge(c2, zero))));
+        if (busy === 0) {
+          continue;
+        }
       }
 
       const iA = two(a1, a2, d.INV_INERTIA);
@@ -182,8 +175,8 @@ export function solveVelocityTwo(
       wA = f64x2.sub(wA, f64x2.mul(f64x2.mul(iA, rtA), t));
       wB = f64x2.add(wB, f64x2.mul(f64x2.mul(iB, rtB), t));
 
-      const c1 = along(vn, rnA1, wA, rnB1, wB, bias1);
-      const c2 = along(vn, rnA2, wA, rnB2, wB, bias2);
+      const c1 = along(r, vn, wA, wB, 0);
+      const c2 = along(r, vn, wA, wB, d.SECOND);
       const i12 = at(r, d.I12);
       const k11 = at(r, d.K11);
       const k22 = at(r, d.K22);
@@ -226,8 +219,8 @@ export function solveVelocityTwo(
       const p = f64x2.add(d1, d2);
       const jx = f64x2.sub(f64x2.mul(nx, p), f64x2.mul(ny, t));
       const jy = f64x2.add(f64x2.mul(ny, p), f64x2.mul(nx, t));
-      wA = f64x2.sub(wA, f64x2.mul(iA, f64x2.add(f64x2.mul(rnA1, d1), f64x2.mul(rnA2, d2))));
-      wB = f64x2.add(wB, f64x2.mul(iB, f64x2.add(f64x2.mul(rnB1, d1), f64x2.mul(rnB2, d2))));
+      wA = f64x2.sub(wA, f64x2.mul(iA, f64x2.add(f64x2.mul(at(r, d.RN_A1), d1), f64x2.mul(at(r, d.RN_A2), d2))));
+      wB = f64x2.add(wB, f64x2.mul(iB, f64x2.add(f64x2.mul(at(r, d.RN_B1), d1), f64x2.mul(at(r, d.RN_B2), d2))));
       Bodies.put(a1, a2, busy, f64x2.sub(vax, f64x2.mul(mA, jx)), f64x2.sub(vay, f64x2.mul(mA, jy)), wA, mA);
       Bodies.put(b1, b2, busy, f64x2.add(vbx, f64x2.mul(mB, jx)), f64x2.add(vby, f64x2.mul(mB, jy)), wB, mB);
     }
@@ -333,6 +326,7 @@ export function solvePositionTwo(records: usize, bodies: usize, motion: usize, f
 }
 
 /** The normal velocity of a point, with its bias. */
-function along(vn: v128, rnA: v128, wA: v128, rnB: v128, wB: v128, bias: v128): v128 {
-  return f64x2.add(f64x2.sub(f64x2.add(vn, f64x2.mul(rnB, wB)), f64x2.mul(rnA, wA)), bias);
+function along(r: usize, vn: v128, wA: v128, wB: v128, shift: i32): v128 {
+  const turning = f64x2.add(vn, f64x2.mul(at(r, d.RN_B1 + shift), wB));
+  return f64x2.add(f64x2.sub(turning, f64x2.mul(at(r, d.RN_A1 + shift), wA)), at(r, d.BIAS1 + shift));
 }

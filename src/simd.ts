@@ -1,6 +1,6 @@
 import { CALM_ACCELERATION } from './config.js';
 import { allotPlain, Kernels } from './kernels.js';
-import type { Loops } from './solver/loops.js';
+import { type Loops, plain } from './solver/loops.js';
 import type { Room } from './solver/scratch.js';
 import { CODE } from './solver/simd-code.js';
 
@@ -17,19 +17,14 @@ interface Exports {
   warmStartTwo: WarmStart;
   solveVelocityOne: SolveVelocity;
   solveVelocityTwo: SolveVelocity;
-  solvePositionOne: SolvePosition;
-  solvePositionTwo: SolvePosition;
+  solvePositionTwo(r: number, bodies: number, q: number, from: number, to: number): number;
 }
 
 type WarmStart = (r: number, bodies: number, v: number, q: number, from: number, to: number, h: number) => void;
 type SolveVelocity = (r: number, bodies: number, v: number, from: number, to: number, tolerance: number) => number;
-type SolvePosition = (r: number, bodies: number, q: number, from: number, to: number) => number;
 
 /** Bytes of a page of memory. */
 const PAGE = 65536;
-
-/** Bit of what `solvePositionOne` returns: circles overlapped deeply. */
-const CROWDED = 2;
 
 /** `null` where there is no WebAssembly, or none with 128-bit vectors, or it is not allowed to be used; it is tried once, as a page may report each attempt. */
 let compiled: object | null | undefined;
@@ -61,6 +56,7 @@ function allotMemory(size: number): Room {
 
 function loopsOf(kernels: Exports): Loops {
   return {
+    ...plain,
     warmStartOne: ({ one, velocity, motion }, from, to, h) =>
       kernels.warmStartOne(
         one.records.byteOffset,
@@ -99,18 +95,6 @@ function loopsOf(kernels: Exports): Loops {
         to,
         CALM_ACCELERATION * h,
       ) !== 0,
-    solvePositionOne: (data, from, to) => {
-      const { one, motion } = data;
-      const found = kernels.solvePositionOne(
-        one.records.byteOffset,
-        one.bodies.byteOffset,
-        motion.byteOffset,
-        from,
-        to,
-      );
-      data.crowded ||= (found & CROWDED) !== 0;
-      return found !== 0;
-    },
     solvePositionTwo: ({ two, motion }, from, to) =>
       kernels.solvePositionTwo(two.records.byteOffset, two.bodies.byteOffset, motion.byteOffset, from, to) !== 0,
   };

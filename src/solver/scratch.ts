@@ -2,7 +2,7 @@ import { BODY_STRIDE, ONE_STRIDE, TWO_STRIDE } from './layout.js';
 import type { Loops } from './loops.js';
 
 /** Bytes. Below it WebAssembly has numbers of its own. */
-const START = 1024;
+const START = 2048;
 
 /** How much there is room for at first. */
 const FEWEST = 64;
