@@ -33,6 +33,7 @@ const FOLDERS = {
     'solver/meeting-queue',
     'solver/rolling',
     'solver/seams',
+    'solver/simd',
     'solver/ways',
     'constraint/constraint',
     'constraint/events',

@@ -129,7 +129,7 @@ describe.each(LOOPS)('%s', (loop) => {
           expect(found).toEqual(expected);
         },
       ),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
   });
 });
