@@ -1,4 +1,3 @@
-import { CALM_ACCELERATION } from './config.js';
 import { allotPlain, Kernels } from './kernels.js';
 import { type Loops, plain } from './solver/loops.js';
 import type { Room } from './solver/scratch.js';
@@ -11,17 +10,20 @@ interface Runtime {
   readonly Instance: new (module: object, imports: object) => { readonly exports: unknown };
 }
 
-/** The kernels: addresses of records, of the offsets of bodies, of `velocity` or `motion`, or of both; from one index to another; a tolerance, or the length of the sub-step. */
+/** The kernels: addresses of records, of the offsets of bodies, of `velocity` or `motion`, or of both; from one index to another. */
 interface Exports {
   warmStartOne: WarmStart;
   warmStartTwo: WarmStart;
-  solveVelocityOne: SolveVelocity;
-  solveVelocityTwo: SolveVelocity;
-  solvePositionTwo(r: number, bodies: number, q: number, from: number, to: number): number;
+  solveVelocityOne: Sweep;
+  solveVelocityTwo: Sweep;
+  solvePositionTwo: Sweep;
 }
 
-type WarmStart = (r: number, bodies: number, v: number, q: number, from: number, to: number, h: number) => void;
-type SolveVelocity = (r: number, bodies: number, v: number, from: number, to: number, tolerance: number) => number;
+type WarmStart = (records: number, bodies: number, v: number, q: number, from: number, to: number) => void;
+type Sweep = (records: number, bodies: number, vOrQ: number, from: number, to: number) => number;
+
+/** Where they expect the length of the sub-step. */
+const STEP = 8;
 
 /** Bytes of a page of memory. */
 const PAGE = 65536;
@@ -46,7 +48,7 @@ function allotMemory(size: number): Room {
     if (compiled !== null) {
       const memory = new Memory({ initial: Math.ceil(size / PAGE) });
       const { exports } = new Instance(compiled, { env: { memory } });
-      return { buffer: memory.buffer, loops: loopsOf(exports as Exports) };
+      return { buffer: memory.buffer, loops: loopsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 1)) };
     }
   } catch {
     // There is no WebAssembly, or no address left for another memory.
@@ -54,49 +56,31 @@ function allotMemory(size: number): Room {
   return allotPlain(size);
 }
 
-function loopsOf(kernels: Exports): Loops {
+/**
+ * The length of the sub-step goes to the kernels by way of memory: numbers with a fraction that are handed to WebAssembly are boxed once there was more than one instance, as after
+ * the arrays grew.
+ */
+function loopsOf(kernels: Exports, step: Float64Array): Loops {
   return {
     ...plain,
-    warmStartOne: ({ one, velocity, motion }, from, to, h) =>
-      kernels.warmStartOne(
-        one.records.byteOffset,
-        one.bodies.byteOffset,
-        velocity.byteOffset,
-        motion.byteOffset,
-        from,
-        to,
-        h,
-      ),
-    warmStartTwo: ({ two, velocity, motion }, from, to, h) =>
-      kernels.warmStartTwo(
-        two.records.byteOffset,
-        two.bodies.byteOffset,
-        velocity.byteOffset,
-        motion.byteOffset,
-        from,
-        to,
-        h,
-      ),
-    solveVelocityOne: ({ one, velocity }, from, to, h) =>
-      kernels.solveVelocityOne(
-        one.records.byteOffset,
-        one.bodies.byteOffset,
-        velocity.byteOffset,
-        from,
-        to,
-        CALM_ACCELERATION * h,
-      ) !== 0,
-    solveVelocityTwo: ({ two, velocity }, from, to, h) =>
-      kernels.solveVelocityTwo(
-        two.records.byteOffset,
-        two.bodies.byteOffset,
-        velocity.byteOffset,
-        from,
-        to,
-        CALM_ACCELERATION * h,
-      ) !== 0,
-    solvePositionTwo: ({ two, motion }, from, to) =>
-      kernels.solvePositionTwo(two.records.byteOffset, two.bodies.byteOffset, motion.byteOffset, from, to) !== 0,
+    warmStartOne: ({ one: { records, bodies }, velocity, motion }, from, to, h) => {
+      step[0] = h;
+      kernels.warmStartOne(records.byteOffset, bodies.byteOffset, velocity.byteOffset, motion.byteOffset, from, to);
+    },
+    warmStartTwo: ({ two: { records, bodies }, velocity, motion }, from, to, h) => {
+      step[0] = h;
+      kernels.warmStartTwo(records.byteOffset, bodies.byteOffset, velocity.byteOffset, motion.byteOffset, from, to);
+    },
+    solveVelocityOne: ({ one: { records, bodies }, velocity }, from, to, h) => {
+      step[0] = h;
+      return kernels.solveVelocityOne(records.byteOffset, bodies.byteOffset, velocity.byteOffset, from, to) !== 0;
+    },
+    solveVelocityTwo: ({ two: { records, bodies }, velocity }, from, to, h) => {
+      step[0] = h;
+      return kernels.solveVelocityTwo(records.byteOffset, bodies.byteOffset, velocity.byteOffset, from, to) !== 0;
+    },
+    solvePositionTwo: ({ two: { records, bodies }, motion }, from, to) =>
+      kernels.solvePositionTwo(records.byteOffset, bodies.byteOffset, motion.byteOffset, from, to) !== 0,
   };
 }
 
