@@ -1,5 +1,6 @@
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Kernels } from '../kernels.js';
+import { grown, widened } from '../math/doubles.js';
 import type { JointData } from './joint-data.js';
 import * as d from './layout.js';
 import type { Loops } from './loops.js';
@@ -46,12 +47,6 @@ export class ContactBatch {
       this.point = widened(this.point, new Uint8Array(this.capacity));
     }
   }
-}
-
-/** The contents of a typed array in a longer one. */
-function widened<T extends { set(from: T): void }>(from: T, to: T): T {
-  to.set(from);
-  return to;
 }
 
 /** Points of bouncing materials: which contact of its batch, which of its points (`shift` 0 or SECOND), and what is planned for it. */
@@ -165,10 +160,10 @@ export class SolverData {
     this.scratch.reserve(count, 0, 0);
     this.lay(this.scratch);
     if (count * d.BODY_STRIDE > this.drive.length) {
-      const size = this.velocity.length;
-      this.drive = new Float64Array(size);
-      this.pose = new Float64Array(size);
-      this.traits = new Uint8Array(size / d.BODY_STRIDE);
+      const size = grown(count);
+      this.drive = new Float64Array(size * d.BODY_STRIDE);
+      this.pose = new Float64Array(size * d.BODY_STRIDE);
+      this.traits = new Uint8Array(size);
     }
     this.motion.fill(0, 0, count * d.BODY_STRIDE);
     this.velocity.fill(0, 0, d.BODY_STRIDE);
