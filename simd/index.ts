@@ -1,2 +1,3 @@
 export { solveVelocityOne, warmStartOne } from './one-point';
+export { finishPoints, pushPoints, pushPointsFurther, solveVelocityPoints, warmStartPoints } from './points';
 export { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point';

@@ -218,6 +218,9 @@ export const BOUND_SLOP = 3e-4;
 /** kg⁻¹. An inverse effective mass below this counts as immovable. */
 export const MIN_INVERSE_MASS = 1e-10;
 
+/** Joints: a matrix whose determinant is below this share of the product of its diagonal has rank 1. */
+export const SINGULAR = 1e-12;
+
 /** A two-point contact whose matrix K has K11² above this times its determinant is solved as its deeper point alone. */
 export const MAX_CONDITION = 1e5;
 

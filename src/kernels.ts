@@ -11,10 +11,10 @@ export class Kernels {
 
   /**
    * Whether WebAssembly with 128-bit vectors is there and may be used (a page's `Content-Security-Policy` has to allow `'wasm-unsafe-eval'`). Where not, worlds solve
-   * contacts in plain TypeScript, with the same results to the bit.
+   * contacts and joints in plain TypeScript, with the same results to the bit.
    */
   isSupported(): boolean {
-    return this.find().loops !== plain;
+    return this.find().room.loops !== plain;
   }
 
   /** @internal arrays for a step, for as long as no one else has them: within the step callbacks may step other worlds */
@@ -44,7 +44,7 @@ function isFree(scratch: Scratch | null, user: object): scratch is Scratch {
 
 /** @internal */
 export function allotPlain(size: number): Room {
-  return { buffer: new ArrayBuffer(size), loops: plain };
+  return { buffer: new ArrayBuffer(size), loops: plain, pointKernels: null };
 }
 
 /** @internal */

@@ -1,5 +1,6 @@
 import { allotPlain, Kernels } from './kernels.js';
 import { type Loops, plain } from './solver/loops.js';
+import type { PointKernels } from './solver/point-joints.js';
 import type { Room } from './solver/scratch.js';
 import { CODE } from './solver/simd-code.js';
 
@@ -17,6 +18,11 @@ interface Exports {
   solveVelocityOne: Sweep;
   solveVelocityTwo: Sweep;
   solvePositionTwo: Sweep;
+  warmStartPoints: (records: number, bodies: number, v: number, pose: number, from: number, to: number) => number;
+  solveVelocityPoints: Sweep;
+  pushPoints: Sweep;
+  pushPointsFurther: Sweep;
+  finishPoints: Sweep;
 }
 
 type WarmStart = (records: number, bodies: number, v: number, q: number, from: number, to: number) => void;
@@ -48,7 +54,11 @@ function allotMemory(size: number): Room {
     if (compiled !== null) {
       const memory = new Memory({ initial: Math.ceil(size / PAGE) });
       const { exports } = new Instance(compiled, { env: { memory } });
-      return { buffer: memory.buffer, loops: loopsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 1)) };
+      return {
+        buffer: memory.buffer,
+        loops: loopsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 1)),
+        pointKernels: pointKernelsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 2)),
+      };
     }
   } catch {
     // There is no WebAssembly, or no address left for another memory.
@@ -84,6 +94,39 @@ function loopsOf(kernels: Exports, step: Float64Array): Loops {
   };
 }
 
+/** Likewise: the share that becomes momentum, and the worst error so far. */
+function pointKernelsOf(kernels: Exports, step: Float64Array): PointKernels {
+  return {
+    warmStart: ({ points, pointBodies, velocity, pose, joints: { worst } }, from, to) => {
+      step[1] = worst[0]!;
+      const done = kernels.warmStartPoints(
+        points.byteOffset,
+        pointBodies.byteOffset,
+        velocity.byteOffset,
+        pose.byteOffset,
+        from,
+        to,
+      );
+      worst[0] = step[1]!;
+      return done;
+    },
+    solveVelocity: ({ points, pointBodies, velocity }, from, to) =>
+      kernels.solveVelocityPoints(points.byteOffset, pointBodies.byteOffset, velocity.byteOffset, from, to),
+    push: ({ points, pointBodies, motion, joints: { worst } }, from, to) => {
+      step[1] = worst[0]!;
+      const done = kernels.pushPoints(points.byteOffset, pointBodies.byteOffset, motion.byteOffset, from, to);
+      worst[0] = step[1]!;
+      return done;
+    },
+    pushFurther: ({ points, pointBodies, motion }, from, to) =>
+      kernels.pushPointsFurther(points.byteOffset, pointBodies.byteOffset, motion.byteOffset, from, to),
+    finish: ({ points, pointBodies, velocity }, from, to, share) => {
+      step[0] = share;
+      return kernels.finishPoints(points.byteOffset, pointBodies.byteOffset, velocity.byteOffset, from, to);
+    },
+  };
+}
+
 /** Of hexadecimal digits, which compress better than those of Base64; four bytes at a time, as nothing is compiled yet when a program begins. */
 function decode(text: string): Uint8Array {
   const words = new DataView(new ArrayBuffer(Math.ceil(text.length / 8) * 4));
@@ -94,7 +137,7 @@ function decode(text: string): Uint8Array {
 }
 
 /**
- * For `createWorld({ kernels: simdKernels })`: contacts are solved two at a time, by WebAssembly with 128-bit vectors where there is such, with the same results to
+ * For `createWorld({ kernels: simdKernels })`: contacts and the joints of nets are solved two at a time, by WebAssembly with 128-bit vectors where there is such, with the same results to
  * the bit. Worlds that `phys2D` makes have it.
  */
 export const simdKernels: Kernels = /* @__PURE__ */ new Kernels(allotMemory);

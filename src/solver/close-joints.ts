@@ -4,8 +4,9 @@ import { CLOSING_ROUNDS, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js'
 import type { Constraint } from '../constraint/constraint.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, impulseOf, type Joint } from './joint-data.js';
+import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, POINT, TURN } from './joint-layout.js';
+import { forgetImpulse } from './joint-numbers.js';
 import { measurePoints, pushPoints } from './point-joints.js';
 import { measureTurns, pushTurns } from './turn-joints.js';
 
@@ -27,12 +28,9 @@ export function closeOpen(data: SolverData, group: Group): void {
 }
 
 /** All but a share of what joints gave is forgotten by the next sub-step. */
-function forgetPart({ joints: { joints, records } }: SolverData, { start, end }: Group): void {
+function forgetPart(data: SolverData, { start, end }: Group): void {
   for (let k = start; k < end; k += 1) {
-    const from = impulseOf(joints[k]!);
-    for (let n = from; n < from + joints[k]!.layout.rows; n += 1) {
-      records[n] = records[n]! * TORN_KEEP;
-    }
+    forgetImpulse(data, data.joints.joints[k]!, TORN_KEEP);
   }
 }
 

@@ -4,6 +4,7 @@ import { grown, widened } from '../math/doubles.js';
 import type { JointData } from './joint-data.js';
 import * as d from './layout.js';
 import type { Loops } from './loops.js';
+import type { PointKernels } from './point-joints.js';
 import type { Scratch } from './scratch.js';
 
 /** Where the record of a contact begins, of `stride` numbers. */
@@ -109,9 +110,13 @@ export class SolverData {
   loops: Loops | null = null;
   velocity = new Float64Array(0);
   motion = new Float64Array(0);
+  /** Placements as the sub-step starts, if there are joints; constraint/layout.ts names the offsets. */
+  pose = new Float64Array(0);
+  /** Rigid point joints: their records, the offsets of the two bodies' records, and the loops over them, if there are others than those in TypeScript. */
+  points = new Float64Array(0);
+  pointBodies = new Int32Array(0);
+  pointKernels: PointKernels | null = null;
   drive = new Float64Array(64 * d.BODY_STRIDE);
-  /** Placements as the sub-step starts; constraint/layout.ts names the offsets. */
-  pose = new Float64Array(64 * d.BODY_STRIDE);
   /** What contacts ask of their bodies, by slot: bits. */
   traits = new Uint8Array(64);
   /** The pairs that are being packed; what lies beyond their count is old. */
@@ -157,12 +162,11 @@ export class SolverData {
   resetBodies(count: number): void {
     this.bodyCount = count;
     this.scratch = this.kernels.lend(this, this.scratch);
-    this.scratch.reserve(count, 0, 0);
+    this.scratch.reserve(count, 0, 0, 0);
     this.lay(this.scratch);
     if (count * d.BODY_STRIDE > this.drive.length) {
       const size = grown(count);
       this.drive = new Float64Array(size * d.BODY_STRIDE);
-      this.pose = new Float64Array(size * d.BODY_STRIDE);
       this.traits = new Uint8Array(size);
     }
     this.motion.fill(0, 0, count * d.BODY_STRIDE);
@@ -176,7 +180,14 @@ export class SolverData {
   /** Makes room for one more contact of each kind. */
   makeRoom(): void {
     const scratch = this.scratch!;
-    scratch.reserve(this.bodyCount, this.one.count + 1, this.two.count + 1);
+    scratch.reserve(this.bodyCount, this.one.count + 1, this.two.count + 1, 0);
+    this.lay(scratch);
+  }
+
+  /** Makes room for so many rigid point joints. */
+  makeRoomForPoints(count: number): void {
+    const scratch = this.scratch!;
+    scratch.reserve(this.bodyCount, 0, 0, count);
     this.lay(scratch);
   }
 
@@ -187,11 +198,15 @@ export class SolverData {
     }
   }
 
-  private lay({ loops, doubles, offsets }: Scratch): void {
-    this.loops = loops;
+  private lay({ room, doubles, offsets }: Scratch): void {
+    this.loops = room.loops;
+    this.pointKernels = room.pointKernels;
     this.velocity = doubles[0]!;
     this.motion = doubles[1]!;
-    this.one.lay(doubles[2]!, offsets[0]!);
-    this.two.lay(doubles[3]!, offsets[1]!);
+    this.pose = doubles[2]!;
+    this.one.lay(doubles[3]!, offsets[0]!);
+    this.two.lay(doubles[4]!, offsets[1]!);
+    this.points = doubles[5]!;
+    this.pointBodies = offsets[2]!;
   }
 }

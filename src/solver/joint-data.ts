@@ -14,22 +14,20 @@ import {
   BREAK,
   CARRY,
   CHECKED,
-  IMPULSE_X,
-  IMPULSE_Y,
+  KEPT_IMPULSE_X,
+  KEPT_IMPULSE_Y,
+  KEPT_STRIDE,
+  KEPT_SUM_WA,
+  KEPT_SUM_WB,
+  KEPT_SUM_X,
+  KEPT_SUM_Y,
   LIMIT,
   MAX_BIAS,
   MAX_ERROR,
   POINT,
-  POINT_CARRY,
-  POINT_SNAPS,
-  POINT_STRIDE,
   PUSH,
   SNAPPED,
   SNAPS,
-  SUM_WA,
-  SUM_WB,
-  SUM_X,
-  SUM_Y,
   TURN,
   TURN_GIVEN_A,
   TURN_GIVEN_B,
@@ -38,13 +36,20 @@ import {
 } from './joint-layout.js';
 import { WINDOW } from './layout.js';
 
+/** So many rigid point joints are solved two at a time, if that takes no more records than so many for each: ragdolls and chains are as fast one by one. */
+const FEWEST_PAIRED = 24;
+const MOST_RECORDS = 1.5;
+
 /** A constraint's place in the packed arrays. */
 export interface Joint {
   readonly constraint: Constraint;
   readonly kernel: number;
   readonly layout: BlockLayout;
-  /** Offset of its record. */
+  /** Offset of its record; of a rigid point joint, of what it keeps. */
   readonly at: number;
+  /** Which of the records of rigid point joints it has in a step, and whether these are solved two at a time. */
+  slot: number;
+  isPaired: boolean;
   /** Index of its first member in `bodies`. */
   readonly first: number;
   /** Pairs of members that are the same body. */
@@ -93,17 +98,6 @@ export function keepsNumbers(kernel: number): boolean {
   return kernel === POINT || kernel === TURN;
 }
 
-/** Where the impulse of a joint stands. */
-export function impulseOf({ kernel, at, layout }: Joint): number {
-  return at + (kernel === POINT ? IMPULSE_X : kernel === TURN ? TURN_IMPULSE : layout.impulse);
-}
-
-/** Makes no momentum of what corrects a joint in this step, which is done without turning if its error is large and `snaps` is 1. */
-export function steady({ kernel, at }: Joint, records: Float64Array, snaps: number): void {
-  records[at + (kernel === POINT ? POINT_CARRY : CARRY)] = 0;
-  records[at + (kernel === POINT ? POINT_SNAPS : SNAPS)] = snaps;
-}
-
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
 export class JointData implements Keeper {
   readonly joints: Joint[] = [];
@@ -131,6 +125,8 @@ export class JointData implements Keeper {
   readonly shown = new Map<RigidBody, Float64Array>();
   /** Counts the steps: what constraints fetched before is not so any more. */
   solved = 0;
+  /** How many records there are for rigid point joints in a step: of two side by side the second is missing if it would share a body with the first or be of another run. */
+  slots = 0;
   private size = 0;
   private members = 0;
 
@@ -154,18 +150,18 @@ export class JointData implements Keeper {
     if (keepsNumbers(kernel)) {
       constraint.keepAt(this, joints.length);
     }
-    joints.push({ constraint, kernel, layout, at: this.size, first: this.members, twins });
-    this.size += kernel === POINT ? POINT_STRIDE : kernel === TURN ? TURN_STRIDE : layout.size;
-    this.members += constraint.members.length;
     const run = group.runs[group.runs.length - 1];
     group.end += 1;
     if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
       run.end += 1;
     } else {
-      const added = { kernel, start: joints.length - 1, end: joints.length };
+      const added = { kernel, start: joints.length, end: joints.length + 1 };
       group.runs.push(added);
       this.runs.push(added);
     }
+    joints.push({ constraint, kernel, layout, at: this.size, slot: 0, isPaired: false, first: this.members, twins });
+    this.size += kernel === POINT ? KEPT_STRIDE : kernel === TURN ? TURN_STRIDE : layout.size;
+    this.members += constraint.members.length;
     if (this.pose.length < POSE * layout.members) {
       this.pose = new Float64Array(POSE * layout.members);
     }
@@ -181,12 +177,36 @@ export class JointData implements Keeper {
       group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
       group.sweeps = isCareful || !this.isNew(group) ? 1 : NEW_JOINT_SWEEPS;
     }
+    this.slots = 0;
+    for (const run of this.runs) {
+      if (run.kernel === POINT) {
+        this.allotSlots(run);
+      }
+    }
     if (this.records.length < this.size) {
       this.records = new Float64Array(2 * this.size);
     }
     if (this.bodies.length < this.members) {
       this.bodies = new Int32Array(2 * this.members);
     }
+  }
+
+  /** Side by side lie no two that share a body: there the second is missing. Where most would be, as in a chain, joints are solved one by one. */
+  private allotSlots({ start, end }: Run): void {
+    const joints = this.joints.slice(start, end);
+    let offset = 0;
+    const offsets = joints.map(({ constraint }, k) => {
+      const isSecond = k > 0 && offset % 2 === 1;
+      offset += isSecond && sharesBody(constraint, joints[k - 1]!.constraint) ? 2 : 1;
+      return offset - 1;
+    });
+    const isPaired = joints.length >= FEWEST_PAIRED && offset < MOST_RECORDS * joints.length;
+    for (const [k, joint] of joints.entries()) {
+      joint.isPaired = isPaired;
+      joint.slot = this.slots + (isPaired ? offsets[k]! : k);
+    }
+    this.slots = joints[joints.length - 1]!.slot + 1;
+    this.slots += this.slots & 1;
   }
 
   /** Most of its joints carried nothing yet. */
@@ -210,14 +230,14 @@ export class JointData implements Keeper {
       given[5] = r[at + TURN_GIVEN_B]!;
       return;
     }
-    impulse[0] = r[at + IMPULSE_X]!;
-    impulse[1] = r[at + IMPULSE_Y]!;
-    given[0] = -r[at + SUM_X]!;
-    given[1] = -r[at + SUM_Y]!;
-    given[2] = r[at + SUM_WA]!;
-    given[3] = r[at + SUM_X]!;
-    given[4] = r[at + SUM_Y]!;
-    given[5] = r[at + SUM_WB]!;
+    impulse[0] = r[at + KEPT_IMPULSE_X]!;
+    impulse[1] = r[at + KEPT_IMPULSE_Y]!;
+    given[0] = -r[at + KEPT_SUM_X]!;
+    given[1] = -r[at + KEPT_SUM_Y]!;
+    given[2] = r[at + KEPT_SUM_WA]!;
+    given[3] = r[at + KEPT_SUM_X]!;
+    given[4] = r[at + KEPT_SUM_Y]!;
+    given[5] = r[at + KEPT_SUM_WB]!;
   }
 
   /** Lets all constraints fetch what they have not yet. */
@@ -246,6 +266,10 @@ export class JointData implements Keeper {
 function toleranceOf(count: number): number {
   const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * count) / FEW_JOINTS;
   return Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
+}
+
+function sharesBody({ members }: Constraint, other: Constraint): boolean {
+  return members.some((body) => other.members.includes(body));
 }
 
 /** Each member that was listed before, with the first place it was listed at. */

@@ -27,45 +27,64 @@ export const SNAPS = 11;
 export const HEAD = 12;
 
 /**
- * Rigid point joints have records without such a head: two rows with unit columns, so their arms say all. What velocity iterations use stands
- * first: arms, impulse and K⁻¹ …
+ * Rigid point joints: what they keep from step to step, without such a head, as they are two rows with unit columns, so that their arms say all: anchors in the
+ * coordinates of their bodies, of immovable ones in the world, the impulse of the last sub-step …
+ */
+export const KEPT_ANCHOR_AX = 0;
+export const KEPT_ANCHOR_AY = 1;
+export const KEPT_ANCHOR_BX = 2;
+export const KEPT_ANCHOR_BY = 3;
+export const KEPT_IMPULSE_X = 4;
+export const KEPT_IMPULSE_Y = 5;
+/** … and what the last step gave: an impulse to B, its opposite to A, and what turned each. */
+export const KEPT_SUM_X = 6;
+export const KEPT_SUM_Y = 7;
+export const KEPT_SUM_WA = 8;
+export const KEPT_SUM_WB = 9;
+/** Which of the records for a step is its own. */
+export const KEPT_SLOT = 10;
+export const KEPT_STRIDE = 11;
+
+/**
+ * Their records for a step lie two by two, as those of contacts (`layout.ts`). What velocity iterations use stands first: arms, impulse and K⁻¹ …
  */
 export const ARM_AX = 0;
-export const ARM_AY = 1;
-export const ARM_BX = 2;
-export const ARM_BY = 3;
-export const IMPULSE_X = 4;
-export const IMPULSE_Y = 5;
-export const I11 = 6;
-export const I12 = 7;
-export const I22 = 8;
+export const ARM_AY = 2;
+export const ARM_BX = 4;
+export const ARM_BY = 6;
+export const IMPULSE_X = 8;
+export const IMPULSE_Y = 10;
+export const I11 = 12;
+export const I12 = 14;
+export const I22 = 16;
 /** … then what position iterations use: arms where the last exact sweep found them, the error that these make linear in the motion, corrections … */
-export const PLACED_AX = 9;
-export const PLACED_AY = 10;
-export const PLACED_BX = 11;
-export const PLACED_BY = 12;
-export const OFFSET_X = 13;
-export const OFFSET_Y = 14;
-export const PUSH_X = 15;
-export const PUSH_Y = 16;
+export const PLACED_AX = 18;
+export const PLACED_AY = 20;
+export const PLACED_BX = 22;
+export const PLACED_BY = 24;
+export const OFFSET_X = 26;
+export const OFFSET_Y = 28;
+export const PUSH_X = 30;
+export const PUSH_Y = 32;
 /** … the error at the start of the sub-step; 1 if a large one is corrected without turning … */
-export const ERROR_X = 17;
-export const ERROR_Y = 18;
-export const POINT_SNAPS = 19;
-/** … anchors in the coordinates of their bodies, of immovable ones in the world … */
-export const ANCHOR_AX = 20;
-export const ANCHOR_AY = 21;
-export const ANCHOR_BX = 22;
-export const ANCHOR_BY = 23;
-/** … and what the step gave so far: an impulse to B, its opposite to A, and what turned each; the momentum of corrections, as CARRY. */
-export const SUM_X = 24;
-export const SUM_Y = 25;
-export const SUM_WA = 26;
-export const SUM_WB = 27;
-export const POINT_CARRY = 28;
+export const ERROR_X = 34;
+export const ERROR_Y = 36;
+export const POINT_SNAPS = 38;
+/** … anchors … */
+export const ANCHOR_AX = 40;
+export const ANCHOR_AY = 42;
+export const ANCHOR_BX = 44;
+export const ANCHOR_BY = 46;
+/** … and what the step gave so far; the momentum of corrections, as CARRY. */
+export const SUM_X = 48;
+export const SUM_Y = 50;
+export const SUM_WA = 52;
+export const SUM_WB = 54;
+export const POINT_CARRY = 56;
 /** How far either body was turned in the sub-step when the last exact sweep found its arm. */
-export const PLACED_WA = 29;
-export const PLACED_WB = 30;
+export const PLACED_WA = 58;
+export const PLACED_WB = 60;
+/** How many numbers a record has. */
 export const POINT_STRIDE = 31;
 
 /** Kernels: rigid point joints that do not break … */

@@ -2,8 +2,9 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM } from '../config.js';
 import type { SolverData } from './data.js';
-import { type Group, impulseOf, type Joint, steady } from './joint-data.js';
-import { CARRY, CUSTOM, POINT, POINT_CARRY, TURN } from './joint-layout.js';
+import type { Group, Joint } from './joint-data.js';
+import { CUSTOM, TURN } from './joint-layout.js';
+import { carryAt, impulseAt, numbersOf, steady } from './joint-numbers.js';
 import { INV_MASS } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
@@ -14,15 +15,16 @@ import { INV_MASS } from './layout.js';
  * and those that bear much under a weight, still make the most of theirs, see TOUCHED_MOMENTUM.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
-  const { joints, records } = data.joints;
+  const { joints } = data.joints;
   const isPressed = hasMuchToBear(data, group) && isUnderWeight(joints, group);
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
     if (holdsAngle(joint) || (isPressed && bearsMuch(data, joint))) {
-      const carry = joint.at + (joint.kernel === POINT ? POINT_CARRY : CARRY);
-      records[carry] = records[carry]! * TOUCHED_MOMENTUM;
+      const numbers = numbersOf(data, joint);
+      const carry = carryAt(joint);
+      numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
     } else {
-      steady(joint, records, 0);
+      steady(data, joint, 0);
     }
   }
 }
@@ -42,12 +44,15 @@ function holdsAngle({ constraint }: Joint): boolean {
 }
 
 /** Whether it bears as much as a contact that is strained: about a hundred times what its bodies weigh. What turns bears nothing. */
-function bearsMuch({ velocity: v, joints: { records, bodies } }: SolverData, joint: Joint): boolean {
+function bearsMuch(data: SolverData, joint: Joint): boolean {
   const { kernel, first, layout } = joint;
-  const from = impulseOf(joint);
+  const { bodies } = data.joints;
+  const v = data.velocity;
+  const numbers = numbersOf(data, joint);
   let square = 0;
-  for (let n = from; n < from + layout.rows; n += 1) {
-    square += records[n]! * records[n]!;
+  for (let row = 0; row < layout.rows; row += 1) {
+    const n = impulseAt(joint, row);
+    square += numbers[n]! * numbers[n]!;
   }
   const mass = v[bodies[first]! + INV_MASS]! + v[bodies[first + 1]! + INV_MASS]!;
   return kernel !== TURN && kernel !== CUSTOM && square * mass * mass > STRAIN_SPEED * STRAIN_SPEED;

@@ -5,7 +5,8 @@ import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
 import type { SolverData } from './data.js';
-import { impulseOf, type Joint } from './joint-data.js';
+import type { Joint } from './joint-data.js';
+import { forgetImpulse } from './joint-numbers.js';
 import * as d from './layout.js';
 import { inPieces } from './pieces.js';
 
@@ -34,14 +35,13 @@ function writePose(body: RigidBody, pose: Float64Array, at: number): void {
   pose[at + ANGLE] = body.angle;
 }
 
-function forgetImpulses({ joints: data, velocity: v }: SolverData): void {
-  for (const joint of data.joints) {
+function forgetImpulses(data: SolverData): void {
+  const { joints, bodies } = data.joints;
+  for (const joint of joints) {
     const { first, layout } = joint;
     for (let k = 0; k < layout.members; k += 1) {
-      const b = data.bodies[first + k]!;
-      if (!isBelow(v, b, MAX_SPEED)) {
-        const from = impulseOf(joint);
-        data.records.fill(0, from, from + layout.rows);
+      if (!isBelow(data.velocity, bodies[first + k]!, MAX_SPEED)) {
+        forgetImpulse(data, joint, 0);
       }
     }
   }

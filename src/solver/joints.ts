@@ -24,14 +24,17 @@ import {
 } from './block-joints.js';
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, type Joint, type JointData, keepsNumbers, packHead, type Run, steady } from './joint-data.js';
+import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
 import { steadyTouched } from './joint-momentum.js';
+import { steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
+  findStrained,
   finishPoints,
+  keepPoints,
   packPoint,
   pushFarPoints,
   pushPoints,
@@ -55,6 +58,9 @@ function packJoints(world: World, h: number): void {
   world.jointsTouched = false;
   joints.h = h;
   joints.parts = data.parts;
+  if (joints.slots > 0) {
+    data.makeRoomForPoints(joints.slots);
+  }
   joints.eases = world.timeStamp % EASE_STEPS === 0;
   if (joints.runs.length > 0) {
     packPoses(world);
@@ -67,7 +73,7 @@ function packJoints(world: World, h: number): void {
     packGroup(data, joints.groups[i]!, isChanged);
   }
   if (isChanged) {
-    steadyFresh(joints);
+    steadyFresh(data);
   }
 }
 
@@ -113,26 +119,28 @@ function packJoint(data: SolverData, joint: Joint): boolean {
 }
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
-function steadyFresh({ joints, groups, records }: JointData): void {
+function steadyFresh(data: SolverData): void {
+  const { joints, groups } = data.joints;
   for (const group of groups) {
     for (let k = group.start; k < group.end; k += 1) {
       const { constraint } = joints[k]!;
       if (constraint.fresh) {
         constraint.fresh = false;
         group.fresh = true;
-        steady(joints[k]!, records, group.touched ? 0 : 1);
+        steady(data, joints[k]!, group.touched ? 0 : 1);
       }
     }
   }
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
-function settle({ joints, records }: JointData, group: Group, worst: number): void {
+function settle(data: SolverData, group: Group, worst: number): void {
+  const { joints } = data.joints;
   const isLarge = worst > JOINT_SNAP * JOINT_SNAP;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(joints[k]!, records, group.touched ? 0 : 1);
+    steady(data, joints[k]!, group.touched ? 0 : 1);
   }
 }
 
@@ -174,12 +182,24 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
         }
       }
     }
+    if (worst[0] > worst[1]) {
+      findStrainedPoints(data, group);
+    }
     if (isFirst) {
-      settle(data.joints, group, worst[0]);
+      settle(data, group, worst[0]);
     }
     group.error = worst[0];
     limitMomentum(data, group, isFirst);
     planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!, isFirst && eases);
+  }
+}
+
+function findStrainedPoints(data: SolverData, { runs }: Group): void {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
+    if (kernel === POINT) {
+      findStrained(data, start, end);
+    }
   }
 }
 
@@ -385,6 +405,9 @@ function storeJoints(world: World): void {
   joints.solved += 1;
   for (let i = 0; i < joints.runs.length; i += 1) {
     const { kernel, start, end } = joints.runs[i]!;
+    if (kernel === POINT) {
+      keepPoints(data, start, end);
+    }
     for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
       storeBlock(data, joints.joints[k]!);
     }

@@ -135,6 +135,8 @@ export const TWO_STRIDE = 32;
 export const OFFSET = 0xfffffff;
 /** A bit of the first offset of the second contact of two: it shares a body that can move with the first. */
 export const WAITS = 0x20000000;
+/** The same bit of rigid point joints, of which no two that lie side by side share a body: there is no second. */
+export const MISSING = 0x20000000;
 
 /** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
 export const WINDOW = 128;

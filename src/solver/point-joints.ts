@@ -1,11 +1,10 @@
-import { JOINT_FAR_TURN, JOINT_MOMENTUM, JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
-import { COS, SIN, X, Y } from '../constraint/layout.js';
+import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../config.js';
 import type { PointConstraint } from '../constraint/point.js';
-import { cosSin } from '../math/trig.js';
-import type { SolverData } from './data.js';
+import { recordAt, type SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';
+import * as plain from './point-loops.js';
 
 /**
  * Rigid point joints that do not break; all others are block joints. The error is C = Δ(x + r) between the bodies, and by velocities
@@ -14,14 +13,25 @@ import * as d from './layout.js';
  * which neither gains nor loses energy.
  */
 
-/** A matrix whose determinant is below this share of the product of its diagonal has rank 1. */
-const SINGULAR = 1e-12;
+/**
+ * A loop in WebAssembly, from one record to another, both even. @returns twice the index of the first that it left to the loop in TypeScript, and 1 if an error was worth
+ * another iteration.
+ */
+type Kernel = (data: SolverData, from: number, to: number, share: number) => number;
+
+export interface PointKernels {
+  readonly warmStart: Kernel;
+  readonly solveVelocity: Kernel;
+  readonly push: Kernel;
+  readonly pushFurther: Kernel;
+  readonly finish: Kernel;
+}
+
+/** The same in TypeScript. @returns `true` if an error was worth another iteration. */
+type Loop = (data: SolverData, from: number, to: number, share: number) => unknown;
 
 /** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
 const FAR_BLOCK = 8;
-
-/** Angle, cosine, sine: scratch. */
-const turn = new Float64Array(3);
 
 /** What changes seldom: anchors, bodies, and the impulse to start with. */
 export function packPoint(data: SolverData, joint: Joint): void {
@@ -29,8 +39,9 @@ export function packPoint(data: SolverData, joint: Joint): void {
   const { at, constraint } = joint;
   packAnchor(data, joint, 0);
   packAnchor(data, joint, 1);
-  r[at + j.IMPULSE_X] = constraint.impulse[0]!;
-  r[at + j.IMPULSE_Y] = constraint.impulse[1]!;
+  r[at + j.KEPT_SLOT] = joint.slot;
+  r[at + j.KEPT_IMPULSE_X] = constraint.impulse[0]!;
+  r[at + j.KEPT_IMPULSE_Y] = constraint.impulse[1]!;
 }
 
 function packAnchor(data: SolverData, joint: Joint, k: number): void {
@@ -43,24 +54,38 @@ function packAnchor(data: SolverData, joint: Joint, k: number): void {
   const x = anchors[2 * k]!;
   const y = anchors[2 * k + 1]!;
   const isImmovable = slot === 0;
-  r[at + j.ANCHOR_AX + 2 * k] = isImmovable ? body.x + body.cos * x - body.sin * y : x;
-  r[at + j.ANCHOR_AY + 2 * k] = isImmovable ? body.y + body.sin * x + body.cos * y : y;
+  r[at + j.KEPT_ANCHOR_AX + 2 * k] = isImmovable ? body.x + body.cos * x - body.sin * y : x;
+  r[at + j.KEPT_ANCHOR_AY + 2 * k] = isImmovable ? body.y + body.sin * x + body.cos * y : y;
   bodies[first + k] = slot * d.BODY_STRIDE;
 }
 
 /** Starts a step. @returns whether one of the bodies is in contact. */
 export function beginPoints(data: SolverData, start: number, end: number): boolean {
-  const { records: r, joints, bodies, h } = data.joints;
-  const { drive } = data;
+  const { records: kept, bodies, joints, h } = data.joints;
+  const { drive, points: r, pointBodies } = data;
   const scale = data.impulseScale;
   const carry = JOINT_MOMENTUM / h;
-  let i = joints[start]!.at;
+  let o = joints[start]!.at;
   let n = joints[start]!.first;
   let touched = 0;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    touched |= drive[bodies[n]! + d.TOUCHED]! | drive[bodies[n + 1]! + d.TOUCHED]!;
-    r[i + j.IMPULSE_X] = r[i + j.IMPULSE_X]! * scale;
-    r[i + j.IMPULSE_Y] = r[i + j.IMPULSE_Y]! * scale;
+  for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
+    const i = ((slot & d.PAIR) * j.POINT_STRIDE + (slot & 1)) & d.OFFSET;
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    touched |= drive[a + d.TOUCHED]! | drive[b + d.TOUCHED]!;
+    if ((slot & 1) === 0) {
+      // Until there is one, which comes next.
+      missing(r, pointBodies, slot + 1, i + 1);
+    }
+    pointBodies[2 * slot] = a;
+    pointBodies[2 * slot + 1] = b;
+    r[i + j.ANCHOR_AX] = kept[o + j.KEPT_ANCHOR_AX]!;
+    r[i + j.ANCHOR_AY] = kept[o + j.KEPT_ANCHOR_AY]!;
+    r[i + j.ANCHOR_BX] = kept[o + j.KEPT_ANCHOR_BX]!;
+    r[i + j.ANCHOR_BY] = kept[o + j.KEPT_ANCHOR_BY]!;
+    r[i + j.IMPULSE_X] = kept[o + j.KEPT_IMPULSE_X]! * scale;
+    r[i + j.IMPULSE_Y] = kept[o + j.KEPT_IMPULSE_Y]! * scale;
     r[i + j.SUM_X] = 0;
     r[i + j.SUM_Y] = 0;
     r[i + j.SUM_WA] = 0;
@@ -71,345 +96,143 @@ export function beginPoints(data: SolverData, start: number, end: number): boole
   return touched !== 0;
 }
 
+/** A record that no joint has. */
+function missing(r: Float64Array, pointBodies: Int32Array, slot: number, i: number): void {
+  pointBodies[2 * slot] = d.MISSING;
+  pointBodies[2 * slot + 1] = 0;
+  r[i + j.ANCHOR_AX] = 0;
+  r[i + j.ANCHOR_AY] = 0;
+  r[i + j.ANCHOR_BX] = 0;
+  r[i + j.ANCHOR_BY] = 0;
+}
+
+/** Ends a step. */
+export function keepPoints(data: SolverData, start: number, end: number): void {
+  const { records: kept, joints } = data.joints;
+  const { points: r } = data;
+  let o = joints[start]!.at;
+  for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET) {
+    const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
+    const i = ((slot & d.PAIR) * j.POINT_STRIDE + (slot & 1)) & d.OFFSET;
+    kept[o + j.KEPT_IMPULSE_X] = r[i + j.IMPULSE_X]!;
+    kept[o + j.KEPT_IMPULSE_Y] = r[i + j.IMPULSE_Y]!;
+    kept[o + j.KEPT_SUM_X] = r[i + j.SUM_X]!;
+    kept[o + j.KEPT_SUM_Y] = r[i + j.SUM_Y]!;
+    kept[o + j.KEPT_SUM_WA] = r[i + j.SUM_WA]!;
+    kept[o + j.KEPT_SUM_WB] = r[i + j.SUM_WB]!;
+  }
+}
+
+/** Which of them have a larger error than asked for: from the first to the one after the last, to `strained`, if there are such. */
+export function findStrained(data: SolverData, start: number, end: number): void {
+  const { strained, joints } = data.joints;
+  let from = start;
+  while (from < end && !isStrained(data, joints[from]!)) {
+    from += 1;
+  }
+  if (from === end) {
+    return;
+  }
+  let to = end;
+  while (!isStrained(data, joints[to - 1]!)) {
+    to -= 1;
+  }
+  strained[0] = Math.min(strained[0]!, from);
+  strained[1] = Math.max(strained[1]!, to);
+}
+
+function isStrained({ points: r, joints: { worst } }: SolverData, { slot }: Joint): boolean {
+  const i = recordAt(slot, j.POINT_STRIDE);
+  return r[i + j.ERROR_X]! * r[i + j.ERROR_X]! + r[i + j.ERROR_Y]! * r[i + j.ERROR_Y]! > worst[1]!;
+}
+
+/** Joints from one to another, by a kernel, if there is one, and by a loop what is left: what it stops at, and at the ends what is a part of two. @returns what they find together. */
+function solve(
+  data: SolverData,
+  start: number,
+  end: number,
+  kernel: Kernel | undefined,
+  loop: Loop,
+  share: number,
+): boolean {
+  const { pointBodies } = data;
+  const { joints } = data.joints;
+  const { slot, isPaired } = joints[start]!;
+  const to = joints[end - 1]!.slot + 1;
+  if (kernel === undefined || !isPaired) {
+    return loop(data, slot, to, share) === true;
+  }
+  let k = slot;
+  let found = false;
+  if (k % 2 === 1) {
+    found = loop(data, k, k + 1, share) === true;
+    k += 1;
+  }
+  const whole = to + (to & 1) * ((pointBodies[2 * to]! & d.MISSING) === 0 ? -1 : 1);
+  while (k < whole) {
+    const done = kernel(data, k, whole, share);
+    found = (done & 1) === 1 || found;
+    k = done >> 1;
+    if (k < whole) {
+      found = loop(data, k, k + 2, share) === true || found;
+      k += 2;
+    }
+  }
+  return (k < to && loop(data, k, to, share) === true) || found;
+}
+
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints, worst, strained } = data.joints;
-  const { velocity: v, pose: p } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const xA = r[i + j.ANCHOR_AX]!;
-    const yA = r[i + j.ANCHOR_AY]!;
-    const xB = r[i + j.ANCHOR_BX]!;
-    const yB = r[i + j.ANCHOR_BY]!;
-    const cosA = p[a + COS]!;
-    const sinA = p[a + SIN]!;
-    const cosB = p[b + COS]!;
-    const sinB = p[b + SIN]!;
-    const ax = cosA * xA - sinA * yA;
-    const ay = sinA * xA + cosA * yA;
-    const bx = cosB * xB - sinB * yB;
-    const by = sinB * xB + cosB * yB;
-    const cx = p[b + X]! - p[a + X]! + (bx - ax);
-    const cy = p[b + Y]! - p[a + Y]! + (by - ay);
-    const square = cx * cx + cy * cy;
-    if (square > worst[0]!) {
-      worst[0] = square;
-    }
-    if (square > worst[1]!) {
-      strained[0] = k < strained[0]! ? k : strained[0]!;
-      strained[1] = k + 1;
-    }
-    r[i + j.ARM_AX] = ax;
-    r[i + j.ARM_AY] = ay;
-    r[i + j.ARM_BX] = bx;
-    r[i + j.ARM_BY] = by;
-    r[i + j.ERROR_X] = cx;
-    r[i + j.ERROR_Y] = cy;
-    r[i + j.PUSH_X] = 0;
-    r[i + j.PUSH_Y] = 0;
-    const mA = v[a + d.INV_MASS]!;
-    const mB = v[b + d.INV_MASS]!;
-    const iA = v[a + d.INV_INERTIA]!;
-    const iB = v[b + d.INV_INERTIA]!;
-    const m = mA + mB;
-    const k11 = m + iA * ay * ay + iB * by * by;
-    const k12 = -iA * ax * ay - iB * bx * by;
-    const k22 = m + iA * ax * ax + iB * bx * bx;
-    r[i + j.I11] = k11;
-    r[i + j.I12] = k12;
-    r[i + j.I22] = k22;
-    invert(r, i);
-    const px = r[i + j.IMPULSE_X]!;
-    const py = r[i + j.IMPULSE_Y]!;
-    v[a + d.VX] = v[a + d.VX]! - mA * px;
-    v[a + d.VY] = v[a + d.VY]! - mA * py;
-    v[a + d.W] = v[a + d.W]! - iA * (ax * py - ay * px);
-    v[b + d.VX] = v[b + d.VX]! + mB * px;
-    v[b + d.VY] = v[b + d.VY]! + mB * py;
-    v[b + d.W] = v[b + d.W]! + iB * (bx * py - by * px);
-  }
+  solve(data, start, end, data.pointKernels?.warmStart, plain.warmStartPoints, 0);
 }
 
-/** K⁻¹ in place of K; of a K of rank 1 the larger diagonal element alone, of none nothing. Handed over in the record, as doubles would be boxed. */
-function invert(r: Float64Array, i: number): void {
-  const k11 = r[i + j.I11]!;
-  const k12 = r[i + j.I12]!;
-  const k22 = r[i + j.I22]!;
-  const product = k11 * k22;
-  const det = product - k12 * k12;
-  if (det > SINGULAR * product && k11 > MIN_INVERSE_MASS && k22 > MIN_INVERSE_MASS) {
-    const inverse = 1 / det;
-    r[i + j.I11] = k22 * inverse;
-    r[i + j.I12] = -k12 * inverse;
-    r[i + j.I22] = k11 * inverse;
-  } else {
-    r[i + j.I11] = k11 >= k22 && k11 > MIN_INVERSE_MASS ? 1 / k11 : 0;
-    r[i + j.I12] = 0;
-    r[i + j.I22] = k22 > k11 && k22 > MIN_INVERSE_MASS ? 1 / k22 : 0;
-  }
-}
-
-/** One sweep: Δλ = −K⁻¹C'. */
+/** One sweep over velocities. */
 export function solveVelocityPoints(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const v = data.velocity;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const ax = r[i + j.ARM_AX]!;
-    const ay = r[i + j.ARM_AY]!;
-    const bx = r[i + j.ARM_BX]!;
-    const by = r[i + j.ARM_BY]!;
-    const vax = v[a + d.VX]!;
-    const vay = v[a + d.VY]!;
-    const wA = v[a + d.W]!;
-    const vbx = v[b + d.VX]!;
-    const vby = v[b + d.VY]!;
-    const wB = v[b + d.W]!;
-    const cx = vbx - vax - wB * by + wA * ay;
-    const cy = vby - vay + wB * bx - wA * ax;
-    const i12 = r[i + j.I12]!;
-    const x = r[i + j.I11]! * cx + i12 * cy;
-    const y = i12 * cx + r[i + j.I22]! * cy;
-    r[i + j.IMPULSE_X] = r[i + j.IMPULSE_X]! - x;
-    r[i + j.IMPULSE_Y] = r[i + j.IMPULSE_Y]! - y;
-    const mA = v[a + d.INV_MASS]!;
-    const mB = v[b + d.INV_MASS]!;
-    v[a + d.VX] = vax + mA * x;
-    v[a + d.VY] = vay + mA * y;
-    v[a + d.W] = wA + v[a + d.INV_INERTIA]! * (ax * y - ay * x);
-    v[b + d.VX] = vbx - mB * x;
-    v[b + d.VY] = vby - mB * y;
-    v[b + d.W] = wB - v[b + d.INV_INERTIA]! * (bx * y - by * x);
-  }
+  solve(data, start, end, data.pointKernels?.solveVelocity, plain.solveVelocityPoints, 0);
 }
 
-/**
- * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the
- * start of the sub-step a pendulum is 1 mm off after 5 s.
- *
- * @returns whether an error was worth another iteration.
- */
+/** One exact sweep over positions. @returns whether an error was worth another iteration. */
 export function pushPoints(data: SolverData, start: number, end: number): boolean {
-  const { records: r, bodies, joints, worst } = data.joints;
-  const { motion: q } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  let found = false;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const qax = q[a + d.QX]!;
-    const qay = q[a + d.QY]!;
-    const wA = q[a + d.QW]!;
-    const qbx = q[b + d.QX]!;
-    const qby = q[b + d.QY]!;
-    const wB = q[b + d.QW]!;
-    const squareA = wA * wA;
-    const squareB = wB * wB;
-    // Up to a small turn the first terms are exact to a ten-millionth of the arm; the next sub-step removes that.
-    let ca = squareA * (squareA * (1 / 24) - 0.5);
-    let sa = wA * (1 - squareA * (1 / 6 - squareA * (1 / 120)));
-    let cb = squareB * (squareB * (1 / 24) - 0.5);
-    let sb = wB * (1 - squareB * (1 / 6 - squareB * (1 / 120)));
-    if (squareA > d.SMALL_TURN * d.SMALL_TURN || squareB > d.SMALL_TURN * d.SMALL_TURN) {
-      turn[0] = wA;
-      cosSin(turn);
-      ca = turn[1]! - 1;
-      sa = turn[2]!;
-      turn[0] = wB;
-      cosSin(turn);
-      cb = turn[1]! - 1;
-      sb = turn[2]!;
-    }
-    let ax = r[i + j.ARM_AX]!;
-    let ay = r[i + j.ARM_AY]!;
-    let bx = r[i + j.ARM_BX]!;
-    let by = r[i + j.ARM_BY]!;
-    const dax = ca * ax - sa * ay;
-    const day = sa * ax + ca * ay;
-    const dbx = cb * bx - sb * by;
-    const dby = sb * bx + cb * by;
-    const cx = r[i + j.ERROR_X]! + (qbx - qax) + (dbx - dax);
-    const cy = r[i + j.ERROR_Y]! + (qby - qay) + (dby - day);
-    const square = cx * cx + cy * cy;
-    if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
-      found = true;
-      if (square > worst[0]!) {
-        worst[0] = square;
-      }
-    }
-    const mA = q[a + d.INV_MASS]!;
-    const mB = q[b + d.INV_MASS]!;
-    ax += dax;
-    ay += day;
-    bx += dbx;
-    by += dby;
-    const iA = q[a + d.INV_INERTIA]!;
-    const iB = q[b + d.INV_INERTIA]!;
-    const m = mA + mB;
-    const k11 = m + iA * ay * ay + iB * by * by;
-    const k12 = -iA * ax * ay - iB * bx * by;
-    const k22 = m + iA * ax * ax + iB * bx * bx;
-    r[i + j.PLACED_WA] = wA;
-    r[i + j.PLACED_WB] = wB;
-    r[i + j.PLACED_AX] = ax;
-    r[i + j.PLACED_AY] = ay;
-    r[i + j.PLACED_BX] = bx;
-    r[i + j.PLACED_BY] = by;
-    r[i + j.OFFSET_X] = cx - (qbx - qax - wB * by + wA * ay);
-    r[i + j.OFFSET_Y] = cy - (qby - qay + wB * bx - wA * ax);
-    r[i + j.I11] = k11;
-    r[i + j.I12] = k12;
-    r[i + j.I22] = k22;
-    invert(r, i);
-    const i12 = r[i + j.I12]!;
-    let x = r[i + j.I11]! * cx + i12 * cy;
-    let y = i12 * cx + r[i + j.I22]! * cy;
-    if (square > JOINT_SNAP * JOINT_SNAP && r[i + j.POINT_SNAPS] !== 0 && m > MIN_INVERSE_MASS) {
-      x = cx / m;
-      y = cy / m;
-      ax = 0;
-      ay = 0;
-      bx = 0;
-      by = 0;
-    }
-    r[i + j.PUSH_X] = r[i + j.PUSH_X]! - x;
-    r[i + j.PUSH_Y] = r[i + j.PUSH_Y]! - y;
-    q[a + d.QX] = qax + mA * x;
-    q[a + d.QY] = qay + mA * y;
-    q[a + d.QW] = wA + iA * (ax * y - ay * x);
-    q[b + d.QX] = qbx - mB * x;
-    q[b + d.QY] = qby - mB * y;
-    q[b + d.QW] = wB - iB * (bx * y - by * x);
-  }
-  return found;
+  return solve(data, start, end, data.pointKernels?.push, plain.pushPoints, 0);
 }
 
-/** Another sweep: as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth another iteration. */
+/** Another sweep, linear. @returns as the others. */
 export function pushPointsFurther(data: SolverData, start: number, end: number): boolean {
-  const { records: r, bodies, joints } = data.joints;
-  const { motion: q } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  let found = false;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const ax = r[i + j.PLACED_AX]!;
-    const ay = r[i + j.PLACED_AY]!;
-    const bx = r[i + j.PLACED_BX]!;
-    const by = r[i + j.PLACED_BY]!;
-    const qax = q[a + d.QX]!;
-    const qay = q[a + d.QY]!;
-    const wA = q[a + d.QW]!;
-    const qbx = q[b + d.QX]!;
-    const qby = q[b + d.QY]!;
-    const wB = q[b + d.QW]!;
-    const cx = r[i + j.OFFSET_X]! + (qbx - qax - wB * by + wA * ay);
-    const cy = r[i + j.OFFSET_Y]! + (qby - qay + wB * bx - wA * ax);
-    if (cx * cx + cy * cy > JOINT_TOLERANCE * JOINT_TOLERANCE) {
-      found = true;
-    }
-    const i12 = r[i + j.I12]!;
-    const x = r[i + j.I11]! * cx + i12 * cy;
-    const y = i12 * cx + r[i + j.I22]! * cy;
-    r[i + j.PUSH_X] = r[i + j.PUSH_X]! - x;
-    r[i + j.PUSH_Y] = r[i + j.PUSH_Y]! - y;
-    const mA = q[a + d.INV_MASS]!;
-    const mB = q[b + d.INV_MASS]!;
-    q[a + d.QX] = qax + mA * x;
-    q[a + d.QY] = qay + mA * y;
-    q[a + d.QW] = wA + q[a + d.INV_INERTIA]! * (ax * y - ay * x);
-    q[b + d.QX] = qbx - mB * x;
-    q[b + d.QY] = qby - mB * y;
-    q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
-  }
-  return found;
+  return solve(data, start, end, data.pointKernels?.pushFurther, plain.pushPointsFurther, 0);
 }
 
 /** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
 export function pushFarPoints(data: SolverData, start: number, end: number): boolean {
   let found = false;
-  for (let from = start; from < end; from += FAR_BLOCK) {
-    const to = Math.min(from + FAR_BLOCK, end);
-    found = (haveTurned(data, from, to) ? pushPoints(data, from, to) : pushPointsFurther(data, from, to)) || found;
+  for (let k = start; k < end; k += FAR_BLOCK) {
+    const to = Math.min(k + FAR_BLOCK, end);
+    found = (haveTurned(data, k, to) ? pushPoints(data, k, to) : pushPointsFurther(data, k, to)) || found;
   }
   return found;
 }
 
-function haveTurned(
-  { joints: { records: r, bodies, joints }, motion: q }: SolverData,
-  start: number,
-  end: number,
-): boolean {
-  let most = 0;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const wA = Math.abs(q[bodies[n]! + d.QW]! - r[i + j.PLACED_WA]!);
-    const wB = Math.abs(q[bodies[n + 1]! + d.QW]! - r[i + j.PLACED_WB]!);
-    most = wA > most ? wA : most;
-    most = wB > most ? wB : most;
-  }
-  return most > JOINT_FAR_TURN;
-}
-
-/** The largest error now, m, as linear in the motion since the last exact sweep, to `left`. */
-export function measurePoints({ joints: data, motion: q }: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints, left } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  let most = 0;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const wA = q[a + d.QW]!;
-    const wB = q[b + d.QW]!;
-    const turnedX = wA * r[i + j.PLACED_AY]! - wB * r[i + j.PLACED_BY]!;
-    const turnedY = wB * r[i + j.PLACED_BX]! - wA * r[i + j.PLACED_AX]!;
-    const cx = r[i + j.OFFSET_X]! + (q[b + d.QX]! - q[a + d.QX]! + turnedX);
-    const cy = r[i + j.OFFSET_Y]! + (q[b + d.QY]! - q[a + d.QY]! + turnedY);
-    const square = cx * cx + cy * cy;
-    most = square > most ? square : most;
-  }
-  left[0] = Math.sqrt(most);
+/** The largest error now, m, to `left`. */
+export function measurePoints(data: SolverData, start: number, end: number): void {
+  const { joints } = data.joints;
+  plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + 1);
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
 export function finishPoints(data: SolverData, start: number, end: number, share: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const v = data.velocity;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.POINT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const carry = share * r[i + j.POINT_CARRY]!;
-    const x = carry * r[i + j.PUSH_X]!;
-    const y = carry * r[i + j.PUSH_Y]!;
-    const ax = r[i + j.ARM_AX]!;
-    const ay = r[i + j.ARM_AY]!;
-    const bx = r[i + j.ARM_BX]!;
-    const by = r[i + j.ARM_BY]!;
-    const mA = v[a + d.INV_MASS]!;
-    const mB = v[b + d.INV_MASS]!;
-    v[a + d.VX] = v[a + d.VX]! - mA * x;
-    v[a + d.VY] = v[a + d.VY]! - mA * y;
-    v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * (ax * y - ay * x);
-    v[b + d.VX] = v[b + d.VX]! + mB * x;
-    v[b + d.VY] = v[b + d.VY]! + mB * y;
-    v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * (bx * y - by * x);
-    const jx = x + r[i + j.IMPULSE_X]!;
-    const jy = y + r[i + j.IMPULSE_Y]!;
-    r[i + j.SUM_X] = r[i + j.SUM_X]! + jx;
-    r[i + j.SUM_Y] = r[i + j.SUM_Y]! + jy;
-    r[i + j.SUM_WA] = r[i + j.SUM_WA]! - (ax * jy - ay * jx);
-    r[i + j.SUM_WB] = r[i + j.SUM_WB]! + (bx * jy - by * jx);
+  solve(data, start, end, data.pointKernels?.finish, plain.finishPoints, share);
+}
+
+function haveTurned(data: SolverData, start: number, end: number): boolean {
+  const { points: r, pointBodies: bodies, motion: q } = data;
+  const { joints } = data.joints;
+  let most = 0;
+  for (let k = start; k < end; k += 1) {
+    const { slot } = joints[k]!;
+    const i = recordAt(slot, j.POINT_STRIDE);
+    const wA = Math.abs(q[(bodies[2 * slot]! & d.OFFSET) + d.QW]! - r[i + j.PLACED_WA]!);
+    const wB = Math.abs(q[bodies[2 * slot + 1]! + d.QW]! - r[i + j.PLACED_WB]!);
+    most = wA > most ? wA : most;
+    most = wB > most ? wB : most;
   }
+  return most > JOINT_FAR_TURN;
 }

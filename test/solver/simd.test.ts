@@ -6,10 +6,28 @@ import { PUSH_SHARE_CIRCLES, PUSH_SHARE_DYNAMIC, PUSH_SHARE_HOOKED } from '../..
 import { createCustomConstraint, createWorld, phys2D, simdKernels, type World, worldState } from '../../src/index.js';
 import { type Kernels, plainKernels } from '../../src/kernels.js';
 import { recordAt, SolverData } from '../../src/solver/data.js';
-import { JointData } from '../../src/solver/joint-data.js';
+import { Group, JointData } from '../../src/solver/joint-data.js';
+import {
+  ANCHOR_AX,
+  ANCHOR_AY,
+  ANCHOR_BX,
+  ANCHOR_BY,
+  BlockLayout,
+  POINT,
+  POINT_SNAPS,
+  POINT_STRIDE,
+} from '../../src/solver/joint-layout.js';
 import * as d from '../../src/solver/layout.js';
 import { type Loops, plain } from '../../src/solver/loops.js';
+import {
+  finishPoints,
+  pushPoints,
+  pushPointsFurther,
+  solveVelocityPoints,
+  warmStartPoints,
+} from '../../src/solver/point-joints.js';
 import { DT, plainBody } from '../conformance/setting.js';
+import { buildJointGrid } from '../scenes/joint-grid.js';
 import { buildMixed } from '../scenes/mixed.js';
 import { buildPyramid } from '../scenes/pyramid.js';
 
@@ -134,6 +152,112 @@ describe.each(LOOPS)('%s', (loop) => {
   });
 });
 
+/** What a rigid point joint of a random list is. */
+interface DrawnPoint {
+  readonly a: number;
+  readonly b: number;
+  readonly numbers: readonly number[];
+  readonly snaps: number;
+}
+
+/** So many that few neighbours share one. */
+const JOINED = 40;
+
+const point = record({
+  a: integer({ min: 0, max: JOINED - 1 }),
+  b: integer({ min: 0, max: JOINED - 1 }),
+  numbers: array(value, { minLength: POINT_STRIDE, maxLength: POINT_STRIDE }),
+  snaps: constantFrom(0, 0, 0, 1),
+});
+
+/** Arrays of a solver with joints that were drawn; joints between a body and itself there are none. Slot 0 cannot move. */
+function filledWithPoints(kernels: Kernels, drawn: readonly DrawnPoint[], numbers: readonly number[]): SolverData {
+  const data = new SolverData(new JointData(), kernels);
+  const bodies = Array.from({ length: JOINED }, plainBody);
+  data.joints.groups.push(new Group(0));
+  for (const { a, b } of drawn) {
+    const constraint = phys2D.createPointConstraint({
+      bodyA: bodies[a]!,
+      bodyB: bodies[a === b ? (b + 1) % JOINED : b]!,
+    });
+    data.joints.add(constraint, POINT, new BlockLayout(2, 2));
+  }
+  data.joints.allot();
+  data.resetBodies(JOINED);
+  data.makeRoomForPoints(data.joints.slots);
+  for (let i = 1; i < JOINED; i += 1) {
+    const at = i * d.BODY_STRIDE;
+    for (let n = 0; n < d.BODY_STRIDE; n += 1) {
+      data.velocity[at + n] = numbers[at + n]!;
+      data.motion[at + n] = numbers[at + n]!;
+      data.pose[at + n] = numbers[at + n]!;
+    }
+    // Most turns are small, and no mass is negative.
+    data.motion[at + d.QW]! *= 0.11;
+    for (const n of [d.INV_MASS, d.INV_INERTIA]) {
+      data.velocity[at + n] = Math.abs(numbers[at + n]!);
+      data.motion[at + n] = Math.abs(numbers[at + n]!);
+    }
+  }
+  data.pointBodies.fill(0);
+  for (const [k, { slot }] of data.joints.joints.entries()) {
+    const { a, b, numbers: ofPoint, snaps } = drawn[k]!;
+    const at = recordAt(slot, POINT_STRIDE);
+    for (let n = 0; n < POINT_STRIDE; n += 1) {
+      data.points[at + 2 * n] = ofPoint[n]!;
+    }
+    data.points[at + POINT_SNAPS] = snaps;
+    data.pointBodies[2 * slot] = a * d.BODY_STRIDE;
+    data.pointBodies[2 * slot + 1] = (a === b ? (b + 1) % JOINED : b) * d.BODY_STRIDE;
+    if (slot % 2 === 0) {
+      data.pointBodies[2 * slot + 2] = d.MISSING;
+      for (const n of [ANCHOR_AX, ANCHOR_AY, ANCHOR_BX, ANCHOR_BY]) data.points[at + 1 + n] = 0;
+    }
+  }
+  return data;
+}
+
+describe.each([
+  ['warmStartPoints', warmStartPoints],
+  ['solveVelocityPoints', solveVelocityPoints],
+  ['pushPoints', pushPoints],
+  ['pushPointsFurther', pushPointsFurther],
+  ['finishPoints', finishPoints],
+])('%s', (name, loop) => {
+  it('does the same in WebAssembly, to the bit: whatever is rare, wherever it begins and ends', () => {
+    let paired = 0;
+    assert(
+      property(
+        array(point, { minLength: 1, maxLength: 60, size: 'max' }),
+        array(value, { minLength: JOINED * d.BODY_STRIDE, maxLength: JOINED * d.BODY_STRIDE }),
+        uniqueArray(integer({ min: 0, max: 60 }), { minLength: 2, maxLength: 2 }),
+        double({ min: 0, max: 1, noNaN: true }),
+        (drawn, bodies, ends, share) => {
+          const isWhole = name === 'warmStartPoints' || name === 'finishPoints';
+          const range = isWhole ? [0, drawn.length] : ends.map((end) => Math.min(end, drawn.length));
+          const [from, to] = range.sort((x, y) => x - y) as [number, number];
+          if (from === to) return;
+          const [expected, found] = [plainKernels, simdKernels].map((kernels) => {
+            const data = filledWithPoints(kernels, drawn, bodies);
+            data.joints.worst[0] = share;
+            const result = loop(data, from, to, share);
+            const { velocity, motion, points, joints } = data;
+            const records = joints.joints.map(({ slot }) =>
+              Array.from({ length: POINT_STRIDE }, (_, n) => points[recordAt(slot, POINT_STRIDE) + 2 * n]),
+            );
+            paired += joints.joints[0]!.isPaired ? 1 : 0;
+            data.release();
+            return { result, velocity: velocity.slice(), motion: motion.slice(), records, worst: joints.worst.slice() };
+          });
+          expect(found).toEqual(expected);
+        },
+      ),
+      { numRuns: 150 },
+    );
+    expect(paired).toBeGreaterThan(50);
+  });
+});
+
 /** Runs a scene twice, and compares. */
 function expectSame(build: (world: World) => void, steps: number): void {
   const worlds = [plainKernels, simdKernels].map((kernels) => {
@@ -154,6 +278,14 @@ describe('a world with kernels in WebAssembly', () => {
 
   it('is the same to the bit, step by step: a pyramid that its arrays have to grow for', () => {
     expectSame((world) => buildPyramid(phys2D, world, 20), 60);
+  });
+
+  it('is the same to the bit, step by step: a net that is torn at, and a wheel on it that spins', () => {
+    expectSame((world) => {
+      const { bodies } = buildJointGrid(phys2D, world, 12);
+      bodies[40]!.setAngularVelocity(100);
+      bodies[100]!.setVelocity([30, 20]);
+    }, 180);
   });
 
   it('is what `phys2D` makes, and the function `createWorld` only if it is told', () => {

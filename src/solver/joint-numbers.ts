@@ -1,0 +1,49 @@
+import { recordAt, type SolverData } from './data.js';
+import type { Joint } from './joint-data.js';
+import {
+  CARRY,
+  IMPULSE_X,
+  POINT,
+  POINT_CARRY,
+  POINT_SNAPS,
+  POINT_STRIDE,
+  SNAPS,
+  TURN,
+  TURN_IMPULSE,
+} from './joint-layout.js';
+
+// Where the numbers of a joint are in a step, whatever kernel it has.
+
+export function numbersOf({ joints, points }: SolverData, { kernel }: Joint): Float64Array {
+  return kernel === POINT ? points : joints.records;
+}
+
+/** Of one of its rows. */
+export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): number {
+  if (kernel === POINT) {
+    return recordAt(slot, POINT_STRIDE) + IMPULSE_X + 2 * row;
+  }
+  return at + (kernel === TURN ? TURN_IMPULSE : layout.impulse) + row;
+}
+
+export function carryAt({ kernel, at, slot }: Joint): number {
+  return kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_CARRY : at + CARRY;
+}
+
+/** Makes no momentum of what corrects a joint in this step, which is done without turning if its error is large and `snaps` is 1. */
+export function steady(data: SolverData, joint: Joint, snaps: number): void {
+  const numbers = numbersOf(data, joint);
+  const { kernel, at, slot } = joint;
+  numbers[carryAt(joint)] = 0;
+  numbers[kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_SNAPS : at + SNAPS] = snaps;
+}
+
+/** Leaves a share of what a joint gave for the next sub-step. */
+export function forgetImpulse(data: SolverData, joint: Joint, share: number): void {
+  const numbers = numbersOf(data, joint);
+  for (let row = 0; row < joint.layout.rows; row += 1) {
+    const n = impulseAt(joint, row);
+    // What is not finite goes, too.
+    numbers[n] = share === 0 ? 0 : numbers[n]! * share;
+  }
+}
