@@ -61,6 +61,8 @@ export interface Run {
   readonly kernel: number;
   readonly start: number;
   end: number;
+  /** At the start of the sub-step some error was larger than is asked for. */
+  isStrained: boolean;
 }
 
 /** Joints that hang together. */
@@ -155,7 +157,7 @@ export class JointData implements Keeper {
     if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
       run.end += 1;
     } else {
-      const added = { kernel, start: joints.length, end: joints.length + 1 };
+      const added = { kernel, start: joints.length, end: joints.length + 1, isStrained: false };
       group.runs.push(added);
       this.runs.push(added);
     }

@@ -170,19 +170,15 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     worst[1] = group.tolerance * group.tolerance;
     strained[0] = group.end;
     strained[1] = group.start;
+    let most = 0;
     for (let n = 0; n < group.runs.length; n += 1) {
-      const { kernel, start, end } = group.runs[n]!;
-      if (kernel === POINT) {
-        warmStartPoints(data, start, end);
-      } else if (kernel === TURN) {
-        warmStartTurns(data, start, end);
-      } else {
-        for (let k = start; k < end; k += 1) {
-          warmStartBlock(data, k, isFirst);
-        }
-      }
+      worst[0] = 0;
+      warmStartRun(data, group.runs[n]!, isFirst);
+      group.runs[n]!.isStrained = worst[0] > worst[1];
+      most = worst[0] > most ? worst[0] : most;
     }
-    if (worst[0] > worst[1]) {
+    worst[0] = most;
+    if (most > worst[1]) {
       findStrainedPoints(data, group);
     }
     if (isFirst) {
@@ -194,10 +190,22 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
   }
 }
 
+function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: boolean): void {
+  if (kernel === POINT) {
+    warmStartPoints(data, start, end);
+  } else if (kernel === TURN) {
+    warmStartTurns(data, start, end);
+  } else {
+    for (let k = start; k < end; k += 1) {
+      warmStartBlock(data, k, isFirst);
+    }
+  }
+}
+
 function findStrainedPoints(data: SolverData, { runs }: Group): void {
   for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
-    if (kernel === POINT) {
+    const { kernel, start, end, isStrained } = runs[i]!;
+    if (kernel === POINT && isStrained) {
       findStrained(data, start, end);
     }
   }

@@ -31,7 +31,8 @@ export function prepare(world: World, h: number): void {
   const data = world.solver;
   if (world.liveDynamics.length + world.liveKinematics.length + world.liveConstraints.length > 0) {
     packBodies(world, h);
-    packTraits(world);
+    // Where nothing is near anything nobody asks for them.
+    if (world.pairs.sorted.count > 0) packTraits(world);
     const growth = h / (data.previousH || h);
     data.impulseScale = growth > MAX_GROWTH ? 0 : growth;
     data.previousH = h;
