@@ -134,9 +134,9 @@ function steadyFresh(data: SolverData): void {
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
-function settle(data: SolverData, group: Group, worst: number): void {
-  const { joints } = data.joints;
-  const isLarge = worst > JOINT_SNAP * JOINT_SNAP;
+function settle(data: SolverData, group: Group): void {
+  const { joints, worst } = data.joints;
+  const isLarge = worst[0]! > JOINT_SNAP * JOINT_SNAP;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
@@ -166,7 +166,6 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { groups, worst, strained, eases } = data.joints;
   for (let i = 0; i < groups.length; i += 1) {
     const group = groups[i]!;
-    worst[0] = 0;
     worst[1] = group.tolerance * group.tolerance;
     strained[0] = group.end;
     strained[1] = group.start;
@@ -182,11 +181,11 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
       findStrainedPoints(data, group);
     }
     if (isFirst) {
-      settle(data, group, worst[0]);
+      settle(data, group);
     }
     group.error = worst[0];
     limitMomentum(data, group, isFirst);
-    planSweeps(group, Math.sqrt(worst[0]), strained[0]!, strained[1]!, isFirst && eases);
+    planSweeps(data, group, isFirst && eases);
   }
 }
 
@@ -215,7 +214,11 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
  * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before, as sweeps that come and go shake what
  * hangs there, and fling up what lies on it.
  */
-function planSweeps(group: Group, error: number, first: number, after: number, eases: boolean): void {
+function planSweeps(data: SolverData, group: Group, eases: boolean): void {
+  const { worst, strained } = data.joints;
+  const first = strained[0]!;
+  const after = strained[1]!;
+  const error = Math.sqrt(worst[0]!);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
   const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
   const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
