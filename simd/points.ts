@@ -6,7 +6,7 @@ import { COS, X } from '../src/constraint/layout';
 import * as j from '../src/solver/joint-layout';
 import { INV_INERTIA, MISSING, QW, QX, SMALL_TURN, VX, W } from '../src/solver/layout';
 import * as n from './lanes';
-import { at, Bodies, first, OFFSETS, put, second, two } from './lanes';
+import { at, Bodies, first, maskOf, OFFSETS, put, second, two } from './lanes';
 
 /** Bytes of two records. */
 const RECORDS: usize = 16 * j.POINT_STRIDE;
@@ -194,8 +194,8 @@ export function pushPoints(records: usize, bodies: usize, motion: usize, from: i
       putWorst(worst);
       return (k << 1) | found;
     }
-    const mask = f64x2.gt(square, number(TOLERANCE));
-    if (i64x2.bitmask(mask) & lanes) {
+    const mask = v128.and(f64x2.gt(square, number(TOLERANCE)), maskOf(lanes));
+    if (v128.any_true(mask)) {
       found = 1;
       worst = f64x2.pmax(worst, v128.and(mask, square));
     }
