@@ -43,7 +43,12 @@ export const LEAST_HOOKED = 8;
 
 /** One of them, in both lanes. */
 export function number(which: i32): v128 {
-  return v128.load64_splat(NUMBERS + which * 8);
+  return splat(NUMBERS, which);
+}
+
+/** One of a table of numbers, in both lanes. */
+export function splat(numbers: usize, which: i32): v128 {
+  return v128.load64_splat(numbers + which * 8);
 }
 
 /** By the bits of lanes: which they are, as a mask. */

@@ -6,7 +6,7 @@ import { COS, X } from '../src/constraint/layout';
 import * as j from '../src/solver/joint-layout';
 import { INV_INERTIA, MISSING, QW, QX, SMALL_TURN, VX, W } from '../src/solver/layout';
 import * as n from './lanes';
-import { at, Bodies, first, maskOf, OFFSETS, put, second, two } from './lanes';
+import { at, Bodies, first, maskOf, OFFSETS, put, second, splat, two } from './lanes';
 
 /** Bytes of two records. */
 const RECORDS: usize = 16 * j.POINT_STRIDE;
@@ -36,7 +36,12 @@ const RANK = 8;
 const LIGHTEST = 9;
 
 function number(which: i32): v128 {
-  return v128.load64_splat(NUMBERS + which * 8);
+  return splat(NUMBERS, which);
+}
+
+/** Of K. */
+function diagonal(m: v128, iA: v128, a: v128, iB: v128, b: v128): v128 {
+  return f64x2.add(f64x2.add(m, f64x2.mul(f64x2.mul(iA, a), a)), f64x2.mul(f64x2.mul(iB, b), b));
 }
 
 /** Where K can be inverted as a whole. */
@@ -93,9 +98,9 @@ export function warmStartPoints(records: usize, bodies: usize, velocity: usize, 
     const m = f64x2.add(mA, second(x, y));
     const iA = two(velocity + a1, velocity + a2, INV_INERTIA);
     const iB = two(velocity + b1, velocity + b2, INV_INERTIA);
-    const k11 = f64x2.add(f64x2.add(m, f64x2.mul(f64x2.mul(iA, ay), ay)), f64x2.mul(f64x2.mul(iB, by), by));
+    const k11 = diagonal(m, iA, ay, iB, by);
     const k12 = f64x2.sub(f64x2.mul(f64x2.mul(f64x2.neg(iA), ax), ay), f64x2.mul(f64x2.mul(iB, bx), by));
-    const k22 = f64x2.add(f64x2.add(m, f64x2.mul(f64x2.mul(iA, ax), ax)), f64x2.mul(f64x2.mul(iB, bx), bx));
+    const k22 = diagonal(m, iA, ax, iB, bx);
     const product = f64x2.mul(k11, k22);
     const det = f64x2.sub(product, f64x2.mul(k12, k12));
     if (lanes & ~i64x2.bitmask(isRegular(k11, k22, product, det))) {
@@ -181,9 +186,9 @@ export function pushPoints(records: usize, bodies: usize, motion: usize, from: i
     const iA = two(a1, a2, INV_INERTIA);
     const iB = two(b1, b2, INV_INERTIA);
     const m = f64x2.add(mA, mB);
-    const k11 = f64x2.add(f64x2.add(m, f64x2.mul(f64x2.mul(iA, ay), ay)), f64x2.mul(f64x2.mul(iB, by), by));
+    const k11 = diagonal(m, iA, ay, iB, by);
     const k12 = f64x2.sub(f64x2.mul(f64x2.mul(f64x2.neg(iA), ax), ay), f64x2.mul(f64x2.mul(iB, bx), by));
-    const k22 = f64x2.add(f64x2.add(m, f64x2.mul(f64x2.mul(iA, ax), ax)), f64x2.mul(f64x2.mul(iB, bx), bx));
+    const k22 = diagonal(m, iA, ax, iB, bx);
     const product = f64x2.mul(k11, k22);
     const det = f64x2.sub(product, f64x2.mul(k12, k12));
     const isRare = v128.or(

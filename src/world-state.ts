@@ -53,7 +53,7 @@ export interface WorldParams {
    */
   state?: WorldSaving | undefined;
   /**
-   * What solves contacts: `simdKernels`, twice as fast in WebAssembly where there is such. Default: `simdKernels` with the `createWorld` of `phys2D`, and with the function
+   * What solves contacts and joints: `simdKernels`, two at a time in WebAssembly where there is such. Default: `simdKernels` with the `createWorld` of `phys2D`, and with the function
    * plain TypeScript, so that a bundle has less. The results are the same to the bit.
    */
   kernels?: Kernels | undefined;
