@@ -293,6 +293,9 @@ export const SAME_TIME = 2e-3;
 /** m. How much farther than foreseen a body may go in a step before it is looked at again; more means that more are near something. */
 export const CLEARANCE = 0.1;
 
+/** For so many steps, at the speed it has, a body is looked around at once; more means a wider look, which finds something more often, and was for nothing then. */
+export const CLEAR_STEPS = 8;
+
 /** How much deeper than others jointed bodies may get. Times IMPACT_SHARE it must stay well below 1. */
 export const JOINT_PATIENCE = 3;
 

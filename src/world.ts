@@ -436,6 +436,7 @@ export class World extends WorldState {
     shape.order = this.nextOrder;
     shape.entered = this.stamp;
     this.nextOrder += 1;
+    if (shape.owner!.asleep) this.movers.space.forget();
     shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep, shape.owner!, shape);
   }
 

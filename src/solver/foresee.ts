@@ -3,7 +3,7 @@ import { STATIC } from '../body-kind.js';
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { leastSeparation } from '../collide/manifold.js';
-import { FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
+import { CLEARANCE, FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
@@ -16,7 +16,7 @@ import type { World } from '../world.js';
 import { canGiveWay } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings } from './meetings.js';
-import { goesFar, type Mover } from './movers.js';
+import { goesFar, type Mover, type Movers } from './movers.js';
 import { smoothMeeting } from './seams.js';
 
 /**
@@ -32,6 +32,8 @@ export function foresee(world: World, dt: number): void {
   const average = (world.solver.parts + 1) / (2 * world.solver.parts);
   movers.ahead = dt;
   movers.bouncy = true;
+  movers.alone = world.liveKinematics.length === 0 && !hasBullet(world.liveDynamics);
+  movers.space.begin();
   movers.gain = average * dt;
   movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
@@ -57,6 +59,14 @@ export function foresee(world: World, dt: number): void {
   }
   closing.clear();
   movers.clear();
+}
+
+function hasBullet(bodies: readonly RigidBody[]): boolean {
+  let isFound = false;
+  for (let i = 0; i < bodies.length && !isFound; i += 1) {
+    isFound = bodies[i]!.isBullet;
+  }
+  return isFound;
 }
 
 /** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */
@@ -88,7 +98,8 @@ function foreseeFalling(world: World, body: RigidBody): void {
   const vx = body.vx + (mass > 0 ? world.gravityX + body.fx * mass : 0) * gain;
   const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
   const w = body.w + body.appliedTorque * inertia * gain;
-  if (Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius > SPECULATIVE_MARGIN / 2) {
+  const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
+  if (way > SPECULATIVE_MARGIN / 2 && !isInTheClear(movers, body, way + CLEARANCE)) {
     const mover = movers.add(body);
     mover.dx = vx;
     mover.dy = vy;
@@ -96,6 +107,15 @@ function foreseeFalling(world: World, body: RigidBody): void {
     goAlongContacts(world, mover, body);
     mover.foresee(body, movers);
   }
+}
+
+/** What `isClear` says of a body that is in its clear space, without a look. */
+function isInTheClear({ alone, space }: Movers, body: RigidBody, reach: number): boolean {
+  if (alone && space.holds(body, reach)) {
+    body.clearance = reach;
+    return true;
+  }
+  return false;
 }
 
 /** Takes from the velocity of a mover what goes into the static bodies that it touches; and notes if it may not bounce. */

@@ -90,9 +90,13 @@ function listWays(movers: Movers): void {
  */
 function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
   const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
+  if (world.movers.alone) {
+    world.movers.space.reach = reach;
+    world.movers.space.search(world, body);
+  }
   for (let i = 0; i < body.shapes.length; i += 1) {
     growBounds(body.shapes[i]!, reach, bounds);
-    if (body.shapes[i]!.sensor || comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
+    if (comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
       return false;
     }
   }
@@ -133,7 +137,7 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
     const shape = shapes[i]!;
     if (isUnforeseen(movers, shape)) continue;
     sweepBounds(mover, shape, bounds);
-    const size = findNearby(world, bounds, !areAllMovers && (meetsMovers(mover) || shape.sensor), count);
+    const size = findNearby(world, bounds, !areAllMovers && meetsMovers(mover), count);
     for (let k = 0; k < size; k += 1) {
       const other = movers.nearby.shapes[k]!;
       if (kind === DYNAMIC || !isPassed(world, mover, shape, other)) {

@@ -5,6 +5,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import type { Travel } from '../geometry/sweep.js';
 import type { Shape } from '../shape/shape.js';
+import { ClearSpace } from './clear-space.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
@@ -279,12 +280,15 @@ export class Movers {
   readonly meetings = new MeetingQueue();
   readonly ways = new Ways();
   readonly nearby = new Nearby();
+  readonly space = new ClearSpace();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
   /** s. Of the step that is over, at its end. Here, as handed from function to function it would be boxed for each impact. */
   duration = 0.5;
   /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */
   bouncy = false;
+  /** While a step is foreseen: there is no kinematic body and no bullet, so that bodies only meet what stands still. */
+  alone = false;
   /** s. So long what forces give a body acts on the average of that step. */
   gain = 0;
   /** m/s. What gravity may add to a velocity, on that average. */

@@ -45,6 +45,7 @@ function refreshBodies(world: World): void {
     body.place();
     body.placeStale = false;
     body.refreshMass();
+    if (body.asleep) world.movers.space.forget();
     const { shapes } = body;
     for (let k = 0; k < shapes.length; k += 1) {
       const shape = shapes[k]!;

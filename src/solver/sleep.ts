@@ -55,9 +55,10 @@ export function quieten(world: World, body: RigidBody): void {
 }
 
 /** Tells the broadphase whether the shapes of a body may move. */
-function setHandlesStatic({ broadphase }: World, { shapes }: RigidBody, isStatic: boolean): void {
+function setHandlesStatic(world: World, { shapes }: RigidBody, isStatic: boolean): void {
+  if (isStatic) world.movers.space.forget();
   for (const shape of shapes) {
-    broadphase.update(shape.handle!, widened(shape), isStatic);
+    world.broadphase.update(shape.handle!, widened(shape), isStatic);
   }
 }
 
