@@ -269,7 +269,7 @@ export abstract class BaseConstraint {
     }
   }
 
-  /** `[jx, jy, jw]` given to a body in the latest step, N·s and N·m·s about its origin; zeros for a body it does not use. */
+  /** `[jx, jy, jw]` given to a body in the latest step, N·s and N·m·s about its origin; zeros for a body it does not use, and once it is broken. */
   getImpulseForBody(body: RigidBody): Vec3;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec3 {

@@ -9,12 +9,15 @@ import type { World } from '../world.js';
 import { copyObjects, emptyScene, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
+/** Why a snapshot is not of these objects. */
+export const OTHER_BODIES = 'a constraint of it has other bodies';
+
 /** How many integers come first. */
 export const HEAD = 6;
 
 /**
  * Writes which objects a snapshot is of, as integers: how many, then `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,
- * constraints; then `order` and number of shapes of each body; `order` of each shape, and kind plus twice its rank among their ids; `order` of each constraint;
+ * constraints; then `order` and number of shapes of each body; `order` of each shape, and kind plus twice its rank among their ids, of a sensor all bits turned; `order` of each constraint;
  * and for each body outside a constraint and which of its members it is.
  */
 export function describe(tape: Tape, world: World, scene: Scene): void {
@@ -31,7 +34,8 @@ export function describe(tape: Tape, world: World, scene: Scene): void {
   const ranks = ranksOf(shapes);
   for (let i = 0; i < shapes.length; i += 1) {
     tape.word(shapes[i]!.order);
-    tape.word(shapes[i]!.kind + 2 * ranks[i]!);
+    const word = shapes[i]!.kind + 2 * ranks[i]!;
+    tape.word(shapes[i]!.sensor ? ~word : word);
   }
   for (const { order } of constraints) {
     tape.word(order);
@@ -108,13 +112,16 @@ function find(tape: Tape, ids: Int32Array, scene: Scene, finder: Finder): void {
   tape.require(counts.reduce((sum, own) => sum + Math.max(0, own), 0) === attached);
   const ranked: Shape[] = [];
   for (let i = 0; i < attached + loose; i += 1, at += 2) {
-    const kind = ids[at + 1]! & 1;
+    const sensor = ids[at + 1]! < 0;
+    const word = sensor ? ~ids[at + 1]! : ids[at + 1]!;
+    const kind = word & 1;
     const shape =
       i < attached ? finder.find(ids[at]!, Shape, 'a shape') : (finder.loose(ids[at]!, kind) ?? standIn(kind));
     demand(tape, shape.kind === kind, 'a shape of it is of another kind');
     shapes.push(shape);
     if (i < attached) {
-      ranked[ids[at + 1]! >> 1] = shape;
+      demand(tape, shape.sensor === sensor, 'a shape of it is a sensor, or is none here');
+      ranked[word >> 1] = shape;
     }
   }
   for (let i = 0; i < ties; i += 1, at += 1) {
@@ -122,7 +129,7 @@ function find(tape: Tape, ids: Int32Array, scene: Scene, finder: Finder): void {
   }
   for (let i = 0; i < outside; i += 1, at += 2) {
     const body = constraints[ids[at]!]?.members[ids[at + 1]!];
-    demand(tape, body !== undefined, 'a constraint of it has other bodies');
+    demand(tape, body !== undefined, OTHER_BODIES);
     bodies.push(body!);
   }
   demand(tape, areAscending(ranked, attached), 'its shapes were created in another order');

@@ -37,6 +37,9 @@ const SETTINGS: readonly RecordedSetting[] = [
 
 const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
 
+/** Of a method with two signatures; one with one has it twice. */
+type Overloads<A extends unknown[], B extends unknown[], R, S> = { (...args: A): R; (...args: B): S };
+
 /** A snapshot, and what was called from then on, step by step. */
 export interface Recording {
   /** The world as it was when the recording began. */
@@ -87,8 +90,8 @@ export class Recorder {
   call<T extends Recorded, K extends keyof T>(
     object: T,
     method: K & string,
-    ...args: T[K] extends (...args: infer A) => unknown ? A : never
-  ): T[K] extends (...args: never[]) => infer R ? R : never {
+    ...args: T[K] extends Overloads<infer A, infer B, unknown, unknown> ? A | B : never
+  ): T[K] extends Overloads<never, never, infer R, infer S> ? R | S : never {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
     const kept = args.map(copyOf);

@@ -102,7 +102,7 @@ export interface PlainConstraint {
   userData: unknown;
 }
 
-/** A world as data that JSON can hold. What objects there are can be read and, with care, edited; `state` is what the solver knows of them. */
+/** A world as data that JSON can hold. To be read: numbers that are edited are overruled by `state`, which is all that the world goes on from. To change something, change the world that `deserialize` makes. */
 export interface PlainWorld {
   /** Tells it from other data. */
   format: 'phys2d world';

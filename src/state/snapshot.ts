@@ -34,7 +34,8 @@ function hashOf(world: World): string {
   tape.hash();
   // Of shapes that only an event names the others are just told.
   const attached = scene.shapes.slice(0, scene.attached);
-  for (const ranks of [ranksOf(attached), ranksOf(scene.constraints.map(({ order }) => ({ id: order })))]) {
+  const ofShapes = ranksOf(attached).map((rank, i) => (attached[i]!.sensor ? ~rank : rank));
+  for (const ranks of [ofShapes, ranksOf(scene.constraints.map(({ order }) => ({ id: order })))]) {
     tape.word(ranks.length);
     for (let i = 0; i < ranks.length; i += 1) {
       tape.word(ranks[i]!);

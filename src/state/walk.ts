@@ -4,7 +4,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import { Material } from '../material.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { isElsewhere, standIn } from './identity.js';
+import { isElsewhere, OTHER_BODIES, standIn } from './identity.js';
 import * as rows from './rows.js';
 import type { Scene } from './scene.js';
 import type { Tape } from './tape.js';
@@ -116,7 +116,7 @@ function walkShape(tape: Tape, { materials, isCopy }: Scene, shape: Shape): bool
 
 const NONE: readonly Constraint[] = [];
 
-/** In what order a body has its constraints; those of other worlds come first. */
+/** In what order a body has its constraints, and which of their bodies it is; those of other worlds come first. */
 function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constraint[]): void {
   const list = body.constraints;
   const own = tape.holds || list.length === 0 ? NONE : list.filter(({ owner }) => owner === world);
@@ -127,12 +127,22 @@ function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constr
   const found = new Set<Constraint>();
   for (let i = 0; i < count; i += 1) {
     const constraint = constraints[tape.index(own[i]?.index ?? 0, constraints.length)]!;
-    tape.require(!found.has(constraint) && constraint.members.includes(body));
+    tape.require(!found.has(constraint));
+    tape.size(roleOf(constraint, body), OTHER_BODIES);
     found.add(constraint);
     if (tape.reads) {
       list.push(constraint);
     }
   }
+}
+
+/** Which of the bodies of a constraint it is; of a custom one it may be several. */
+function roleOf({ members }: Constraint, body: RigidBody): number {
+  let role = 0;
+  for (let i = 0; i < members.length; i += 1) {
+    if (members[i] === body) role = (Math.imul(role, 31) + i + 1) | 0;
+  }
+  return role;
 }
 
 /** Which are awake, in the order in which the solver has them. */
