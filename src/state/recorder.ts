@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { boolean, callable, integer, typeError } from '../validate.js';
+import { boolean, integer, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -185,7 +185,9 @@ function copyOf(argument: unknown): unknown {
 /** A method that can be recorded; not what every object has. */
 function methodOf(where: string, object: Recorded, method: string): (...args: unknown[]) => unknown {
   const made = method in Object.prototype ? undefined : object?.[method as keyof Recorded];
-  callable(where, `object.${method}`, made);
+  if (typeof made !== 'function') {
+    throw typeError(where, 'method', 'the name of a method of object', method);
+  }
   if (method === 'step' || method === 'restore' || method.endsWith('EventListener')) {
     throw new Error(
       `${where}: ${method} is not to be called so: step has its own method, and restore and listeners cannot be recorded`,

@@ -89,7 +89,7 @@ function generic(text: string): string {
 
 function parameter(text: string): Parameter {
   const [, name, mark, type] = /^(?:\.\.\.)?(\w+)(\??): (.*)$/.exec(text)!;
-  return { name: name!, type: type!.replace(/ \| undefined$/, ''), optional: mark === '?' };
+  return { name: name!, type: type!.replace(/ \| undefined$/, ''), optional: mark === '?' || text.startsWith('...') };
 }
 
 /** At the commas that are not within brackets. */

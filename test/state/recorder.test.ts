@@ -185,7 +185,7 @@ describe('a recording', () => {
       'Recorder.call: restore is not to be called',
     );
     expect(() => recorder.call(world, 'timeStamp' as 'hash')).toThrow(
-      'Recorder.call: object.timeStamp must be a function',
+      'Recorder.call: method must be the name of a method of object, got "timeStamp"',
     );
     expect(() => Recorder.create({} as World)).toThrow('Recorder.create: world must be a World');
     expect(() => replay(null as never, recorder.recording)).toThrow('replay: world must be a World');
