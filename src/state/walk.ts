@@ -127,8 +127,9 @@ function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constr
   const found = new Set<Constraint>();
   for (let i = 0; i < count; i += 1) {
     const constraint = constraints[tape.index(own[i]?.index ?? 0, constraints.length)]!;
-    tape.require(!found.has(constraint));
-    tape.size(roleOf(constraint, body), OTHER_BODIES);
+    const role = roleOf(constraint, body);
+    tape.size(role, OTHER_BODIES);
+    tape.require(!found.has(constraint) && role !== 0);
     found.add(constraint);
     if (tape.reads) {
       list.push(constraint);
@@ -136,7 +137,7 @@ function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constr
   }
 }
 
-/** Which of the bodies of a constraint it is; of a custom one it may be several. */
+/** Which of the bodies of a constraint it is, 0 if none; of a custom one it may be several. */
 function roleOf({ members }: Constraint, body: RigidBody): number {
   let role = 0;
   for (let i = 0; i < members.length; i += 1) {

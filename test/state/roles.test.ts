@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D, type RigidBody, type World } from '../../src/index.js';
+import { seal } from '../../src/state/format.js';
 import { add, addFloor, boxBody, heavy, steps, weightless } from '../conformance/setting.js';
 
 // Worlds that differ only in what a shape or a body is to others go on differently: their hashes differ, and neither takes the state of the other.
@@ -77,5 +78,44 @@ describe('of bodies that are exchanged in a constraint', () => {
     const same = build(make, false);
     same.restore(copyOf(world));
     expect(same.hash()).toBe(world.hash());
+  });
+
+  it('no forged state makes a body one of those of a constraint that does not use it', () => {
+    const world = weightless();
+    const [bodyA, bodyB, other] = [0, 3, 6].map((x) => boxBody(1, 1, { position: [x, 0] })) as [
+      RigidBody,
+      RigidBody,
+      RigidBody,
+    ];
+    add(world, bodyA, bodyB, other);
+    world.addConstraint(phys2D.createMotorConstraint({ bodyA, bodyB, rate: 2 }));
+    world.addConstraint(phys2D.createMotorConstraint({ bodyA: bodyB, bodyB: other, rate: 1 }));
+    steps(world, 3);
+    const snapshot = world.snapshot();
+    const hash = world.hash();
+    let refused = 0;
+    for (let i = 8; i < snapshot.byteLength / 4 - 3; i += 1) {
+      for (const change of [-1, 1]) {
+        const forged = snapshot.slice(0);
+        const words = new Int32Array(forged);
+        words[i]! += change;
+        words[i + 1] = 0;
+        // Places are told from one to the next: the next one is where it was.
+        words[i + 3]! -= change;
+        seal(forged);
+        try {
+          world.restore(forged);
+        } catch (error) {
+          expect(String(error)).toContain('World.restore: the snapshot');
+          refused += 1;
+        }
+        for (const body of world.rigidBodies) {
+          expect(body.constraints.filter(({ members }) => !members.includes(body))).toEqual([]);
+        }
+        world.restore(snapshot);
+        expect(world.hash()).toBe(hash);
+      }
+    }
+    expect(refused).toBeGreaterThan(20);
   });
 });
