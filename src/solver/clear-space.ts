@@ -3,6 +3,7 @@ import { CLEAR_STEPS } from '../config.js';
 import { grown, widened } from '../math/doubles.js';
 import type { World } from '../world.js';
 import { findNearby } from './nearby.js';
+import { squareAround } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 
@@ -58,10 +59,7 @@ export class ClearSpace {
       return;
     }
     const half = radius + CLEAR_STEPS * this.reach;
-    bounds[0] = x - half;
-    bounds[1] = y - half;
-    bounds[2] = x + half;
-    bounds[3] = y + half;
+    squareAround(x, y, half, bounds);
     squares[at] = x;
     squares[at + 1] = y;
     squares[at + 2] = findNearby(world, bounds, false) === 0 ? half : -(world.timeStamp + CLEAR_STEPS);

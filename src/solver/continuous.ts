@@ -14,6 +14,7 @@ import type { Meeting } from './meeting-queue.js';
 import { findMeetings, findTime, isSensed, meets } from './meetings.js';
 import type { Mover } from './movers.js';
 import { findNearby } from './nearby.js';
+import { squareAround } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 
@@ -150,11 +151,7 @@ function stopShort(world: World, mover: Mover, under: Shape): void {
 /** When a body meets the first static, sleeping or kinematic shape on its way, but for one and those of another body; 1 if it meets none. */
 function findEnd(world: World, { body, x, y, dx, dy }: Mover, under: Shape, not: RigidBody | null): number {
   const { ways, nearby } = world.movers;
-  const reach = Math.abs(dx) + Math.abs(dy) + body.radius;
-  bounds[0] = x - reach;
-  bounds[1] = y - reach;
-  bounds[2] = x + reach;
-  bounds[3] = y + reach;
+  squareAround(x, y, Math.abs(dx) + Math.abs(dy) + body.radius, bounds);
   let end = 1;
   for (let i = findNearby(world, bounds, false) - 1; i >= 0; i -= 1) {
     end = Math.min(end, timeToMeet(world, body, nearby.shapes[i]!, under));

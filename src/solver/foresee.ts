@@ -62,11 +62,12 @@ export function foresee(world: World, dt: number): void {
 }
 
 function hasBullet(bodies: readonly RigidBody[]): boolean {
-  let isFound = false;
-  for (let i = 0; i < bodies.length && !isFound; i += 1) {
-    isFound = bodies[i]!.isBullet;
+  for (let i = 0; i < bodies.length; i += 1) {
+    if (bodies[i]!.isBullet) {
+      return true;
+    }
   }
-  return isFound;
+  return false;
 }
 
 /** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */

@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
@@ -9,6 +10,14 @@ const bounds = new Float64Array(4);
 export function widened(shape: Shape): Float64Array {
   growBounds(shape, SPECULATIVE_MARGIN / 2, bounds);
   return bounds;
+}
+
+/** Tells the broadphase where the shapes of a body are, and whether they may move. */
+export function updateHandles({ broadphase, movers }: World, { shapes, asleep }: RigidBody): void {
+  if (asleep) movers.space.forget();
+  for (let i = 0; i < shapes.length; i += 1) {
+    broadphase.update(shapes[i]!.handle!, widened(shapes[i]!), asleep);
+  }
 }
 
 /** The beginning of a step: everything is where it is, and what woke since the last one is told. */
@@ -36,7 +45,7 @@ export function isUnderWay({ movers, solver }: World): boolean {
 
 /** Brings turned geometry, bounds and broadphase up to date for every body that was moved or reshaped. */
 function refreshBodies(world: World): void {
-  const { stale, broadphase } = world;
+  const { stale } = world;
   for (let i = 0; i < stale.count; i += 1) {
     const body = stale.items[i]!;
     if (body.owner !== world || !body.placeStale) {
@@ -45,12 +54,7 @@ function refreshBodies(world: World): void {
     body.place();
     body.placeStale = false;
     body.refreshMass();
-    if (body.asleep) world.movers.space.forget();
-    const { shapes } = body;
-    for (let k = 0; k < shapes.length; k += 1) {
-      const shape = shapes[k]!;
-      broadphase.update(shape.handle!, widened(shape), body.asleep);
-    }
+    updateHandles(world, body);
   }
   stale.clear();
 }

@@ -6,7 +6,7 @@ import { IN_STEP } from '../events/events.js';
 import { PROGRESS, SLEEP } from '../listeners.js';
 import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
-import { widened } from './refresh.js';
+import { updateHandles } from './refresh.js';
 
 /** Bodies and constraints that fell asleep together, and wake together. */
 export interface Island {
@@ -28,7 +28,7 @@ export function enliven(world: World, body: RigidBody): void {
   const live = body.kind === DYNAMIC ? world.liveDynamics : world.liveKinematics;
   body.liveIndex = live.push(body) - 1;
   world.jointsTouched = true;
-  setHandlesStatic(world, body, false);
+  updateHandles(world, body);
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
       if (pair.sleeping) {
@@ -51,15 +51,7 @@ export function quieten(world: World, body: RigidBody): void {
   body.lastTurn = 0;
   body.clearance = 0;
   body.asleep = true;
-  setHandlesStatic(world, body, true);
-}
-
-/** Tells the broadphase whether the shapes of a body may move. */
-function setHandlesStatic(world: World, { shapes }: RigidBody, isStatic: boolean): void {
-  if (isStatic) world.movers.space.forget();
-  for (const shape of shapes) {
-    world.broadphase.update(shape.handle!, widened(shape), isStatic);
-  }
+  updateHandles(world, body);
 }
 
 /** Puts a constraint into the live list. */

@@ -34,6 +34,14 @@ export function growBounds({ numbers: n, at }: Shape, reach: number, out: Float6
   out[3] = n[at + 3]! + reach;
 }
 
+/** Writes the square that reaches so far from a point. */
+export function squareAround(x: number, y: number, reach: number, out: Float64Array): void {
+  out[0] = x - reach;
+  out[1] = y - reach;
+  out[2] = x + reach;
+  out[3] = y + reach;
+}
+
 /** Writes the bounds of all places that a shape without a mover can have in this step. */
 export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): void {
   const { lastDx, lastDy, lastTurn, radius } = shape.owner!;

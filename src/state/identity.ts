@@ -34,8 +34,7 @@ export function describe(tape: Tape, world: World, scene: Scene): void {
   const ranks = ranksOf(shapes);
   for (let i = 0; i < shapes.length; i += 1) {
     tape.word(shapes[i]!.order);
-    const word = shapes[i]!.kind + 2 * ranks[i]!;
-    tape.word(shapes[i]!.sensor ? ~word : word);
+    tape.word(turned(shapes[i]!.kind + 2 * ranks[i]!, shapes[i]!.sensor));
   }
   for (const { order } of constraints) {
     tape.word(order);
@@ -45,6 +44,11 @@ export function describe(tape: Tape, world: World, scene: Scene): void {
     tape.word(which);
     tape.word(constraints[which]!.members.indexOf(body));
   }
+}
+
+/** All bits of a word of a sensor are turned, and back. */
+export function turned(word: number, isSensor: boolean): number {
+  return isSensor ? ~word : word;
 }
 
 /** How many integers tell of so many objects. */
@@ -113,7 +117,7 @@ function find(tape: Tape, ids: Int32Array, scene: Scene, finder: Finder): void {
   const ranked: Shape[] = [];
   for (let i = 0; i < attached + loose; i += 1, at += 2) {
     const sensor = ids[at + 1]! < 0;
-    const word = sensor ? ~ids[at + 1]! : ids[at + 1]!;
+    const word = turned(ids[at + 1]!, sensor);
     const kind = word & 1;
     const shape =
       i < attached ? finder.find(ids[at]!, Shape, 'a shape') : (finder.loose(ids[at]!, kind) ?? standIn(kind));

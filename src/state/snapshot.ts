@@ -11,7 +11,7 @@ import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
 import { beginClaims } from './claims.js';
 import { VERSION } from './format.js';
-import { describe, HEAD, isElsewhere, ranksOf, resolve } from './identity.js';
+import { describe, HEAD, isElsewhere, ranksOf, resolve, turned } from './identity.js';
 import { keepGroup, ROWS } from './rows.js';
 import { copyObjects, emptyScene, gather, type Objects, type Scene } from './scene.js';
 import { Tape } from './tape.js';
@@ -34,7 +34,7 @@ function hashOf(world: World): string {
   tape.hash();
   // Of shapes that only an event names the others are just told.
   const attached = scene.shapes.slice(0, scene.attached);
-  const ofShapes = ranksOf(attached).map((rank, i) => (attached[i]!.sensor ? ~rank : rank));
+  const ofShapes = ranksOf(attached).map((rank, i) => turned(rank, attached[i]!.sensor));
   for (const ranks of [ofShapes, ranksOf(scene.constraints.map(({ order }) => ({ id: order })))]) {
     tape.word(ranks.length);
     for (let i = 0; i < ranks.length; i += 1) {

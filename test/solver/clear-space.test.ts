@@ -22,8 +22,26 @@ function counted(): () => number {
 }
 
 describe('what comes to stand in the way of a body in the open', () => {
+  type Way = (world: World) => (x: number) => void;
+
+  /** A wall that a snapshot has at x, and that is not there until it is restored. */
+  const restored =
+    (meanwhile: (world: World, body: RigidBody) => void): Way =>
+    (world) => {
+      const body = wall(-500);
+      return (x) => {
+        body.setPosition([x, 0]);
+        add(world, body);
+        const walled = world.snapshot();
+        world.removeRigidBody(body);
+        meanwhile(world, body);
+        steps(world, 6);
+        world.restore(walled, [body]);
+      };
+    };
+
   /** Each puts a thin wall at x before the body gets there; what was made for it may be in the world before. */
-  const ways: Record<string, (world: World) => (x: number) => void> = {
+  const ways: Record<string, Way> = {
     'a static body that is added': (world) => (x) => add(world, wall(x)),
     'a static body that is taken out and put in again': (world) => {
       const body = wall(-500);
@@ -47,30 +65,11 @@ describe('what comes to stand in the way of a body in the open', () => {
       add(world, body);
       return (x) => body.setPosition([x, 0]);
     },
-    'one that a restored world has again': (world) => {
-      const body = wall(-500);
-      return (x) => {
-        body.setPosition([x, 0]);
-        add(world, body);
-        const walled = world.snapshot();
-        world.removeRigidBody(body);
-        steps(world, 6);
-        world.restore(walled, [body]);
-      };
-    },
-    'one that was elsewhere until a world was restored': (world) => {
-      const body = wall(-500);
-      return (x) => {
-        body.setPosition([x, 0]);
-        add(world, body);
-        const walled = world.snapshot();
-        world.removeRigidBody(body);
-        body.setPosition([-500, 0]);
-        add(world, body);
-        steps(world, 6);
-        world.restore(walled);
-      };
-    },
+    'one that a restored world has again': restored(() => undefined),
+    'one that was elsewhere until a world was restored': restored((world, body) => {
+      body.setPosition([-500, 0]);
+      add(world, body);
+    }),
   };
   const broadphases = { 'box tree': () => new BoxTreeBroadphase(), 'sweep and prune': () => new SweepAndPrune() };
   for (const [name, put] of Object.entries(ways)) {
