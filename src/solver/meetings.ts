@@ -341,7 +341,8 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const from = Math.max(one.from, two.from);
   sweep.time = from;
   if (isSensed(a, b)) {
-    sweep.target = 0;
+    // What leaves may still be as near as rounding: it has to overlap by as much.
+    sweep.target = -2 * SWEEP_TOLERANCE;
     const isMet = findImpact(sweep);
     meeting.time = sweep.time;
     return isMet;
