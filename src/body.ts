@@ -348,7 +348,7 @@ export class RigidBody extends BodyState {
     this.rouse();
     this.owner?.shapeRemoved(shape);
     takeOut(this.shapes, this.shapes.indexOf(shape));
-    shape.owner = null;
+    shape.detach();
     this.shapesChanged();
     return true;
   }

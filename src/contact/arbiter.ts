@@ -121,14 +121,14 @@ export class Arbiter {
     return this.numbers[this.at + g.COUNT]! | 0;
   }
 
-  /** Of `shapeA`; `null` in an `end` handler if that has been removed from its body. */
+  /** Of `shapeA`; in an `end` handler, if that has been removed from its body, the one that it was on. */
   get bodyA(): RigidBody {
-    return this.shapeA.owner as RigidBody;
+    return this.shapeA.owner ?? this.shapeA.former!;
   }
 
   /** Of `shapeB`; likewise. */
   get bodyB(): RigidBody {
-    return this.shapeB.owner as RigidBody;
+    return this.shapeB.owner ?? this.shapeB.former!;
   }
 
   /** None, one or two points, B's end of two second. Skip those that are not `active`. */

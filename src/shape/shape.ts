@@ -103,6 +103,8 @@ export abstract class BaseShape {
   order = 0;
   /** @internal the last step before it came into its world */
   entered = -1;
+  /** @internal the body that it was on last, for whoever is told that an interaction ended by that */
+  former: RigidBody | null = null;
   /** @internal its place while the state of the world is walked over */
   stateIndex = 0;
   /** @internal */
@@ -316,6 +318,12 @@ export abstract class BaseShape {
     this.grounds = null;
     this.groundStamp = -1;
     this.arbiters.length = 0;
+  }
+
+  /** @internal off its body */
+  detach(): void {
+    this.former = this.owner;
+    this.owner = null;
   }
 
   /** @internal turns the geometry with the body and sets the bounds */

@@ -7,14 +7,15 @@ import type { Shape } from '../shape/shape.js';
 import { callable, options as checkedOptions, integer, rangeError, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import { fromBase64 } from './base64.js';
-import type {
-  DeserializeOptions,
-  PlainBody,
-  PlainConstraint,
-  PlainMaterial,
-  PlainNumber,
-  PlainShape,
-  PlainWorld,
+import {
+  type DeserializeOptions,
+  type PlainBody,
+  type PlainConstraint,
+  type PlainMaterial,
+  type PlainNumber,
+  type PlainShape,
+  type PlainWorld,
+  plainObjects,
 } from './serialize.js';
 
 const WHERE = 'deserialize';
@@ -57,7 +58,31 @@ export function deserialize(phys2D: Physics2DDevice, data: PlainWorld, options: 
     constraint.order = integer(WHERE, `data.constraints[${i}].order`, plainConstraints[i]!.order, 0);
   });
   world.restore(state);
+  checkUnchanged(
+    'data',
+    plainObjects(world, () => null),
+    source,
+  );
   return world;
+}
+
+/** What the world goes on from is its state: data that say something else were edited, in vain. */
+function checkUnchanged(name: string, stated: unknown, plain: unknown): void {
+  if (typeof stated !== 'object' || stated === null) {
+    if (stated !== plain) {
+      throw rangeError(WHERE, name, `${String(stated)}, as in data.state`, plain);
+    }
+    return;
+  }
+  const given = Object(plain) as Record<string, unknown>;
+  for (const [key, value] of Object.entries(stated)) {
+    if (key !== 'userData') {
+      checkUnchanged(Array.isArray(stated) ? `${name}[${key}]` : `${name}.${key}`, value, given[key]);
+    }
+  }
+  if (Array.isArray(stated)) {
+    checkUnchanged(`${name}.length`, stated.length, given.length);
+  }
 }
 
 function checkFormat(data: PlainWorld): void {

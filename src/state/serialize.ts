@@ -102,7 +102,7 @@ export interface PlainConstraint {
   userData: unknown;
 }
 
-/** A world as data that JSON can hold. To be read: numbers that are edited are overruled by `state`, which is all that the world goes on from. To change something, change the world that `deserialize` makes. */
+/** A world as data that JSON can hold. To be read: `state` is what the world goes on from, and `deserialize` refuses data that were edited. To change something, change the world that it makes. */
 export interface PlainWorld {
   /** Tells it from other data. */
   format: 'phys2d world';
@@ -153,14 +153,19 @@ export function serialize(world: World, options: SerializeOptions = {}): PlainWo
     callable('serialize', 'options.userData', convert);
   }
   const state = toBase64(world.snapshot());
+  return { format: 'phys2d world', version: 1, ...plainObjects(world, (value) => convert?.(value) ?? null), state };
+}
+
+/** All of it that can be read. */
+export function plainObjects(
+  world: World,
+  userData: UserData,
+): Pick<PlainWorld, 'materials' | 'bodies' | 'constraints'> {
   const bodies = [...new Set([...world.rigidBodies, ...world.constraints.flatMap(membersOf)])];
   const shapes = bodies.flatMap((body) => body.shapes);
   const materials = [...new Set(shapes.map((shape) => shape.getMaterial()))];
   const ranks = new Map([...shapes].sort((a, b) => a.id - b.id).map((shape, rank) => [shape, rank]));
-  const userData = (value: unknown): unknown => convert?.(value) ?? null;
   return {
-    format: 'phys2d world',
-    version: 1,
     materials: materials.map((material) => plainMaterial(material, userData)),
     bodies: bodies.map((body) => ({
       order: body.order,
@@ -174,7 +179,6 @@ export function serialize(world: World, options: SerializeOptions = {}): PlainWo
       userData: userData(body.userData),
     })),
     constraints: world.constraints.map((constraint) => plainConstraint(constraint, bodies, userData)),
-    state,
   };
 }
 

@@ -255,7 +255,7 @@ function detach(world: World, shape: Shape): void {
   const { owner, handle } = shape;
   owner!.shapes.splice(owner!.shapes.indexOf(shape), 1);
   owner!.massStale = true;
-  shape.owner = null;
+  shape.detach();
   if (handle !== null) {
     world.broadphase.remove(handle);
     shape.leave();

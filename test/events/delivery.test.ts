@@ -52,6 +52,29 @@ function about(type: (typeof ALL)[number]) {
   return { world, a, b, other, prepare: prepare[type] };
 }
 
+describe('an `end` by the removal of a shape', () => {
+  it('has the bodies that met, whichever shape left', () => {
+    for (const which of [0, 1]) {
+      const { world, a, b } = about('end');
+      const seen: unknown[] = [];
+      const shapes = [a.shapes[0]!, b.shapes[0]!];
+      for (const shape of shapes) {
+        shape.addEventListener('end', function (arbiter, other) {
+          seen.push([arbiter.bodyA, arbiter.bodyB, this.body, other.body]);
+        });
+      }
+      steps(world, 1);
+      [a, b][which]!.removeShape(shapes[which]!);
+      steps(world, 1);
+      const left = which === 0 ? [null, b] : [a, null];
+      expect(seen).toEqual([
+        [a, b, ...left],
+        [a, b, ...[...left].reverse()],
+      ]);
+    }
+  });
+});
+
 describe('order', () => {
   it('is by type, then by the ids of the shapes, shapeA first', () => {
     const world = weightless();

@@ -222,6 +222,34 @@ describe('refuses', () => {
     expect(spoil(change)).toThrow(message);
   });
 
+  it.each<[string, (data: PlainWorld) => void, string]>([
+    ['data.bodies[0].position[1]', (data) => void data.bodies[0]!.position.splice(1, 1, 7), '0'],
+    ['data.bodies[0].velocity[0]', (data) => void data.bodies[0]!.velocity.splice(0, 1, 7), '0'],
+    ['data.bodies[0].rotation', (data) => void Object.assign(data.bodies[0]!, { rotation: 7 }), '0'],
+    ['data.bodies[0].type', (data) => void Object.assign(data.bodies[0]!, { type: 'kinematic' }), 'dynamic'],
+    [
+      'data.bodies[0].shapes[0].mask',
+      (data) => void Object.assign(data.bodies[0]!.shapes[0]!, { mask: 7 }),
+      '4294967295',
+    ],
+    [
+      'data.bodies[0].shapes[0].vertices[0][0]',
+      (data) => void data.bodies[0]!.shapes[0]!.vertices![0]!.splice(0, 1, -7),
+      '-0.5',
+    ],
+    [
+      'data.bodies[0].shapes[0].vertices.length',
+      (data) => void data.bodies[0]!.shapes[0]!.vertices!.push([-0.7, 0]),
+      '4',
+    ],
+    ['data.materials[0].density', (data) => void Object.assign(data.materials[0]!, { density: 7 }), '1'],
+    ['data.constraints[0].anchors[1][0]', (data) => void data.constraints[0]!.anchors![1]!.splice(0, 1, 7), '0'],
+  ])('%s, edited', (name, change, kept) => {
+    expect(spoil(change)).toThrow(
+      new RegExp(`^deserialize: ${name.replace(/[[\].]/g, '\\$&')} must be ${kept}, as in data.state, got `),
+    );
+  });
+
   it('nothing at all', () => {
     for (const wrong of [undefined, null, 7, 'x', []]) {
       expect(() => deserialize(phys2D, wrong as never)).toThrow(/^deserialize: data must be/);
