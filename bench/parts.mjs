@@ -7,7 +7,7 @@ const kB = (bytes) => `${(bytes / 1000).toFixed(2)} kB`;
 const titleOf = (engine) => engines[engine].title ?? engine;
 
 /** Steps until what they run is compiled: this many, and as long. Then so many are measured, or those that fit into the same time. */
-const GARBAGE = { task: 'garbage', warmUp: 100, seconds: 15, steps: 500 };
+const GARBAGE = { task: 'garbage', warmUp: 1_000, seconds: 15, steps: 500 };
 
 /** A target that is met if the value is at most that. */
 function target(what, value, most) {

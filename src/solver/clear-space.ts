@@ -21,7 +21,7 @@ export class ClearSpace {
   private isStale = true;
   /** … or before that, since the one before. */
   private wasStale = true;
-  /** m. How far the body goes in a step for which a square is looked for. Here, as an argument it would be boxed. */
+  /** m. How far the body goes in a step that is asked about. Here, as an argument it would be boxed. */
   reach = 0.5;
 
   /** Something that stands still, or sleeps, comes to be somewhere. */
@@ -39,8 +39,8 @@ export class ClearSpace {
   }
 
   /** Whether a body that goes no farther than `reach` stays within its square. */
-  holds({ liveIndex, x, y, radius }: RigidBody, reach: number): boolean {
-    const { squares } = this;
+  holds({ liveIndex, x, y, radius }: RigidBody): boolean {
+    const { squares, reach } = this;
     const at = STRIDE * liveIndex;
     return (
       at < squares.length &&

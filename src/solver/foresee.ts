@@ -100,7 +100,8 @@ function foreseeFalling(world: World, body: RigidBody): void {
   const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
   const w = body.w + body.appliedTorque * inertia * gain;
   const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
-  if (way > SPECULATIVE_MARGIN / 2 && !isInTheClear(movers, body, way + CLEARANCE)) {
+  movers.space.reach = way + CLEARANCE;
+  if (way > SPECULATIVE_MARGIN / 2 && !isInTheClear(movers, body)) {
     const mover = movers.add(body);
     mover.dx = vx;
     mover.dy = vy;
@@ -111,9 +112,9 @@ function foreseeFalling(world: World, body: RigidBody): void {
 }
 
 /** What `isClear` says of a body that is in its clear space, without a look. */
-function isInTheClear({ alone, space }: Movers, body: RigidBody, reach: number): boolean {
-  if (alone && space.holds(body, reach)) {
-    body.clearance = reach;
+function isInTheClear({ alone, space }: Movers, body: RigidBody): boolean {
+  if (alone && space.holds(body)) {
+    body.clearance = space.reach;
     return true;
   }
   return false;
