@@ -254,6 +254,12 @@ export const SLEEP_SPEED_SQUARED = 0.0006;
 /** (m/s)². At rest: squared speed of the rim, (ω·R)², and of the last turn over dt². */
 export const SLEEP_RIM_SPEED_SQUARED = 0.001;
 
+/** So many pairs, whose records come to 160 kB, are worth being arranged in memory: those of fewer stay near the processor wherever they lie. */
+export const ARRANGE_FROM = 512;
+
+/** Steps. No more often than that. */
+export const ARRANGE_STEPS = 32;
+
 /** m. Points this far beyond an edge of a polygon count as inside. */
 export const POLYGON_POINT_TOLERANCE = 1e-6;
 

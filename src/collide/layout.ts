@@ -20,23 +20,26 @@ export const POINT = 3;
 export const X1 = 9;
 export const Y1 = 10;
 export const S1 = 11;
-/** Placement for which the facing edges were chosen. */
-export const FACE_DX = 12;
-export const FACE_DY = 13;
-export const FACE_ANGLE_A = 14;
-export const FACE_ANGLE_B = 15;
 /** Number of points, 0 to 2. With two, the first lies lower along the tangent (−ny, nx). */
-export const COUNT = 16;
+export const COUNT = 12;
+/** From 13 to 26: what the contacts keep there, see `contact/layout.ts`. What follows only polygons have. */
 /** The corners that limit the overlap at either end: 2 · index, + 1 for a corner of B. */
-export const ID0 = 17;
-export const ID1 = 18;
+export const ID0 = 27;
+export const ID1 = 28;
 /** The two edges that face each other. */
-export const EDGE_A = 19;
-export const EDGE_B = 20;
+export const EDGE_A = 29;
+export const EDGE_B = 30;
 /** Where to look first for a separating axis: 2 · edge, + 1 for an edge of B; −1: nowhere. */
-export const AXIS = 21;
+export const AXIS = 31;
 /** Whose edge the other's was clipped to: 0 A's, 1 B's, −1: there was no such choice; and for which shapes. */
-export const FACE = 22;
-export const FACE_STAMP = 23;
-/** With what the contacts keep there from 24 on: see `contact/layout.ts`. */
-export const PAIR_NUMBERS = 41;
+export const FACE = 32;
+export const FACE_STAMP = 33;
+/** Placement for which the facing edges were chosen. */
+export const FACE_DX = 34;
+export const FACE_DY = 35;
+export const FACE_ANGLE_A = 36;
+export const FACE_ANGLE_B = 37;
+/** With the last one, of the contacts. */
+export const PAIR_NUMBERS = 39;
+/** From record to record: whole cache lines of 64 bytes, so that a record takes no more than it has to, and those of circles one less. */
+export const PAIR_STRIDE = 40;

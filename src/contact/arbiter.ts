@@ -47,9 +47,9 @@ export class Arbiter {
   // What steps ask of thousands comes first, side by side in memory: they wait for every line of it, which is worth a twentieth of a step.
 
   /** @internal where the record of the pair begins: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
-  readonly at: number = slab.take(g.PAIR_NUMBERS);
+  at: number = slab.take(g.PAIR_STRIDE);
   /** @internal the slab that it is in */
-  readonly numbers: Float64Array = slab.numbers;
+  numbers: Float64Array = slab.numbers;
   /**
    * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
    * has to be skipped.
@@ -59,8 +59,8 @@ export class Arbiter {
   accepted = true;
   /** @internal the surfaces are apart but near enough to meet within the step; the solver sees them, no one else does */
   near = false;
-  /** @internal … because of the way they go: their points are those of the time when they will meet */
-  foreseen = false;
+  /** @internal … because of the way they go: their points are those of the time when they will meet; 0, or where `Movers.foresight` tells how much nearer they are then */
+  foreseen = 0;
   /** In the latest step both bodies were asleep, interacting still; the arbiter is in no list of the world, and its impulses read 0. */
   sleeping = false;
   /** @internal taken out of everything; dropped from the sorted list when that is next walked */
@@ -338,7 +338,7 @@ export class Arbiter {
     this.dead = false;
     this.awake = false;
     this.near = false;
-    this.foreseen = false;
+    this.foreseen = 0;
     this.before = null;
   }
 

@@ -5,6 +5,7 @@ import type { Shape } from '../shape/shape.js';
 import { Arbiter, type Before } from './arbiter.js';
 import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
+import { Places } from './places.js';
 
 /** Whether a pair comes before that of two shapes. */
 export function isBefore({ shapeA, shapeB }: Report, nextA: Shape, nextB: Shape): boolean {
@@ -45,6 +46,7 @@ export class Pairs {
   /** @internal */
   reportedCount = 0;
   private readonly crowd = new Crowd();
+  private readonly places = new Places();
   /**
    * By the numbers of pairs: the last step in which the broadphase reported it. It does so in an order of its own, and would have to wait for each arbiter
    * otherwise.
@@ -186,7 +188,13 @@ export class Pairs {
       }
       items[low + n] = pair;
     }
+    this.places.arrived += arriving.count;
     arriving.clear();
+  }
+
+  /** Between steps and what they find: lays the records of awake pairs out in order, if they are no longer. */
+  arrange(stamp: number): void {
+    this.places.arrange(this.sorted, this.pool, this.made, stamp);
   }
 
   /** Makes the pair visible to both shapes. */

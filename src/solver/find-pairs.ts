@@ -70,6 +70,7 @@ export function findPairs(world: World, dt: number): void {
   world.broadphase.perform(report, world, reportAgain);
   pairs.makeReported(world.timeStamp);
   pairs.merge();
+  pairs.arrange(world.timeStamp);
   pairs.sorted.count = renewAll(world, pairs.sorted, dt);
   smoothSeams(world);
   wakeHit(world);
@@ -94,7 +95,7 @@ function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): nu
 function renew(world: World, pair: Arbiter, dt: number): boolean {
   const stamp = world.timeStamp;
   pair.near = false;
-  pair.foreseen = false;
+  pair.foreseen = 0;
   if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
     sleepPair(world, pair);
     return false;

@@ -31,6 +31,7 @@ export function foresee(world: World, dt: number): void {
   }
   const average = (world.solver.parts + 1) / (2 * world.solver.parts);
   movers.ahead = dt;
+  movers.foreseen = 0;
   movers.bouncy = true;
   movers.alone = world.liveKinematics.length === 0 && !hasBullet(world.liveDynamics);
   movers.space.begin();
@@ -197,17 +198,24 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   if (isHitHeard(pair)) {
     noteApproach(pair);
   }
-  moveBack(pair, one, two, time);
+  pair.foreseen = world.movers.foreseeContact();
+  moveBack(world.movers, pair, one, two, time);
   one.putAt(0);
   two.putAt(0);
   a.place(one.body);
   b.place(two.body);
   pair.near = pair.count > 0 && !isLost;
-  pair.foreseen = pair.near;
+  if (!pair.near) pair.foreseen = 0;
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
-function moveBack({ shapeA, shapeB, count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover, time: number): void {
+function moveBack(
+  { foresight }: Movers,
+  { shapeA, shapeB, count, numbers: n, at: o, foreseen }: Arbiter,
+  a: Mover,
+  b: Mover,
+  time: number,
+): void {
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
   const way = time * (nx * (b.dx - a.dx) + ny * (b.dy - a.dy));
@@ -222,7 +230,7 @@ function moveBack({ shapeA, shapeB, count, numbers: n, at: o }: Arbiter, a: Move
     const swingA = along(turnA, ax * nx + ay * ny - roundness(shapeA, separation), ax * ny - ay * nx);
     const swingB = along(turnB, bx * nx + by * ny + roundness(shapeB, separation), bx * ny - by * nx);
     const swing = swingB - swingA;
-    n[o + c.FORESIGHT + i] = way + swing;
+    foresight[2 * foreseen + i] = way + swing;
     n[o + g.S0 + g.POINT * i] = separation - way - swing;
   }
 }
@@ -233,8 +241,8 @@ function along(turn: number, length: number, across: number): number {
 }
 
 /** The shapes have met: the separation is again that of the placement that the points were found for. */
-export function endForesight({ count, numbers: n, at: o }: Arbiter): void {
+export function endForesight({ foresight }: Movers, { count, numbers: n, at: o, foreseen }: Arbiter): void {
   for (let i = 0; i < count; i += 1) {
-    n[o + g.S0 + g.POINT * i] = n[o + g.S0 + g.POINT * i]! + n[o + c.FORESIGHT + i]!;
+    n[o + g.S0 + g.POINT * i] = n[o + g.S0 + g.POINT * i]! + foresight[2 * foreseen + i]!;
   }
 }

@@ -307,7 +307,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
   const spin = (pair.shapeA.isRound() ? 0 : a.spin) + (pair.shapeB.isRound() ? 0 : b.spin);
   findLeast(pair.shapeA, pair.shapeB, depth);
-  return !pair.foreseen && spin * way < least[0]! && holds(pair, a, b);
+  return pair.foreseen === 0 && spin * way < least[0]! && holds(pair, a, b);
 }
 
 /** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and `findLeast` allows: what is hit hard towards a wall may not stop there. */

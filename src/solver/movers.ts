@@ -4,6 +4,7 @@ import { SAME_TIME, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import type { Travel } from '../geometry/sweep.js';
+import { grown, widened } from '../math/doubles.js';
 import type { Shape } from '../shape/shape.js';
 import { ClearSpace } from './clear-space.js';
 import type { SolverData } from './data.js';
@@ -293,6 +294,19 @@ export class Movers {
   gain = 0;
   /** m/s. What gravity may add to a velocity, on that average. */
   pull = 0;
+
+  /** m. Of contacts that are foreseen, two each: what the separations of their points are less than those at the time when it comes. The first are no one's. */
+  foresight = new Float64Array(64);
+  foreseen = 0;
+
+  /** A place for what a contact is foreseen by. */
+  foreseeContact(): number {
+    this.foreseen += 1;
+    if (2 * this.foreseen + 1 >= this.foresight.length) {
+      this.foresight = widened(this.foresight, new Float64Array(grown(this.foresight.length)));
+    }
+    return this.foreseen;
+  }
 
   /** A mover for a body, whose way is to be set. */
   add(body: RigidBody): Mover {

@@ -119,7 +119,7 @@ function packRuns(data: SolverData, count: number, mark: number, areHard: boolea
 /** Both points are near enough to matter. */
 function hasTwoPoints(pair: Arbiter): boolean {
   const { count, numbers: n, at: o } = pair;
-  const limit = SPECULATIVE_MARGIN + (pair.foreseen ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : 0);
+  const limit = SPECULATIVE_MARGIN + (pair.foreseen > 0 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : 0);
   return count === 2 && n[o + g.S0]! <= limit && n[o + g.S1]! <= limit;
 }
 

@@ -97,8 +97,8 @@ function meet(world: World, pair: Arbiter): void {
   }
   pair.near = false;
   pair.accepted = true;
-  if (pair.foreseen) {
-    endForesight(pair);
+  if (pair.foreseen > 0) {
+    endForesight(world.movers, pair);
   }
   solveImpact(world, pair);
   beginLate(world, pair);
