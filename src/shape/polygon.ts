@@ -128,6 +128,12 @@ export class Polygon extends BaseShape {
     return this.form.localEdges;
   }
 
+  /** The corners in body coordinates, m, clockwise on screen. `body.transformLocalPointToWorld` tells where one is. */
+  getVertices(): Vec2[] {
+    const { vertices } = this;
+    return Array.from({ length: vertices.length / 2 }, (_, i) => [vertices[2 * i]!, vertices[2 * i + 1]!]);
+  }
+
   /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
   setVertices(vertices: ArrayLike<Vec2Like>): void {
     const checked = convexVertices('Polygon.setVertices', 'vertices', vertices);

@@ -215,13 +215,9 @@ function plainShape(shape: Shape, rank: number, materials: readonly Material[], 
     mask: shape.getMask(),
     ...(shape.type === 'CIRCLE'
       ? { radius: shape.getRadius(), origin: shape.getOrigin() }
-      : { vertices: pairs(shape.vertices) }),
+      : { vertices: shape.getVertices() }),
     userData: userData(shape.userData),
   };
-}
-
-function pairs(numbers: ArrayLike<number>): number[][] {
-  return Array.from({ length: numbers.length / 2 }, (_, i) => [numbers[2 * i]!, numbers[2 * i + 1]!]);
 }
 
 function plainConstraint(constraint: Constraint, bodies: readonly RigidBody[], userData: UserData): PlainConstraint {

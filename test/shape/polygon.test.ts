@@ -53,6 +53,33 @@ describe.each(Object.entries(changes))('%s of one of two equal polygons', (_, ch
   });
 });
 
+describe('getVertices', () => {
+  it('gives the corners as they are now, clockwise, without those inside an edge, in arrays of the caller', () => {
+    const polygon = phys2D.createPolygonShape({
+      vertices: [
+        [0, 0],
+        [0, 2],
+        [1, 2],
+        [3, 2],
+      ],
+    });
+    const corners = polygon.getVertices();
+    expect(corners).toHaveLength(3);
+    expect(new Set(corners.map(String))).toEqual(new Set(['0,0', '3,2', '0,2']));
+    const area = corners.reduce((sum, [x, y], i) => {
+      const [nextX, nextY] = corners[(i + 1) % 3]!;
+      return sum + x * nextY - y * nextX;
+    }, 0);
+    expect(area / 2).toBe(polygon.computeArea());
+    corners[0]![0] = 100;
+    expect(polygon.getVertices()).not.toEqual(corners);
+    polygon.translate([1, -1]);
+    expect(new Set(polygon.getVertices().map(String))).toEqual(new Set(['1,-1', '4,1', '1,1']));
+    const copy = phys2D.createPolygonShape({ vertices: polygon.getVertices() });
+    expect(copy.getVertices()).toEqual(polygon.getVertices());
+  });
+});
+
 describe('equal polygons', () => {
   it('are told from those with the other zero, as results may tell', () => {
     const [plus, minus] = [0, -0].map((y) =>
