@@ -97,7 +97,9 @@ export class Pairs {
       this.sightings = new Int32Array(2 * this.made).fill(NEVER);
       this.sightings.set(sightings);
     }
-    return new Arbiter(shapeA, shapeB, this.made);
+    const pair = new Arbiter(shapeA, shapeB, this.made);
+    this.places.add(pair);
+    return pair;
   }
 
   /** The broadphase reports a pair by its number. @returns whether it did in the last step too; if not, the number may be that of another pair by now. */
@@ -194,7 +196,7 @@ export class Pairs {
 
   /** Between steps and what they find: lays the records of awake pairs out in order, if they are no longer. */
   arrange(stamp: number): void {
-    this.places.arrange(this.sorted, this.pool, this.made, stamp);
+    this.places.arrange(this.sorted, stamp);
   }
 
   /** Makes the pair visible to both shapes. */
