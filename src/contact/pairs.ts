@@ -194,7 +194,7 @@ export class Pairs {
     arriving.clear();
   }
 
-  /** Between steps and what they find: lays the records of awake pairs out in order, if they are no longer. */
+  /** Lays the records of awake pairs out in their order again, now and then. For a moment when nobody holds on to where one is. */
   arrange(stamp: number): void {
     this.places.arrange(this.sorted, stamp);
   }
