@@ -335,9 +335,8 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const { a, b } = meeting;
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
-  const { x, y } = one;
-  one.follow(sweep.a, a, x, y);
-  two.follow(sweep.b, b, x, y);
+  one.follow(sweep.a, a, one);
+  two.follow(sweep.b, b, one);
   const from = Math.max(one.from, two.from);
   sweep.time = from;
   if (isSensed(a, b)) {

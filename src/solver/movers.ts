@@ -132,16 +132,16 @@ export class Mover {
     this.endAngle = this.body.angle;
   }
 
-  /** Sets a travel on the way from `from` on, relative to `(x, y)`. */
-  follow(travel: Travel, shape: Shape, x: number, y: number): void {
+  /** Sets a travel on the way from `from` on, relative to where another one is then. */
+  follow(travel: Travel, shape: Shape, origin: Mover): void {
     const rest = 1 - this.from;
     const rate = rest > 0 ? 1 / rest : 0;
     travel.shape = shape;
     travel.vx = this.dx * rate;
     travel.vy = this.dy * rate;
     travel.w = this.turn * rate;
-    travel.x = this.x - travel.vx * this.from - x;
-    travel.y = this.y - travel.vy * this.from - y;
+    travel.x = this.x - travel.vx * this.from - origin.x;
+    travel.y = this.y - travel.vy * this.from - origin.y;
     travel.angle = this.angle - travel.w * this.from;
   }
 
