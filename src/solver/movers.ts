@@ -297,6 +297,7 @@ export class Movers {
 
   /** m. Of contacts that are foreseen, two each: what the separations of their points are less than those at the time when it comes. The first are no one's. */
   foresight = new Float64Array(64);
+  /** How many contacts are foreseen in this step, or were tried. */
   foreseen = 0;
 
   /** A place for what a contact is foreseen by. */
