@@ -12,7 +12,7 @@ import { INV_INERTIA, VX, W, WAITS } from '../src/solver/layout';
 
 /** Address of the length of the sub-step: as an argument it would be boxed for some of the calls. */
 export const H: usize = 8;
-/** Address of the square of the worst error of joints so far. */
+/** Address of the squares of the worst errors of joints so far, one of each lane. */
 export const WORST: usize = 16;
 
 /** Bytes of the offsets of the bodies of two contacts, A₁, B₁, A₂, B₂. */

@@ -52,13 +52,8 @@ function isRegular(k11: v128, k22: v128, product: v128, det: v128): v128 {
   );
 }
 
-/** The worse one of both lanes. */
-function putWorst(worst: v128): void {
-  v128.store64_lane(n.WORST, f64x2.pmax(worst, second(worst, worst)), 0);
-}
-
 export function warmStartPoints(records: usize, bodies: usize, velocity: usize, pose: usize, from: i32, to: i32): i32 {
-  let worst = v128.load64_zero(n.WORST);
+  let worst = v128.load(n.WORST);
   for (let k = from; k < to; k += 2) {
     const r = records + <usize>(k >> 1) * RECORDS;
     const pair = bodies + <usize>(k >> 1) * OFFSETS;
@@ -104,7 +99,7 @@ export function warmStartPoints(records: usize, bodies: usize, velocity: usize, 
     const product = f64x2.mul(k11, k22);
     const det = f64x2.sub(product, f64x2.mul(k12, k12));
     if (lanes & ~i64x2.bitmask(isRegular(k11, k22, product, det))) {
-      putWorst(worst);
+      v128.store(n.WORST, worst);
       return k << 1;
     }
     const square = f64x2.add(f64x2.mul(cx, cx), f64x2.mul(cy, cy));
@@ -128,12 +123,12 @@ export function warmStartPoints(records: usize, bodies: usize, velocity: usize, 
     Bodies.give(velocity + a1, velocity + a2, lanes, f64x2.neg(px), f64x2.neg(py), f64x2.neg(jwA));
     Bodies.give(velocity + b1, velocity + b2, lanes, px, py, jwB);
   }
-  putWorst(worst);
+  v128.store(n.WORST, worst);
   return to << 1;
 }
 
 export function pushPoints(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
-  let worst = v128.load64_zero(n.WORST);
+  let worst = v128.load(n.WORST);
   let found = 0;
   for (let k = from; k < to; k += 2) {
     const r = records + <usize>(k >> 1) * RECORDS;
@@ -196,7 +191,7 @@ export function pushPoints(records: usize, bodies: usize, motion: usize, from: i
       v128.and(f64x2.gt(square, number(SNAP)), f64x2.ne(at(r, j.POINT_SNAPS), f64x2.splat(0))),
     );
     if (lanes & i64x2.bitmask(v128.or(isRare, v128.not(isRegular(k11, k22, product, det))))) {
-      putWorst(worst);
+      v128.store(n.WORST, worst);
       return (k << 1) | found;
     }
     const mask = v128.and(f64x2.gt(square, number(TOLERANCE)), maskOf(lanes));
@@ -244,7 +239,7 @@ export function pushPoints(records: usize, bodies: usize, motion: usize, from: i
       mB,
     );
   }
-  putWorst(worst);
+  v128.store(n.WORST, worst);
   return (to << 1) | found;
 }
 

@@ -28,7 +28,7 @@ interface Exports {
 type WarmStart = (records: number, bodies: number, v: number, q: number, from: number, to: number) => void;
 type Sweep = (records: number, bodies: number, vOrQ: number, from: number, to: number) => number;
 
-/** Where they expect the length of the sub-step. */
+/** Where they expect the length of the sub-step or a share, and after that the worst error of either lane. */
 const STEP = 8;
 
 /** Bytes of a page of memory. */
@@ -57,7 +57,7 @@ function allotMemory(size: number): Room {
       return {
         buffer: memory.buffer,
         loops: loopsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 1)),
-        pointKernels: pointKernelsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 2)),
+        pointKernels: pointKernelsOf(exports as Exports, new Float64Array(memory.buffer, STEP, 3)),
       };
     }
   } catch {
@@ -94,11 +94,12 @@ function loopsOf(kernels: Exports, step: Float64Array): Loops {
   };
 }
 
-/** Likewise: the share that becomes momentum, and the worst error so far. */
+/** Likewise: the share that becomes momentum, and the worst errors so far. */
 function pointKernelsOf(kernels: Exports, step: Float64Array): PointKernels {
   return {
     warmStart: ({ points, pointBodies, velocity, pose, joints: { worst } }, from, to) => {
       step[1] = worst[0]!;
+      step[2] = worst[1]!;
       const done = kernels.warmStartPoints(
         points.byteOffset,
         pointBodies.byteOffset,
@@ -108,14 +109,17 @@ function pointKernelsOf(kernels: Exports, step: Float64Array): PointKernels {
         to,
       );
       worst[0] = step[1]!;
+      worst[1] = step[2]!;
       return done;
     },
     solveVelocity: ({ points, pointBodies, velocity }, from, to) =>
       kernels.solveVelocityPoints(points.byteOffset, pointBodies.byteOffset, velocity.byteOffset, from, to),
     push: ({ points, pointBodies, motion, joints: { worst } }, from, to) => {
       step[1] = worst[0]!;
+      step[2] = worst[1]!;
       const done = kernels.pushPoints(points.byteOffset, pointBodies.byteOffset, motion.byteOffset, from, to);
       worst[0] = step[1]!;
+      worst[1] = step[2]!;
       return done;
     },
     pushFurther: ({ points, pointBodies, motion }, from, to) =>

@@ -72,10 +72,10 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
 
 /** Of the length that was found. */
 function noteError({ joints }: SolverData, index: number): void {
-  const { worst, strained } = joints;
+  const { worst, asked, strained } = joints;
   const error = length[0]!;
   worst[0] = Math.max(worst[0]!, error * error);
-  if (error * error > worst[1]!) {
+  if (error * error > asked[0]!) {
     strained[0] = Math.min(strained[0]!, index);
     strained[1] = index + 1;
   }

@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { KINEMATIC } from '../body-kind.js';
 import {
   FEW_JOINTS,
   JOINT_MOMENTUM,
@@ -36,9 +37,12 @@ import {
 } from './joint-layout.js';
 import { WINDOW } from './layout.js';
 
-/** So many rigid point joints are solved two at a time, if that takes no more records than so many for each: ragdolls and chains are as fast one by one. */
+/** So many rigid point joints are solved two at a time, if that takes no more records than so many for each: ragdolls and single chains are as fast one by one. */
 const FEWEST_PAIRED = 24;
 const MOST_RECORDS = 1.5;
+
+/** From so many rigid point joints on, two groups of as many and nothing else lie side by side. */
+const FEWEST_BESIDE = 4;
 
 /** A constraint's place in the packed arrays. */
 export interface Joint {
@@ -47,9 +51,11 @@ export interface Joint {
   readonly layout: BlockLayout;
   /** Offset of its record; of a rigid point joint, of what it keeps. */
   readonly at: number;
-  /** Which of the records of rigid point joints it has in a step, and whether these are solved two at a time. */
+  /** Which of the records of rigid point joints it has in a step, and whether these are solved two at a time … */
   slot: number;
   isPaired: boolean;
+  /** … of two groups, each of which has every second record. */
+  isBeside: boolean;
   /** Index of its first member in `bodies`. */
   readonly first: number;
   /** Pairs of members that are the same body. */
@@ -88,6 +94,10 @@ export class Group {
   error = 0;
   /** … and of the largest that the first position iteration found. */
   pushed = 0;
+  /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once … */
+  isBeside = false;
+  /** … of the first of them, the other one, which comes next. */
+  beside: Group | null = null;
 
   /** Without joints, the first of which will be at `start`. */
   constructor(readonly start: number) {
@@ -115,8 +125,10 @@ export class JointData implements Keeper {
   parts = 1;
   /** In this step what touches something may be swept over once less. */
   eases = false;
-  /** Of a group, squares: the worst error so far in this sweep or at the start of the sub-step, the error from which on a joint is strained … */
+  /** Squares: the worst error of a group so far in this sweep or at the start of the sub-step, of rigid point joints by whether their slots are even or odd … */
   readonly worst = new Float64Array(2);
+  /** … and the error from which on a joint is strained … */
+  readonly asked = new Float64Array(1);
   /** … and which are strained: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
   /** m, rad. The largest error that is left. */
@@ -161,7 +173,9 @@ export class JointData implements Keeper {
       group.runs.push(added);
       this.runs.push(added);
     }
-    joints.push({ constraint, kernel, layout, at: this.size, slot: 0, isPaired: false, first: this.members, twins });
+    const at = this.size;
+    const first = this.members;
+    joints.push({ constraint, kernel, layout, at, slot: 0, isPaired: false, isBeside: false, first, twins });
     this.size += kernel === POINT ? KEPT_STRIDE : kernel === TURN ? TURN_STRIDE : layout.size;
     this.members += constraint.members.length;
     if (this.pose.length < POSE * layout.members) {
@@ -179,12 +193,7 @@ export class JointData implements Keeper {
       group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
       group.sweeps = isCareful || !this.isNew(group) ? 1 : NEW_JOINT_SWEEPS;
     }
-    this.slots = 0;
-    for (const run of this.runs) {
-      if (run.kernel === POINT) {
-        this.allotSlots(run);
-      }
-    }
+    this.allotSlots();
     if (this.records.length < this.size) {
       this.records = new Float64Array(2 * this.size);
     }
@@ -193,8 +202,30 @@ export class JointData implements Keeper {
     }
   }
 
-  /** Side by side lie no two that share a body: there the second is missing. Where most would be, as in a chain, joints are solved one by one. */
-  private allotSlots({ start, end }: Run): void {
+  /** Gives rigid point joints their records for a step. Side by side lie no two that share a body. */
+  private allotSlots(): void {
+    this.slots = 0;
+    for (const run of this.runs) {
+      if (run.kernel === POINT) {
+        this.allotRun(run);
+      }
+    }
+    const { groups } = this;
+    for (let i = 0; i + 1 < groups.length; i += 1) {
+      const group = groups[i]!;
+      const next = groups[i + 1]!;
+      if (this.isChain(group) && this.isChain(next) && this.mayLieBeside(group, next)) {
+        group.beside = next;
+        group.isBeside = true;
+        next.isBeside = true;
+        this.layBeside(group, next);
+        i += 1;
+      }
+    }
+  }
+
+  /** Within a run, where two would share a body, the second is missing. Where most would be, as in a chain, joints are solved one by one. */
+  private allotRun({ start, end }: Run): void {
     const joints = this.joints.slice(start, end);
     let offset = 0;
     const offsets = joints.map(({ constraint }, k) => {
@@ -209,6 +240,35 @@ export class JointData implements Keeper {
     }
     this.slots = joints[joints.length - 1]!.slot + 1;
     this.slots += this.slots & 1;
+  }
+
+  /** One run of rigid point joints, solved one by one. */
+  private isChain({ start, end, runs }: Group): boolean {
+    return (
+      end - start >= FEWEST_BESIDE && runs.length === 1 && runs[0]!.kernel === POINT && !this.joints[start]!.isPaired
+    );
+  }
+
+  /** Of as many joints, and what moves by its own will does not hang on two that would lie side by side. */
+  private mayLieBeside({ start, end }: Group, next: Group): boolean {
+    return (
+      next.end - next.start === end - start &&
+      this.joints.slice(start, end).every(({ constraint: { members } }, k) => {
+        const { constraint } = this.joints[next.start + k]!;
+        return !members.some((body) => body.kind === KINEMATIC && constraint.members.includes(body));
+      })
+    );
+  }
+
+  /** Two chains: the first one gets the even slots of both, the other one the odd ones. */
+  private layBeside({ start, end }: Group, { end: last }: Group): void {
+    const { slot } = this.joints[start]!;
+    for (let k = start; k < last; k += 1) {
+      const joint = this.joints[k]!;
+      joint.isPaired = true;
+      joint.isBeside = true;
+      joint.slot = slot + (k < end ? 2 * (k - start) : 2 * (k - end) + 1);
+    }
   }
 
   /** Most of its joints carried nothing yet. */

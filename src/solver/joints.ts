@@ -135,8 +135,8 @@ function steadyFresh(data: SolverData): void {
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
 function settle(data: SolverData, group: Group): void {
-  const { joints, worst } = data.joints;
-  const isLarge = worst[0]! > JOINT_SNAP * JOINT_SNAP;
+  const { joints } = data.joints;
+  const isLarge = group.error > JOINT_SNAP * JOINT_SNAP;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
@@ -163,30 +163,63 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
 
 /** Starts a sub-step: finds how often each group has to be swept over. */
 function warmStartJoints(data: SolverData, isFirst: boolean): void {
-  const { groups, worst, strained, eases } = data.joints;
+  const { groups, worst } = data.joints;
   for (let i = 0; i < groups.length; i += 1) {
     const group = groups[i]!;
-    worst[1] = group.tolerance * group.tolerance;
-    strained[0] = group.end;
-    strained[1] = group.start;
-    let most = 0;
-    for (let n = 0; n < group.runs.length; n += 1) {
+    const { beside } = group;
+    if (beside === null) {
+      warmStartGroup(data, group, isFirst);
+    } else {
       worst[0] = 0;
-      warmStartRun(data, group.runs[n]!, isFirst);
-      group.runs[n]!.isStrained = worst[0] > worst[1];
-      most = worst[0] > most ? worst[0] : most;
+      worst[1] = 0;
+      warmStartPoints(data, group.start, beside.end);
+      group.error = worst[0]!;
+      beside.error = worst[1]!;
+      planChain(data, group, isFirst);
+      planChain(data, beside, isFirst);
+      i += 1;
     }
-    worst[0] = most;
-    if (most > worst[1]) {
-      findStrainedPoints(data, group);
-    }
-    if (isFirst) {
-      settle(data, group);
-    }
-    group.error = worst[0];
-    limitMomentum(data, group, isFirst);
-    planSweeps(data, group, isFirst && eases);
   }
+}
+
+function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {
+  const { worst, asked } = data.joints;
+  beginGroup(data, group);
+  group.error = 0;
+  for (let n = 0; n < group.runs.length; n += 1) {
+    worst[0] = 0;
+    worst[1] = 0;
+    warmStartRun(data, group.runs[n]!, isFirst);
+    const error = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
+    group.runs[n]!.isStrained = error > asked[0]!;
+    group.error = error > group.error ? error : group.error;
+  }
+  plan(data, group, isFirst);
+}
+
+/** Of a group that lies beside another, and was warm started with it. */
+function planChain(data: SolverData, group: Group, isFirst: boolean): void {
+  beginGroup(data, group);
+  group.runs[0]!.isStrained = group.error > data.joints.asked[0]!;
+  plan(data, group, isFirst);
+}
+
+function beginGroup({ joints: { asked, strained } }: SolverData, { tolerance, start, end }: Group): void {
+  asked[0] = tolerance * tolerance;
+  strained[0] = end;
+  strained[1] = start;
+}
+
+function plan(data: SolverData, group: Group, isFirst: boolean): void {
+  const { asked, eases } = data.joints;
+  if (group.error > asked[0]!) {
+    findStrainedPoints(data, group);
+  }
+  if (isFirst) {
+    settle(data, group);
+  }
+  limitMomentum(data, group, isFirst);
+  planSweeps(data, group, isFirst && eases);
 }
 
 function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: boolean): void {
@@ -215,10 +248,10 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
  * hangs there, and fling up what lies on it.
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
-  const { worst, strained } = data.joints;
+  const { strained } = data.joints;
   const first = strained[0]!;
   const after = strained[1]!;
-  const error = Math.sqrt(worst[0]!);
+  const error = Math.sqrt(group.error);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
   const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
   const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
@@ -255,11 +288,23 @@ function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   solveVelocityCustoms(data);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
-    const { sweeps } = group;
-    const after = Math.floor(((i + 1) * sweeps) / count);
-    for (let sweep = Math.floor((i * sweeps) / count); sweep < after; sweep += 1) {
-      sweepOver(data, group, sweep === sweeps - 1, solveVelocityRun);
+    const { beside } = group;
+    solveVelocityGroup(data, group, i, count);
+    if (beside !== null) {
+      solveVelocityGroup(data, beside, i, count);
+      if (i === count - 1) solveVelocityPoints(data, group.start, beside.end);
+      k += 1;
     }
+  }
+}
+
+/** Of groups side by side the last sweep is left out: it is over both at once. */
+function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number): void {
+  const { sweeps, isBeside } = group;
+  const last = sweeps - 1;
+  const after = Math.floor(((i + 1) * sweeps) / count);
+  for (let sweep = Math.floor((i * sweeps) / count); sweep < after && !(isBeside && sweep === last); sweep += 1) {
+    sweepOver(data, group, sweep === last, solveVelocityRun);
   }
 }
 
@@ -295,6 +340,9 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   let isLeft = pushCustoms(data);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
+    if (i === 0 && group.beside !== null) {
+      pushBoth(data, group, group.beside);
+    }
     const sweeps = group.sweeps === 1 ? 1 : JOINT_PUSHES * group.sweeps;
     const before = Math.ceil((i * sweeps) / count);
     const after = Math.ceil(((i + 1) * sweeps) / count);
@@ -305,6 +353,16 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   return isLeft;
 }
 
+/** The first sweep over groups side by side: over both at once. */
+function pushBoth(data: SolverData, first: Group, second: Group): void {
+  const { worst } = data.joints;
+  worst[0] = 0;
+  worst[1] = 0;
+  pushPoints(data, first.start, second.end);
+  first.pushed = worst[0]!;
+  second.pushed = worst[1]!;
+}
+
 /**
  * Position sweeps, until errors are small. Those after the first take the errors of point joints as linear in the motion, unless
  * contacts came in between, or bodies are to be moved without turning. @returns whether the last one found an error that was worth another.
@@ -312,14 +370,19 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
   const { worst } = data.joints;
   linearise(data, group);
-  for (let sweep = before; sweep < after; sweep += 1) {
+  const isBegun = before === 0 && group.isBeside;
+  if (isBegun && group.pushed === 0) {
+    return false;
+  }
+  for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
     // More than small motion was left when all exact errors were found the last time.
     const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
     worst[0] = 0;
+    worst[1] = 0;
     const isOff = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun);
     if (!isLinear) {
-      group.pushed = worst[0];
+      group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     }
     if (!isOff) {
       return false;
@@ -379,9 +442,15 @@ function pushCustoms(data: SolverData): boolean {
   return found;
 }
 
-function finishGroup(data: SolverData, { runs, span }: Group): void {
-  const { h, joints } = data.joints;
-  const share = (h / span) * (h / span);
+/** What share of the momentum of corrections is made. */
+function shareOf({ joints: { h } }: SolverData, { span }: Group): number {
+  return (h / span) * (h / span);
+}
+
+function finishGroup(data: SolverData, group: Group): void {
+  const { runs } = group;
+  const { joints } = data.joints;
+  const share = shareOf(data, group);
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
@@ -400,8 +469,17 @@ function finishGroup(data: SolverData, { runs, span }: Group): void {
 function finishJoints(data: SolverData): void {
   const { groups, runs } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
-    finishGroup(data, groups[k]!);
-    closeOpen(data, groups[k]!);
+    const group = groups[k]!;
+    const { beside } = group;
+    if (beside !== null && beside.span === group.span) {
+      finishPoints(data, group.start, beside.end, shareOf(data, group));
+      closeOpen(data, group);
+      closeOpen(data, beside);
+      k += 1;
+    } else {
+      finishGroup(data, group);
+      closeOpen(data, group);
+    }
   }
   if (runs.length > 0) {
     advancePoses(data);

@@ -27,8 +27,8 @@ export interface PointKernels {
   readonly finish: Kernel;
 }
 
-/** The same in TypeScript. @returns `true` if an error was worth another iteration. */
-type Loop = (data: SolverData, from: number, to: number, share: number) => unknown;
+/** The same in TypeScript, over each record or, with a `step` of 2, every second one. @returns `true` if an error was worth another iteration. */
+type Loop = (data: SolverData, from: number, to: number, step: number, share: number) => unknown;
 
 /** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
 const FAR_BLOCK = 8;
@@ -141,12 +141,15 @@ export function findStrained(data: SolverData, start: number, end: number): void
   strained[1] = Math.max(strained[1]!, to);
 }
 
-function isStrained({ points: r, joints: { worst } }: SolverData, { slot }: Joint): boolean {
+function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Joint): boolean {
   const i = recordAt(slot, j.POINT_STRIDE);
-  return r[i + j.ERROR_X]! * r[i + j.ERROR_X]! + r[i + j.ERROR_Y]! * r[i + j.ERROR_Y]! > worst[1]!;
+  return r[i + j.ERROR_X]! * r[i + j.ERROR_X]! + r[i + j.ERROR_Y]! * r[i + j.ERROR_Y]! > asked[0]!;
 }
 
-/** Joints from one to another, by a kernel, if there is one, and by a loop what is left: what it stops at, and at the ends what is a part of two. @returns what they find together. */
+/**
+ * Joints from one to another, by a kernel, if there is one, and by a loop what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
+ * at once if both are wanted. @returns what they find together.
+ */
 function solve(
   data: SolverData,
   start: number,
@@ -159,13 +162,14 @@ function solve(
   const { joints } = data.joints;
   const { slot, isPaired } = joints[start]!;
   const to = joints[end - 1]!.slot + 1;
-  if (kernel === undefined || !isPaired) {
-    return loop(data, slot, to, share) === true;
+  const step = stepOf(data, start, end);
+  if (kernel === undefined || !isPaired || step === 2) {
+    return loop(data, slot, to, step, share) === true;
   }
   let k = slot;
   let found = false;
   if (k % 2 === 1) {
-    found = loop(data, k, k + 1, share) === true;
+    found = loop(data, k, k + 1, 1, share) === true;
     k += 1;
   }
   const whole = to + (to & 1) * ((pointBodies[2 * to]! & d.MISSING) === 0 ? -1 : 1);
@@ -174,11 +178,17 @@ function solve(
     found = (done & 1) === 1 || found;
     k = done >> 1;
     if (k < whole) {
-      found = loop(data, k, k + 2, share) === true || found;
+      found = loop(data, k, k + 2, 1, share) === true || found;
       k += 2;
     }
   }
-  return (k < to && loop(data, k, to, share) === true) || found;
+  return (k < to && loop(data, k, to, 1, share) === true) || found;
+}
+
+/** How far it is from one record to the next: two within a group with another one beside it, as all of them are even or odd. */
+function stepOf({ joints: { joints } }: SolverData, start: number, end: number): number {
+  const { slot, isBeside } = joints[start]!;
+  return isBeside && ((joints[end - 1]!.slot ^ slot) & 1) === 0 ? 2 : 1;
 }
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
@@ -214,7 +224,7 @@ export function pushFarPoints(data: SolverData, start: number, end: number): boo
 /** The largest error now, m, to `left`. */
 export function measurePoints(data: SolverData, start: number, end: number): void {
   const { joints } = data.joints;
-  plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + 1);
+  plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + 1, stepOf(data, start, end));
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */

@@ -5,16 +5,16 @@ import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';
 
-// The loops over rigid point joints, from one of their records to another.
+// The loops over rigid point joints, from one of their records to another: over each, or every second one.
 
 /** Angle, cosine, sine: scratch. */
 const turn = new Float64Array(3);
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
-export function warmStartPoints(data: SolverData, from: number, to: number): void {
+export function warmStartPoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, velocity: v, pose: p } = data;
   const { worst } = data.joints;
-  for (let k = from; k < to; k += 1) {
+  for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -36,8 +36,8 @@ export function warmStartPoints(data: SolverData, from: number, to: number): voi
     const cx = p[b + X]! - p[a + X]! + (bx - ax);
     const cy = p[b + Y]! - p[a + Y]! + (by - ay);
     const square = cx * cx + cy * cy;
-    if (square > worst[0]!) {
-      worst[0] = square;
+    if (square > worst[k & 1]!) {
+      worst[k & 1] = square;
     }
     r[i + j.ARM_AX] = ax;
     r[i + j.ARM_AY] = ay;
@@ -90,9 +90,9 @@ function invert(r: Float64Array, i: number): void {
 }
 
 /** One sweep: Δλ = −K⁻¹C'. */
-export function solveVelocityPoints(data: SolverData, from: number, to: number): void {
+export function solveVelocityPoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, velocity: v } = data;
-  for (let k = from; k < to; k += 1) {
+  for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -133,11 +133,11 @@ export function solveVelocityPoints(data: SolverData, from: number, to: number):
  *
  * @returns whether an error was worth another iteration.
  */
-export function pushPoints(data: SolverData, from: number, to: number): boolean {
+export function pushPoints(data: SolverData, from: number, to: number, step: number): boolean {
   const { points: r, pointBodies: bodies, motion: q } = data;
   const { worst } = data.joints;
   let found = false;
-  for (let k = from; k < to; k += 1) {
+  for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -180,8 +180,8 @@ export function pushPoints(data: SolverData, from: number, to: number): boolean 
     const square = cx * cx + cy * cy;
     if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
       found = true;
-      if (square > worst[0]!) {
-        worst[0] = square;
+      if (square > worst[k & 1]!) {
+        worst[k & 1] = square;
       }
     }
     const mA = q[a + d.INV_MASS]!;
@@ -232,10 +232,10 @@ export function pushPoints(data: SolverData, from: number, to: number): boolean 
 }
 
 /** Another sweep: as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth another iteration. */
-export function pushPointsFurther(data: SolverData, from: number, to: number): boolean {
+export function pushPointsFurther(data: SolverData, from: number, to: number, step: number): boolean {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let found = false;
-  for (let k = from; k < to; k += 1) {
+  for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -275,10 +275,10 @@ export function pushPointsFurther(data: SolverData, from: number, to: number): b
 }
 
 /** The largest error now, m, as linear in the motion since the last exact sweep, to `left`. */
-export function measurePoints(data: SolverData, from: number, to: number): void {
+export function measurePoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let most = 0;
-  for (let k = from; k < to; k += 1) {
+  for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -298,9 +298,9 @@ export function measurePoints(data: SolverData, from: number, to: number): void 
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
-export function finishPoints(data: SolverData, from: number, to: number, share: number): void {
+export function finishPoints(data: SolverData, from: number, to: number, step: number, share: number): void {
   const { points: r, pointBodies: bodies, velocity: v } = data;
-  for (let k = from; k < to; k += 1) {
+  for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
