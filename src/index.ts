@@ -75,4 +75,13 @@ export { simdKernels } from './simd.js';
 export { worldState } from './state/snapshot.js';
 export type { UserData } from './user-data.js';
 export { World } from './world.js';
-export type { PoseUpdate, WorldEventType, WorldHandler, WorldParams, WorldSaving } from './world-state.js';
+export type {
+  PoseUpdate,
+  WorldBodyHandler,
+  WorldContactHandler,
+  WorldEvents,
+  WorldEventType,
+  WorldHitHandler,
+  WorldParams,
+  WorldSaving,
+} from './world-state.js';

@@ -25,7 +25,7 @@ export const NON_FINITE = 256;
 export const OF_SHAPES = BEGIN | HIT | PROGRESS | END | PRE_SOLVE;
 export const OF_BODIES = WAKE | SLEEP;
 export const OF_CONSTRAINTS = WAKE | SLEEP | BREAK;
-export const OF_WORLDS = NON_FINITE;
+export const OF_WORLDS = BEGIN | HIT | PROGRESS | END | NON_FINITE;
 
 /** The bit of a type by its name; 0 if there is none among those that are allowed. */
 export function bitOf(name: unknown, allowed: number): number {

@@ -4,6 +4,7 @@ import type { Broadphase } from './broadphase/broadphase.js';
 import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
 import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
+import type { Hit } from './contact/hit.js';
 import { Pairs } from './contact/pairs.js';
 import { EventQueue } from './events/events.js';
 import { Kernels, plainKernels } from './kernels.js';
@@ -27,11 +28,31 @@ export interface PoseUpdate {
   update(): void;
 }
 
-/** What worlds tell their listeners. */
-export type WorldEventType = 'nonfinite';
+/** Called with the interaction, `this` = the world. */
+export type WorldContactHandler = (this: World, arbiter: Arbiter) => void;
 
-/** Called with the body that was frozen, `this` = the world. */
-export type WorldHandler = (this: World, body: RigidBody) => void;
+/** Called with the collision that has begun, and how hard that was. */
+export type WorldHitHandler = (this: World, arbiter: Arbiter, hit: Hit) => void;
+
+/** Called with the body that was frozen. */
+export type WorldBodyHandler = (this: World, body: RigidBody) => void;
+
+/** The events of a world, and what their handlers are: those of all shapes in it, each told once. */
+export interface WorldEvents {
+  /** Two shapes touch for the first time, or again. */
+  begin: WorldContactHandler;
+  /** They touch in another step, and are awake. */
+  progress: WorldContactHandler;
+  /** They do not touch any more, or one of them is gone. */
+  end: WorldContactHandler;
+  /** A collision has begun. */
+  hit: WorldHitHandler;
+  /** A body was frozen, as its motion would not have been finite. */
+  nonfinite: WorldBodyHandler;
+}
+
+/** What worlds tell their listeners. */
+export type WorldEventType = keyof WorldEvents;
 
 /** Options of `createWorld`. */
 export interface WorldParams {
@@ -123,7 +144,7 @@ export abstract class WorldState {
   /** @internal */
   readonly pairs = new Pairs();
   /** @internal */
-  readonly events = new EventQueue();
+  readonly events = new EventQueue(this);
   /** @internal */
   readonly solver: SolverData;
   /** @internal */
@@ -133,7 +154,7 @@ export abstract class WorldState {
   /** @internal what cannot be moved in this step, as its motion is not finite */
   readonly frozen = new Set<RigidBody>();
   /** @internal */
-  listeners: Listeners<WorldHandler> = NO_LISTENERS;
+  listeners: Listeners<WorldEvents[WorldEventType]> = NO_LISTENERS;
 
   /** @internal */
   protected time = 0;

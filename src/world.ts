@@ -28,8 +28,8 @@ import {
   vector,
 } from './validate.js';
 import {
+  type WorldEvents,
   type WorldEventType,
-  type WorldHandler,
   type WorldParams,
   type WorldSaving,
   WorldState,
@@ -340,18 +340,21 @@ export class World extends WorldState {
   }
 
   /**
-   * Adds a handler. `nonfinite`: a body was frozen in the step, as its motion would not have been finite, or farther than 1e150 m. It is where it was,
-   * without velocity, force and torque, and moved nothing else. Causes are forces and masses of no measure, and custom constraints.
+   * Adds a handler, which is called when the step is done, and may change anything.
+   *
+   * - `begin`, `progress`, `end`, `hit`: as of shapes, see `shape.addEventListener`, for any two shapes, after their own handlers. What sleeps is not woken to tell.
+   * - `nonfinite`: a body was frozen in the step, as its motion would not have been finite, or farther than 1e150 m. It is where it was,
+   *   without velocity, force and torque, and moved nothing else. Causes are forces and masses of no measure, and custom constraints.
    *
    * @returns `false` for an unknown type or a handler already present.
    */
-  addEventListener(eventType: WorldEventType, handler: WorldHandler): boolean {
+  addEventListener<T extends WorldEventType>(eventType: T, handler: WorldEvents[T]): boolean {
     callable('World.addEventListener', 'handler', handler);
     return addListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
   }
 
   /** Removes a handler. @returns whether it was there. */
-  removeEventListener(eventType: WorldEventType, handler: WorldHandler): boolean {
+  removeEventListener<T extends WorldEventType>(eventType: T, handler: WorldEvents[T]): boolean {
     callable('World.removeEventListener', 'handler', handler);
     return removeListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
   }

@@ -18,7 +18,7 @@ const GROUPS = 3;
 const AFTER_BODIES = Number.MAX_SAFE_INTEGER;
 
 /** What all handlers of the API can be called as. */
-type Handler = (this: unknown, subject?: Arbiter | RigidBody, other?: Shape, hit?: Hit) => void;
+type Handler = (this: unknown, subject?: Arbiter | RigidBody, other?: Shape | Hit, hit?: Hit) => void;
 
 /** Lists in the order of delivery: by group, then by type. */
 function makeLists(): Notes[] {
@@ -42,10 +42,13 @@ export class EventQueue {
   readonly woken = new Set<RigidBody | Constraint>();
   private failure: { readonly error: unknown } | null = null;
 
+  constructor(private readonly world: Pick<World, 'listeners'>) {}
+
   /** Notes an event of an interaction: its type as a bit, and when it was found. */
   interaction(type: number, arbiter: Arbiter, group: number): void {
     const { shapeA, shapeB } = arbiter;
-    if (((shapeA.listeners.types | shapeB.listeners.types) & type) !== 0) {
+    const { listeners } = this.world;
+    if (((shapeA.listeners.types | shapeB.listeners.types | listeners.types) & type) !== 0) {
       const note = this.list(type, group).add(shapeA.id, shapeB.id);
       note.own = shapeA;
       note.listeners = shapeA.listeners;
@@ -55,18 +58,24 @@ export class EventQueue {
       note.otherListeners = shapeB.listeners;
       note.otherGroup = shapeB.group;
       note.hit = type === HIT ? this.hits[this.struck.length - 1]! : null;
+      note.worldListeners = listeners;
     }
   }
 
   /** Notes that a collision which takes effect has begun. */
   hit(arbiter: Arbiter, group: number): void {
-    if (isHitHeard(arbiter)) {
+    if (this.isHitHeard(arbiter)) {
       this.struck.push(arbiter);
       if (this.hits.length < this.struck.length) {
         this.hits.push(new Hit());
       }
       this.interaction(HIT, arbiter, group);
     }
+  }
+
+  /** Someone wants to know how hard the shapes of a pair meet. */
+  isHitHeard({ shapeA, shapeB }: Arbiter): boolean {
+    return ((shapeA.listeners.types | shapeB.listeners.types | this.world.listeners.types) & HIT) !== 0;
   }
 
   /** The `end` events of what was removed since the last step: between steps no others wait. */
@@ -166,6 +175,7 @@ export class EventQueue {
       this.hand(list, note, false);
       if (note.other !== null) {
         this.hand(list, note, true);
+        this.handToWorld(list, note);
       }
     }
     list.clear();
@@ -193,12 +203,21 @@ export class EventQueue {
     }
   }
 
+  /** Calls the handlers of the world for an interaction. */
+  private handToWorld(list: Notes, { arbiter, hit, worldListeners: { entries } }: Note): void {
+    for (let i = 0; i < entries.length && list.count > 0; i += 1) {
+      if (entries[i]!.type === list.type) {
+        this.call(entries[i]!.handler as Handler, this.world, arbiter, hit, null);
+      }
+    }
+  }
+
   /** What it throws waits for `rethrow`. */
   call(
     handler: Handler,
     own: unknown,
     subject: Arbiter | RigidBody | null,
-    other: Shape | null,
+    other: Shape | Hit | null,
     hit: Hit | null,
   ): void {
     try {
@@ -242,9 +261,4 @@ export class EventQueue {
 /** Stands for a body in the order of events. */
 function placeOf({ shapes }: RigidBody): number {
   return shapes[0]?.id ?? -1;
-}
-
-/** Someone wants to know how hard the shapes of a pair meet. */
-export function isHitHeard({ shapeA, shapeB }: Arbiter): boolean {
-  return ((shapeA.listeners.types | shapeB.listeners.types) & HIT) !== 0;
 }

@@ -25,6 +25,8 @@ export class Note {
   group = 0;
   otherGroup = 0;
   hit: Hit | null = null;
+  /** Those of the world that an interaction is in. */
+  worldListeners: Listeners<unknown> = NO_LISTENERS;
 }
 
 function compare(a: Note, b: Note): number {
@@ -80,6 +82,7 @@ export class Notes {
       note.other = null;
       note.otherListeners = NO_LISTENERS;
       note.hit = null;
+      note.worldListeners = NO_LISTENERS;
     }
     this.count = 0;
     this.sorted = true;

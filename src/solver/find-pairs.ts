@@ -6,7 +6,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { overlap, touch } from '../contact/touch.js';
-import { IN_STEP, isHitHeard } from '../events/events.js';
+import { IN_STEP } from '../events/events.js';
 import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
@@ -165,7 +165,7 @@ function interact(world: World, pair: Arbiter): void {
     world.hit.add(b);
   }
   noteGround(world, pair);
-  if (begins && isHitHeard(pair)) {
+  if (begins && world.events.isHitHeard(pair)) {
     noteApproach(pair);
     world.events.hit(pair, IN_STEP);
   }
@@ -184,7 +184,7 @@ function approach(world: World, pair: Arbiter, dt: number): void {
       world.closing.add(pair);
     }
     noteGround(world, pair);
-    if (isHitHeard(pair)) {
+    if (world.events.isHitHeard(pair)) {
       noteApproach(pair);
     }
   }

@@ -8,7 +8,6 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
-import { isHitHeard } from '../events/events.js';
 import { asksFirst } from '../events/pre-solve.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
@@ -195,7 +194,7 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   smoothMeeting(world, pair);
   // Turned by that, it would meet a surface that it does not touch.
   const isLost = isApart && time === 1 && leastSeparation(pair.numbers, pair.at) <= 0;
-  if (isHitHeard(pair)) {
+  if (world.events.isHitHeard(pair)) {
     noteApproach(pair);
   }
   pair.foreseen = world.movers.foreseeContact();

@@ -3,6 +3,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import type { World } from '../world.js';
 import { Group, type JointData } from './joint-data.js';
 import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
+import { addJoint, allot } from './joint-list.js';
 
 /**
  * Neighbours in a ring share a body, and the processor would wait for one before it can begin the next. With 2 nets gape half as far again.
@@ -32,7 +33,7 @@ export function orderJoints(world: World): void {
       addTurnsLast(joints, breadthFirst(hangingTogether(constraint, left)));
     }
   }
-  joints.allot();
+  allot(joints);
 }
 
 /** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */
@@ -98,7 +99,7 @@ function breadthFirst(constraints: readonly Constraint[]): Constraint[] {
 function addTurnsLast(joints: JointData, constraints: readonly Constraint[]): void {
   const turns: Constraint[] = [];
   const add = (constraint: Constraint, kernel: number) =>
-    joints.add(constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length));
+    addJoint(joints, constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length));
   for (const constraint of constraints) {
     const kernel = kernelFor(constraint);
     if (kernel === TURN) {

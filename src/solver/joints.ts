@@ -1,17 +1,4 @@
-import {
-  EASE_STEPS,
-  JOINT_CALM,
-  JOINT_FAR,
-  JOINT_PUSHES,
-  JOINT_REST_ERROR,
-  JOINT_SNAP,
-  JOINT_SWEEP_MARGIN,
-  MAX_JOINT_SWEEPS,
-  NEW_JOINT_SWEEPS,
-  SETTLE_STEPS,
-  TOUCHED_PATIENCE,
-  TOUCHED_SWEEPS,
-} from '../config.js';
+import { EASE_STEPS, JOINT_FAR, JOINT_PUSHES } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -24,15 +11,15 @@ import {
 } from './block-joints.js';
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
-import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
+import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
 import { steadyTouched } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
+import { beginGroup, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
-  findStrained,
   finishPoints,
   keepPoints,
   packPoint,
@@ -65,7 +52,7 @@ function packJoints(world: World, h: number): void {
   if (joints.runs.length > 0) {
     packPoses(world);
   }
-  if (joints.runs.some(isCustom)) {
+  if (joints.runs.some(hasCallbacks)) {
     // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
     joints.fetchAll();
   }
@@ -100,10 +87,6 @@ function packRun(data: SolverData, { kernel, start, end }: Run, isChanged: boole
   return kernel === TURN ? beginTurns(data, start, end) : isInContact;
 }
 
-function isCustom({ kernel }: Run): boolean {
-  return kernel === CUSTOM;
-}
-
 /** @returns whether one of the bodies is in contact, if its numbers do not stay here. */
 function packJoint(data: SolverData, joint: Joint): boolean {
   if (joint.kernel === POINT) {
@@ -130,34 +113,6 @@ function steadyFresh(data: SolverData): void {
         steady(data, joints[k]!, group.touched ? 0 : 1);
       }
     }
-  }
-}
-
-/** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
-function settle(data: SolverData, group: Group): void {
-  const { joints } = data.joints;
-  const isLarge = group.error > JOINT_SNAP * JOINT_SNAP;
-  group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
-  group.fresh = false;
-  for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(data, joints[k]!, group.touched ? 0 : 1);
-  }
-}
-
-/**
- * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
- * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
- * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
- */
-function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
-  const { impulseScale } = data;
-  const { h } = data.joints;
-  const before = isFirst ? h / (impulseScale || 1) : h;
-  const span = Math.max(h, before, group.span - h / 4);
-  const calm = JOINT_CALM * h * (h / span);
-  group.span = group.error > calm * calm || (isFirst && group.runs.some(isCustom)) ? span : h;
-  if (isFirst && impulseScale === 0) {
-    group.sweeps = NEW_JOINT_SWEEPS;
   }
 }
 
@@ -204,24 +159,6 @@ function planChain(data: SolverData, group: Group, isFirst: boolean): void {
   plan(data, group, isFirst);
 }
 
-function beginGroup({ joints: { asked, strained } }: SolverData, { tolerance, start, end }: Group): void {
-  asked[0] = tolerance * tolerance;
-  strained[0] = end;
-  strained[1] = start;
-}
-
-function plan(data: SolverData, group: Group, isFirst: boolean): void {
-  const { asked, eases } = data.joints;
-  if (group.error > asked[0]!) {
-    findStrainedPoints(data, group);
-  }
-  if (isFirst) {
-    settle(data, group);
-  }
-  limitMomentum(data, group, isFirst);
-  planSweeps(data, group, isFirst && eases);
-}
-
 function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: boolean): void {
   if (kernel === POINT) {
     warmStartPoints(data, start, end);
@@ -231,36 +168,6 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
     for (let k = start; k < end; k += 1) {
       warmStartBlock(data, k, isFirst);
     }
-  }
-}
-
-function findStrainedPoints(data: SolverData, { runs }: Group): void {
-  for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end, isStrained } = runs[i]!;
-    if (kernel === POINT && isStrained) {
-      findStrained(data, start, end);
-    }
-  }
-}
-
-/**
- * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before, as sweeps that come and go shake what
- * hangs there, and fling up what lies on it.
- */
-function planSweeps(data: SolverData, group: Group, eases: boolean): void {
-  const { strained } = data.joints;
-  const first = strained[0]!;
-  const after = strained[1]!;
-  const error = Math.sqrt(group.error);
-  const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
-  const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
-  const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
-  const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
-  group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
-  if (after > first) {
-    const margin = JOINT_SWEEP_MARGIN * (after - first);
-    group.from = first - margin;
-    group.to = after + margin;
   }
 }
 

@@ -118,7 +118,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
   if (strings !== null) {
     return { good: strings[1], bad: ['text', 5, null, {}] };
   }
-  if (/=>|Handler$|^Clock|^CustomCallback$|^ShapeEvents/.test(type)) {
+  if (/=>|Handler$|^Clock|^CustomCallback$|^(?:Shape|World)Events/.test(type)) {
     return { good: () => undefined, bad: NO_CALLBACK };
   }
   if (type.startsWith('ArrayLike<Vec2Like>')) {

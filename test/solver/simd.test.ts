@@ -17,6 +17,7 @@ import {
   POINT_SNAPS,
   POINT_STRIDE,
 } from '../../src/solver/joint-layout.js';
+import { addJoint, allot } from '../../src/solver/joint-list.js';
 import * as d from '../../src/solver/layout.js';
 import { type Loops, plain } from '../../src/solver/loops.js';
 import {
@@ -180,9 +181,9 @@ function filledWithPoints(kernels: Kernels, drawn: readonly DrawnPoint[], number
       bodyA: bodies[a]!,
       bodyB: bodies[a === b ? (b + 1) % JOINED : b]!,
     });
-    data.joints.add(constraint, POINT, new BlockLayout(2, 2));
+    addJoint(data.joints, constraint, POINT, new BlockLayout(2, 2));
   }
-  data.joints.allot();
+  allot(data.joints);
   data.resetBodies(JOINED);
   data.makeRoomForPoints(data.joints.slots);
   for (let i = 1; i < JOINED; i += 1) {

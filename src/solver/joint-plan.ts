@@ -1,0 +1,96 @@
+import {
+  JOINT_CALM,
+  JOINT_REST_ERROR,
+  JOINT_SNAP,
+  JOINT_SWEEP_MARGIN,
+  MAX_JOINT_SWEEPS,
+  NEW_JOINT_SWEEPS,
+  SETTLE_STEPS,
+  TOUCHED_PATIENCE,
+  TOUCHED_SWEEPS,
+} from '../config.js';
+import type { SolverData } from './data.js';
+import { type Group, hasCallbacks } from './joint-data.js';
+import { POINT } from './joint-layout.js';
+import { steady } from './joint-numbers.js';
+import { findStrained } from './point-joints.js';
+
+// What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
+
+/** Before the joints of a group are warm started: nothing is strained yet. */
+export function beginGroup({ joints: { asked, strained } }: SolverData, { tolerance, start, end }: Group): void {
+  asked[0] = tolerance * tolerance;
+  strained[0] = end;
+  strained[1] = start;
+}
+
+/** When its error is known. */
+export function plan(data: SolverData, group: Group, isFirst: boolean): void {
+  const { asked, eases } = data.joints;
+  if (group.error > asked[0]!) {
+    findStrainedPoints(data, group);
+  }
+  if (isFirst) {
+    settle(data, group);
+  }
+  limitMomentum(data, group, isFirst);
+  planSweeps(data, group, isFirst && eases);
+}
+
+function findStrainedPoints(data: SolverData, { runs }: Group): void {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end, isStrained } = runs[i]!;
+    if (kernel === POINT && isStrained) {
+      findStrained(data, start, end);
+    }
+  }
+}
+
+/** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
+function settle(data: SolverData, group: Group): void {
+  const { joints } = data.joints;
+  const isLarge = group.error > JOINT_SNAP * JOINT_SNAP;
+  group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
+  group.fresh = false;
+  for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
+    steady(data, joints[k]!, group.touched ? 0 : 1);
+  }
+}
+
+/**
+ * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
+ * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
+ * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
+ */
+function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
+  const { impulseScale } = data;
+  const { h } = data.joints;
+  const before = isFirst ? h / (impulseScale || 1) : h;
+  const span = Math.max(h, before, group.span - h / 4);
+  const calm = JOINT_CALM * h * (h / span);
+  group.span = group.error > calm * calm || (isFirst && group.runs.some(hasCallbacks)) ? span : h;
+  if (isFirst && impulseScale === 0) {
+    group.sweeps = NEW_JOINT_SWEEPS;
+  }
+}
+
+/**
+ * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before, as sweeps that come and go shake what
+ * hangs there, and fling up what lies on it.
+ */
+function planSweeps(data: SolverData, group: Group, eases: boolean): void {
+  const { strained } = data.joints;
+  const first = strained[0]!;
+  const after = strained[1]!;
+  const error = Math.sqrt(group.error);
+  const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
+  const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
+  const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
+  const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
+  group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+  if (after > first) {
+    const margin = JOINT_SWEEP_MARGIN * (after - first);
+    group.from = first - margin;
+    group.to = after + margin;
+  }
+}
