@@ -149,15 +149,17 @@ export abstract class BodyState extends BodyNumbers {
       y += mass * centre[1];
       total += mass;
     }
-    return total > 0 ? vec2(x / total, y / total, dst) : vec2(0, 0, dst);
+    return total > 0
+      ? vec2(x / total, y / total, 'RigidBody.computeLocalCenterOfMass', dst)
+      : vec2(0, 0, 'RigidBody.computeLocalCenterOfMass', dst);
   }
 
   /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
   computeWorldBounds(): Rect;
   computeWorldBounds<T extends NumberSink>(dst: T): T;
   computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
+    if (dst !== undefined) sink('RigidBody.computeWorldBounds', 'dst', dst, 4);
     const result = dst === undefined ? ([0, 0, 0, 0] as Rect) : dst;
-    sink('RigidBody.computeWorldBounds', 'dst', result);
     for (let k = 0; k < 4; k += 1) {
       result[k] = k < 2 ? Infinity : -Infinity;
     }
@@ -257,15 +259,21 @@ export abstract class BodyState extends BodyNumbers {
   }
 
   /** @internal */
-  protected toLocal<T extends NumberSink>(x: number, y: number, dst: T | undefined): T | Vec2 {
-    return vec2(this.cos * x + this.sin * y, this.cos * y - this.sin * x, dst);
+  protected toLocal<T extends NumberSink>(x: number, y: number, where: string, dst: T | undefined): T | Vec2 {
+    return vec2(this.cos * x + this.sin * y, this.cos * y - this.sin * x, where, dst);
   }
 
   /** @internal */
-  protected toWorld<T extends NumberSink>(local: Vec2Like, x: number, y: number, dst: T | undefined): T | Vec2 {
+  protected toWorld<T extends NumberSink>(
+    local: Vec2Like,
+    x: number,
+    y: number,
+    where: string,
+    dst: T | undefined,
+  ): T | Vec2 {
     const lx = local[0]!;
     const ly = local[1]!;
-    return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, dst);
+    return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, where, dst);
   }
 
   /** @internal becomes the body of a shape, which is not in the list yet */

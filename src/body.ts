@@ -75,7 +75,7 @@ export class RigidBody extends BodyState {
   getPosition(): Vec2;
   getPosition<T extends NumberSink>(dst: T): T;
   getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.x, this.y, dst);
+    return vec2(this.x, this.y, 'RigidBody.getPosition', dst);
   }
 
   /** Teleports the body. Ignored during a step and for a static body in a world. Wakes it if changed. */
@@ -105,7 +105,7 @@ export class RigidBody extends BodyState {
   getVelocity(): Vec2;
   getVelocity<T extends NumberSink>(dst: T): T;
   getVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.vx, this.vy, dst);
+    return vec2(this.vx, this.vy, 'RigidBody.getVelocity', dst);
   }
 
   /** Sets the velocity, m/s. A static body has none. Wakes the body if changed. */
@@ -198,7 +198,7 @@ export class RigidBody extends BodyState {
   getForce(): Vec2;
   getForce<T extends NumberSink>(dst: T): T;
   getForce<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.fx, this.fy, dst);
+    return vec2(this.fx, this.fy, 'RigidBody.getForce', dst);
   }
 
   /** Sets the force, N, that acts in every step until changed. Wakes the body if changed. */
@@ -251,7 +251,7 @@ export class RigidBody extends BodyState {
   getSurfaceVelocity(): Vec2;
   getSurfaceVelocity<T extends NumberSink>(dst: T): T;
   getSurfaceVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.surfaceX, this.surfaceY, dst);
+    return vec2(this.surfaceX, this.surfaceY, 'RigidBody.getSurfaceVelocity', dst);
   }
 
   /** Sets the surface velocity, m/s. Wakes the body, and what rests on it. */
@@ -357,32 +357,36 @@ export class RigidBody extends BodyState {
   transformWorldPointToLocal(worldPoint: Vec2Like): Vec2;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst: T): T;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst?: T): T | Vec2 {
-    vector('RigidBody.transformWorldPointToLocal', 'worldPoint', worldPoint, 2);
-    return this.toLocal(worldPoint[0]! - this.x, worldPoint[1]! - this.y, dst);
+    const where = 'RigidBody.transformWorldPointToLocal';
+    vector(where, 'worldPoint', worldPoint, 2);
+    return this.toLocal(worldPoint[0]! - this.x, worldPoint[1]! - this.y, where, dst);
   }
 
   /** A direction of the world in body coordinates. */
   transformWorldVectorToLocal(worldVector: Vec2Like): Vec2;
   transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst: T): T;
   transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst?: T): T | Vec2 {
-    vector('RigidBody.transformWorldVectorToLocal', 'worldVector', worldVector, 2);
-    return this.toLocal(worldVector[0]!, worldVector[1]!, dst);
+    const where = 'RigidBody.transformWorldVectorToLocal';
+    vector(where, 'worldVector', worldVector, 2);
+    return this.toLocal(worldVector[0]!, worldVector[1]!, where, dst);
   }
 
   /** A point in body coordinates in those of the world, m. */
   transformLocalPointToWorld(localPoint: Vec2Like): Vec2;
   transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst: T): T;
   transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst?: T): T | Vec2 {
-    vector('RigidBody.transformLocalPointToWorld', 'localPoint', localPoint, 2);
-    return this.toWorld(localPoint, this.x, this.y, dst);
+    const where = 'RigidBody.transformLocalPointToWorld';
+    vector(where, 'localPoint', localPoint, 2);
+    return this.toWorld(localPoint, this.x, this.y, where, dst);
   }
 
   /** A direction in body coordinates in those of the world. */
   transformLocalVectorToWorld(localVector: Vec2Like): Vec2;
   transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst: T): T;
   transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst?: T): T | Vec2 {
-    vector('RigidBody.transformLocalVectorToWorld', 'localVector', localVector, 2);
-    return this.toWorld(localVector, 0, 0, dst);
+    const where = 'RigidBody.transformLocalVectorToWorld';
+    vector(where, 'localVector', localVector, 2);
+    return this.toWorld(localVector, 0, 0, where, dst);
   }
 
   /** Wakes the body, without a `wake` event for itself, and what sleeps with it. Outside a world only clears the flag. */

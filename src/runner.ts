@@ -92,7 +92,7 @@ export class FixedStepRunner {
   getPosition<T extends NumberSink>(body: RigidBody, dst: T): T;
   getPosition<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec2 {
     this.look('FixedStepRunner.getPosition', body);
-    return vec2(pose[X]!, pose[Y]!, dst);
+    return vec2(pose[X]!, pose[Y]!, 'FixedStepRunner.getPosition', dst);
   }
 
   /** At which angle to draw a body: clockwise on screen, rad. */

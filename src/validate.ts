@@ -202,9 +202,30 @@ export function leadsTo(
   }
 }
 
-/** A destination for numbers: anything with writable indices. */
-export function sink(where: string, name: string, value: unknown): void {
-  if (typeof value !== 'object' || value === null) {
+/** Whether there is room for so many numbers: an array grows, a typed one does not. What may not be written to shows as it is. */
+export function holdsNumbers(value: unknown, count: number): boolean {
+  return (
+    typeof value === 'object' &&
+    value !== null &&
+    !(ArrayBuffer.isView(value) && !((value as unknown as ArrayLike<number>).length >= count))
+  );
+}
+
+/** The error for a destination of so many numbers. */
+export function noSink(where: string, name: string, value: unknown, count: number): TypeError {
+  return typeError(where, name, `an array to write ${count} numbers into`, value);
+}
+
+/** A destination for so many numbers: anything with writable indices. */
+export function sink(where: string, name: string, value: unknown, count: number): void {
+  if (!holdsNumbers(value, count) || Object.isFrozen(value)) {
+    throw noSink(where, name, value, count);
+  }
+}
+
+/** A destination for objects: an array, or what has writable indices as one. */
+export function list(where: string, name: string, value: unknown): void {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || Object.isFrozen(value)) {
     throw typeError(where, name, 'an array to write into', value);
   }
 }

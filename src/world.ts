@@ -20,10 +20,10 @@ import {
   callable,
   checkedRay,
   instance,
+  list,
   numbers,
   positive,
   positiveOrInfinite,
-  sink,
   typeError,
   vector,
 } from './validate.js';
@@ -85,7 +85,7 @@ export class World extends WorldState {
   getGravity(): Vec2;
   getGravity<T extends NumberSink>(dst: T): T;
   getGravity<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.gravityX, this.gravityY, dst);
+    return vec2(this.gravityX, this.gravityY, 'World.getGravity', dst);
   }
 
   /** Sets the gravity, m/s². Wakes everything if changed. */
@@ -243,14 +243,14 @@ export class World extends WorldState {
   shapeQuery(shape: Shape, store: Shape[]): number {
     const where = 'World.shapeQuery';
     bodyOf(where, 'shape', shape);
-    sink(where, 'store', store);
+    list(where, 'store', store);
     return put(shapesMeeting(this, shape), store);
   }
 
   /**
    * The nearest surface that a ray meets at a factor below `ray.maxFactor`, or `null`. A ray that starts inside a shape meets it where it leaves it,
-   * unless `ignoreInnerSurfaces`. `callback` is asked about each hit that is nearer than those before, by an object that is used again; unless it
-   * returns `true` the shape is left out. It must not change the world.
+   * unless `ignoreInnerSurfaces`. `callback` is asked about each hit that is nearer than those before, by an object that is used again; if it
+   * returns nothing or `false` the shape is left out. It must not change the world.
    */
   rayCast(
     ray: Ray,
@@ -270,14 +270,15 @@ export class World extends WorldState {
     const where = 'World.rayCastAll';
     checkedRay(where, ray);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
-    sink(where, 'store', store);
+    list(where, 'store', store);
     return put(castRayThrough(this, ray, ignoreInnerSurfaces), store);
   }
 
   /**
    * Sweeps a shape with its body's velocities for `deltaTime` seconds (> 0) against everything else in the world, which stands still: the first hit, or
    * `null`. What touches at the start, and other shapes of the body, are left out; the body may be in any world or none, and stays as it
-   * is. `factor` is the time of the hit, s; `callback` as in `rayCast`.
+   * is. `factor` is the time of the hit, s; `callback` as in `rayCast`. What turns more than some three hundred times while it is within reach of another shape
+   * is given up there.
    */
   convexCast(
     shape: Shape,
@@ -367,20 +368,20 @@ export class World extends WorldState {
 
   private atPoint(where: string, point: Vec2Like, store: unknown): Shape[] {
     vector(where, 'point', point, 2);
-    sink(where, 'store', store);
+    list(where, 'store', store);
     return shapesAtPoint(this, point);
   }
 
   private inCircle(where: string, center: Vec2Like, radius: number, store: unknown): Shape[] {
     vector(where, 'center', center, 2);
     positiveOrInfinite(where, 'radius', radius);
-    sink(where, 'store', store);
+    list(where, 'store', store);
     return shapesInCircle(this, center, radius);
   }
 
   private inRectangle(where: string, rectangle: RectLike, store: unknown): Shape[] {
     numbers(where, 'rectangle', rectangle, 4);
-    sink(where, 'store', store);
+    list(where, 'store', store);
     return shapesInRectangle(this, rectangle);
   }
 

@@ -5,9 +5,9 @@ import {
   checkedRay,
   instance,
   integer,
+  list,
   nonNegative,
   optional,
-  sink,
   typeError,
   vector,
 } from '../validate.js';
@@ -85,7 +85,11 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     if (externalNode.boxTreeIndex !== undefined) {
       throw typeError('BoxTree.add', 'externalNode', 'an object that is in no tree', externalNode);
     }
-    writeIndex('BoxTree.add', externalNode, NONE);
+    this.enter('BoxTree.add', externalNode, extents);
+  }
+
+  private enter(where: string, externalNode: T, extents: RectLike): void {
+    writeIndex(where, externalNode, NONE);
     externalNode.boxTreeIndex = this.tree.insert(externalNode, extents);
     this.changed();
   }
@@ -95,7 +99,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     checkNode('BoxTree.update', externalNode);
     checkRect('BoxTree.update', extents, 'extents');
     if (externalNode.boxTreeIndex === undefined) {
-      this.add(externalNode, extents);
+      this.enter('BoxTree.update', externalNode, extents);
       return;
     }
     this.checkMember('BoxTree.update', externalNode);
@@ -361,7 +365,7 @@ function writeIndex(where: string, externalNode: BoxTreeExternalNode, index: num
 
 /** Where to begin to write to an array: where told, or at its end. */
 function checkedStart(where: string, name: string, out: ArrayLike<unknown>, startIndex: number | undefined): number {
-  sink(where, name, out);
+  list(where, name, out);
   return integer(where, 'startIndex', optional(startIndex, out.length), 0);
 }
 

@@ -1,6 +1,13 @@
 import type { RectLike } from '../math/vectors.js';
 import { boolean, callable } from '../validate.js';
-import { type Broadphase, type BroadphaseHandle, checkRect } from './broadphase.js';
+import {
+  type Broadphase,
+  type BroadphaseFilter,
+  type BroadphaseHandle,
+  checkFilter,
+  checkRect,
+  UNFILTERED,
+} from './broadphase.js';
 
 /** A handle of {@link SweepAndPrune}. */
 class SweepHandle<T> implements BroadphaseHandle<T> {
@@ -116,9 +123,16 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   private readonly moving = new SweepList<T>();
   private readonly still = new SweepList<T>();
 
-  insert(data: T, bounds: RectLike, isStatic: boolean, group: unknown = {}): BroadphaseHandle<T> {
+  insert(
+    data: T,
+    bounds: RectLike,
+    isStatic: boolean,
+    group: unknown = {},
+    filter: BroadphaseFilter = UNFILTERED,
+  ): BroadphaseHandle<T> {
     checkRect('SweepAndPrune.insert', bounds);
     boolean('SweepAndPrune.insert', 'isStatic', isStatic);
+    checkFilter('SweepAndPrune.insert', filter);
     const handle = new SweepHandle(data, isStatic, group);
     handle.set(bounds);
     this.listOf(handle).add(handle);

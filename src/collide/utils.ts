@@ -37,9 +37,9 @@ export class CollisionUtils {
     const where = 'CollisionUtils.signedDistance';
     const { x, y } = bodyOf(where, 'shapeA', shapeA);
     bodyOf(where, 'shapeB', shapeB);
-    sink(where, 'witnessA', witnessA);
-    sink(where, 'witnessB', witnessB);
-    sink(where, 'axis', axis);
+    sink(where, 'witnessA', witnessA, 2);
+    sink(where, 'witnessB', witnessB, 2);
+    sink(where, 'axis', axis, 2);
     const distance = gapBetween(shapeA, shapeB);
     witnessA[0] = x + distance.ax;
     witnessA[1] = y + distance.ay;
@@ -66,7 +66,7 @@ export class CollisionUtils {
     const where = 'CollisionUtils.rayTest';
     const { x, y } = bodyOf(where, 'shape', shape);
     const { origin, direction, maxFactor } = checkedRay(where, ray);
-    sink(where, 'normal', normal);
+    sink(where, 'normal', normal, 2);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
     const scale = Math.max(Math.abs(direction[0]!), Math.abs(direction[1]!));
     test.ox = origin[0]! - x;
@@ -85,7 +85,8 @@ export class CollisionUtils {
 
   /**
    * When two shapes that move with their bodies' velocities first touch, s; 0 if they do, `undefined` if not before `deltaTime` seconds (> 0). Writes
-   * the unit normal from A to B, and the point in the middle between the surfaces at that time.
+   * the unit normal from A to B, and the point in the middle between the surfaces at that time. What turns more than some three hundred times while it is
+   * within reach of the other shape is given up.
    */
   sweepTest(
     shapeA: Shape,
@@ -98,8 +99,8 @@ export class CollisionUtils {
     const a = bodyOf(where, 'shapeA', shapeA);
     const b = bodyOf(where, 'shapeB', shapeB);
     positive(where, 'deltaTime', deltaTime);
-    sink(where, 'point', point);
-    sink(where, 'normal', normal);
+    sink(where, 'point', point, 2);
+    sink(where, 'normal', normal, 2);
     sweep.a.start(shapeA, a, a);
     sweep.b.start(shapeB, b, a);
     const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, deltaTime);

@@ -285,7 +285,7 @@ export abstract class BaseConstraint {
         w += given[3 * k + 2]!;
       }
     });
-    return vec3(x, y, w, dst);
+    return vec3(x, y, w, 'Constraint.getImpulseForBody', dst);
   }
 
   /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes silently otherwise. */

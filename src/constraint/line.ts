@@ -41,7 +41,7 @@ export class LineConstraint extends BoundedConstraint {
   getAxis(): Vec2;
   getAxis<T extends NumberSink>(dst: T): T;
   getAxis<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.axisX, this.axisY, dst);
+    return vec2(this.axisX, this.axisY, 'LineConstraint.getAxis', dst);
   }
 
   /** Sets the direction, body A coordinates, of any length; a zero vector is ignored. */

@@ -63,7 +63,7 @@ export class PulleyConstraint extends BoundedConstraint {
   getAnchorC(): Vec2;
   getAnchorC<T extends NumberSink>(dst: T): T;
   getAnchorC<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.anchors[4]!, this.anchors[5]!, dst);
+    return vec2(this.anchors[4]!, this.anchors[5]!, 'PulleyConstraint.getAnchorC', dst);
   }
 
   /** Sets the anchor on body C, in its coordinates, m. */
@@ -75,7 +75,7 @@ export class PulleyConstraint extends BoundedConstraint {
   getAnchorD(): Vec2;
   getAnchorD<T extends NumberSink>(dst: T): T;
   getAnchorD<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.anchors[6]!, this.anchors[7]!, dst);
+    return vec2(this.anchors[6]!, this.anchors[7]!, 'PulleyConstraint.getAnchorD', dst);
   }
 
   /** Sets the anchor on body D, in its coordinates, m. */

@@ -91,7 +91,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   getAnchorA(): Vec2;
   getAnchorA<T extends NumberSink>(dst: T): T;
   getAnchorA<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.anchors[0]!, this.anchors[1]!, dst);
+    return vec2(this.anchors[0]!, this.anchors[1]!, 'Constraint.getAnchorA', dst);
   }
 
   /** Sets the anchor on body A, in its coordinates, m. */
@@ -103,7 +103,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   getAnchorB(): Vec2;
   getAnchorB<T extends NumberSink>(dst: T): T;
   getAnchorB<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.anchors[2]!, this.anchors[3]!, dst);
+    return vec2(this.anchors[2]!, this.anchors[3]!, 'Constraint.getAnchorB', dst);
   }
 
   /** Sets the anchor on body B, in its coordinates, m. */

@@ -149,7 +149,7 @@ export class Arbiter {
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
     normalAtEnd(this);
-    return vec2(atEnd.nx, atEnd.ny, dst);
+    return vec2(atEnd.nx, atEnd.ny, 'Arbiter.getNormal', dst);
   }
 
   /** N·m·s of the latest step; 0 unless a circle is involved. */
@@ -164,10 +164,10 @@ export class Arbiter {
     instance('Arbiter.getImpulseForBody', 'body', body, RigidBody, 'a RigidBody');
     const sign = body === this.bodyA ? -1 : body === this.bodyB ? 1 : 0;
     if (sign === 0 || !this.active) {
-      return vec3(0, 0, 0, dst);
+      return vec3(0, 0, 0, 'Arbiter.getImpulseForBody', dst);
     }
     this.sumImpulses(sign);
-    return vec3(sum[0]!, sum[1]!, sum[2]!, dst);
+    return vec3(sum[0]!, sum[1]!, sum[2]!, 'Arbiter.getImpulseForBody', dst);
   }
 
   /** Of this step, to `sum`: what body B (`sign` 1) or A (−1) got. */

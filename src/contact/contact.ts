@@ -36,7 +36,7 @@ export class Contact {
   getPosition<T extends NumberSink>(dst: T): T;
   getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
     pointAtEnd(this.arbiter, this.which);
-    return vec2(atEnd.x, atEnd.y, dst);
+    return vec2(atEnd.x, atEnd.y, 'Contact.getPosition', dst);
   }
 
   /** m; negative where the surfaces are apart. */

@@ -25,14 +25,14 @@ export class Hit {
   getPosition(): Vec2;
   getPosition<T extends NumberSink>(dst: T): T;
   getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.point[0], this.point[1], dst);
+    return vec2(this.point[0], this.point[1], 'Hit.getPosition', dst);
   }
 
   /** Unit vector from `arbiter.shapeA` towards `arbiter.shapeB`, along which the impulse was given. */
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.normal[0], this.normal[1], dst);
+    return vec2(this.normal[0], this.normal[1], 'Hit.getNormal', dst);
   }
 
   /** @internal copies what the step made of the collision, which handlers may change */
@@ -50,10 +50,10 @@ export class Hit {
       x += share * (this.point[0] - x);
       y += share * (this.point[1] - y);
     }
-    vec2(x, y, this.point);
+    vec2(x, y, '', this.point);
     const nx = arbiter.numbers[arbiter.at + g.NX]!;
     const ny = arbiter.numbers[arbiter.at + g.NY]!;
-    vec2(nx, ny, this.normal);
+    vec2(nx, ny, '', this.normal);
     const [jx, jy] = arbiter.getImpulseForBody(arbiter.bodyB);
     this.given = Math.max(0, nx * jx + ny * jy);
   }

@@ -100,8 +100,10 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   span.height = separation + p.offsets[edge]!;
   findLevel(q);
   const { along } = span;
-  const isApart = separation > LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!));
-  if (isApart && (along < start || along > end)) {
+  const level = LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!));
+  // Of long needles the tips may be far apart where one lies hardly above the other's edge, produced.
+  const slack = separation > level ? 0 : separation > 0 ? level : Infinity;
+  if (along < start - slack || along > end + slack) {
     return false;
   }
   const side = ofB ? -1 : 1;

@@ -113,6 +113,9 @@ export class Sweep {
   cautious = false;
 }
 
+/** By what share of its time a meeting of circles is reckoned too early. */
+const SHORT = 1e-9;
+
 /** Of a way, by how much its end may be off by rounding. */
 const ROUNDING = 4 * Number.EPSILON;
 
@@ -208,9 +211,45 @@ export function findImpact(sweep: Sweep): boolean {
   return findNext(sweep);
 }
 
+/**
+ * Goes on to where the circles around both shapes meet, however they turn: else a shape that turns often on a long way would be looked at for each turn. @returns whether they do.
+ */
+function comeNear(sweep: Sweep): boolean {
+  const { a, b, time } = sweep;
+  const x = b.outline.x - a.outline.x;
+  const y = b.outline.y - a.outline.y;
+  const vx = b.vx - a.vx;
+  const vy = b.vy - a.vy;
+  const speed = Math.sqrt(vx * vx + vy * vy);
+  const reach = sweep.target + sweep.tolerance + a.outline.radius + b.outline.radius + a.reach + b.reach;
+  const near = reach + ROUNDING * (Math.abs(x) + Math.abs(y));
+  if (!(near > 0 && speed > 0)) {
+    return true;
+  }
+  // Of the middle of B, seen from A's: how far aside of the way of A it lies, and how far ahead.
+  const aside = (x * vy - y * vx) / speed;
+  const ahead = -(x * vx + y * vy) / speed;
+  if (Math.abs(aside) > near) {
+    return false;
+  }
+  const half = Math.sqrt(near * near - aside * aside);
+  const safe = ((ahead - half) / speed) * (1 - SHORT);
+  if (ahead + half < 0 || safe >= sweep.most - time) {
+    return false;
+  }
+  if (safe > 0 && (a.w !== 0 || b.w !== 0)) {
+    sweep.time = time + safe;
+    look(sweep, false);
+  }
+  return true;
+}
+
 /** The same from where the sweep is, for another target. */
 export function findNext(sweep: Sweep): boolean {
   const { a, b, cautious, distance, most } = sweep;
+  if (!cautious && !comeNear(sweep)) {
+    return false;
+  }
   const enough = sweep.target + sweep.tolerance;
   // m/s. How much less sure places are of which they come nearer to each other from far away.
   const blur = ROUNDING * (Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy));

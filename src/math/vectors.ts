@@ -1,4 +1,4 @@
-import { sink } from '../validate.js';
+import { holdsNumbers, noSink } from '../validate.js';
 
 /** Two numbers `[x, y]`: any array, tuple or typed array with at least two. Read at once, never kept. */
 export type Vec2Like = ArrayLike<number>;
@@ -34,25 +34,39 @@ export type Vec3 = [number, number, number];
 /** A rectangle as getters create it: `[minX, minY, maxX, maxY]`, m. */
 export type Rect = [number, number, number, number];
 
-/** Stores two numbers into `dst` and returns it; without `dst` makes a new array. */
-export function vec2<T extends NumberSink>(x: number, y: number, dst: T | undefined): T | Vec2 {
+/** Stores two numbers into `dst` and returns it; without `dst` makes a new array. `where` is the function to name in errors. */
+export function vec2<T extends NumberSink>(x: number, y: number, where: string, dst: T | undefined): T | Vec2 {
   if (dst === undefined) {
     return [x, y];
   }
-  sink('get…', 'dst', dst);
-  dst[0] = x;
-  dst[1] = y;
+  if (!holdsNumbers(dst, 2)) throw noSink(where, 'dst', dst, 2);
+  try {
+    dst[0] = x;
+    dst[1] = y;
+  } catch {
+    throw noSink(where, 'dst', dst, 2);
+  }
   return dst;
 }
 
 /** Stores three numbers into `dst` and returns it; without `dst` makes a new array. */
-export function vec3<T extends NumberSink>(x: number, y: number, w: number, dst: T | undefined): T | Vec3 {
+export function vec3<T extends NumberSink>(
+  x: number,
+  y: number,
+  w: number,
+  where: string,
+  dst: T | undefined,
+): T | Vec3 {
   if (dst === undefined) {
     return [x, y, w];
   }
-  sink('get…', 'dst', dst);
-  dst[0] = x;
-  dst[1] = y;
-  dst[2] = w;
+  if (!holdsNumbers(dst, 3)) throw noSink(where, 'dst', dst, 3);
+  try {
+    dst[0] = x;
+    dst[1] = y;
+    dst[2] = w;
+  } catch {
+    throw noSink(where, 'dst', dst, 3);
+  }
   return dst;
 }

@@ -63,7 +63,7 @@ export class Circle extends BaseShape {
   getOrigin(): Vec2;
   getOrigin<T extends NumberSink>(dst: T): T;
   getOrigin<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.originX, this.originY, dst);
+    return vec2(this.originX, this.originY, 'Circle.getOrigin', dst);
   }
 
   /** Sets the centre in body coordinates, m. Ignored as `setRadius` is. Wakes the body if changed. */
@@ -88,7 +88,7 @@ export class Circle extends BaseShape {
   override computeCenterOfMass(): Vec2;
   override computeCenterOfMass<T extends NumberSink>(dst: T): T;
   override computeCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.originX, this.originY, dst);
+    return vec2(this.originX, this.originY, 'Circle.computeCenterOfMass', dst);
   }
 
   override clone(): this {

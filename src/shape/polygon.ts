@@ -167,7 +167,7 @@ export class Polygon extends BaseShape {
   override computeCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
     const centre: Vec2 = [0, 0];
     polygonCentre(this.vertices, centre);
-    return vec2(centre[0], centre[1], dst);
+    return vec2(centre[0], centre[1], 'Polygon.computeCenterOfMass', dst);
   }
 
   override clone(): this {
@@ -239,7 +239,8 @@ export class Polygon extends BaseShape {
       mapped[i] = m[0]! * x + m[2]! * y + m[4]!;
       mapped[i + 1] = m[1]! * x + m[3]! * y + m[5]!;
     }
-    if (!mapped.every((value) => Math.abs(value) <= MAX_SIZE) || repeatedVertex(mapped) >= 0) {
+    const isRight = mapped.every((value) => Math.abs(value) <= MAX_SIZE) && repeatedVertex(mapped) < 0;
+    if (!isRight || !(polygonArea(mapped) > 0)) {
       return false;
     }
     this.takeVertices(mapped);

@@ -214,7 +214,7 @@ export abstract class BaseShape {
    * Scales about the body origin. A circle uses `scaleX` alone. Nothing happens for factors ≤ 0, during a step, or for a
    * static body in a world. Wakes the body.
    *
-   * @throws RangeError, as `translate`, `rotate` and `transform`, if corners would coincide or be farther than 1e75 m from the body origin.
+   * @throws RangeError, as `translate`, `rotate` and `transform`, if corners would coincide, no area were left, or a corner were farther than 1e75 m from the body origin.
    */
   scale(scaleX: number, scaleY: number = scaleX): void {
     finite('Shape.scale', 'scaleX', scaleX);
@@ -222,7 +222,10 @@ export abstract class BaseShape {
     if (this.isLocked() || scaleX <= 0 || (this.type === 'POLYGON' && scaleY <= 0)) {
       return;
     }
-    this.map('Shape.scale', 'scaleX', scaleX, [scaleX, 0, 0, this.type === 'POLYGON' ? scaleY : scaleX, 0, 0]);
+    const other = this.type === 'POLYGON' ? scaleY : scaleX;
+    // The one that does more is to blame.
+    const isOther = Math.max(other, 1 / other) > Math.max(scaleX, 1 / scaleX);
+    this.map('Shape.scale', isOther ? 'scaleY' : 'scaleX', isOther ? other : scaleX, [scaleX, 0, 0, other, 0, 0]);
   }
 
   /** Moves the shape within its body. Ignored during a step and for a static body in a world. Wakes the body. */
@@ -259,7 +262,7 @@ export abstract class BaseShape {
 
   private map(where: string, name: string, value: unknown, matrix: ArrayLike<number>): void {
     if (!this.mapGeometry(matrix)) {
-      throw rangeError(where, name, `one that leaves points apart, and within ${MAX_SIZE} m`, value);
+      throw rangeError(where, name, `one that leaves points apart, an area, and all within ${MAX_SIZE} m`, value);
     }
     this.geometryChanged();
   }

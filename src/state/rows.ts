@@ -151,9 +151,8 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   tape.require(stored.length >= 6 && stored.length % 2 === 0);
   const isOther = stored !== vertices;
   if (isOther && !tape.takes) {
-    // Not convexity, which stretching may lose to rounding; about the first vertex, as areas far from the origin are lost to it, too.
-    const area = polygonArea(stored.map((value, i) => value - stored[i & 1]!));
-    tape.require(area > 0 && repeatedVertex(stored) < 0);
+    // Not convexity, which stretching may lose to rounding.
+    tape.require(polygonArea(stored) > 0 && repeatedVertex(stored) < 0);
   }
   if (tape.takes) {
     if (isOther) polygon.takeVertices(stored);

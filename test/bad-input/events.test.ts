@@ -84,7 +84,11 @@ describe('arbiters', () => {
     ] as Bad[]) {
       refuses((value) => arbiter.getImpulseForBody(value), 'Arbiter.getImpulseForBody', 'body', bad);
     }
-    expect(() => arbiter.getNormal(null as never)).toThrow('dst must be an array to write into, got null');
-    expect(() => arbiter.contacts[0]!.getPosition(5 as never)).toThrow('dst must be an array to write into, got 5');
+    expect(() => arbiter.getNormal(null as never)).toThrow(
+      'Arbiter.getNormal: dst must be an array to write 2 numbers',
+    );
+    expect(() => arbiter.contacts[0]!.getPosition(5 as never)).toThrow(
+      'Contact.getPosition: dst must be an array to write 2 numbers into, got 5',
+    );
   });
 });

@@ -145,3 +145,36 @@ describe('distance', () => {
     near(out.value, signedDistance(...forms), 1e-12);
   });
 });
+
+describe('needles', () => {
+  it.each([
+    [1e6, 2, 0.1],
+    [1e5, 2, 5e-3],
+    [1e3, 2e-3, 1e-3],
+    [1e3, 2e-2, 1e-4],
+  ])('of %d m by %d m, whose tips are %d m apart, are as far apart', (length, width, gap) => {
+    const needle = (x: number, to: number) =>
+      phys2D.createRigidBody({
+        shapes: [
+          phys2D.createPolygonShape({
+            vertices: [
+              [x, 0],
+              [to, -width / 2],
+              [to, width / 2],
+            ],
+          }),
+        ],
+      });
+    const [a, b] = [needle(0, -length), needle(gap, gap + length)];
+    const utils = phys2D.createCollisionUtils();
+    const [onA, onB, axis]: [number[], number[], number[]] = [[], [], []];
+    expect(utils.signedDistance(a.shapes[0]!, b.shapes[0]!, onA, onB, axis)).toBeCloseTo(gap, 12);
+    expect([...onA, ...onB, ...axis]).toEqual([0, 0, gap, 0, 1, 0]);
+    const disc = phys2D.createRigidBody({
+      position: [gap, 0],
+      shapes: [phys2D.createCircleShape({ radius: gap / 2 })],
+    });
+    expect(utils.intersects(a.shapes[0]!, disc.shapes[0]!)).toBe(false);
+    expect(utils.signedDistance(disc.shapes[0]!, a.shapes[0]!, onA, onB, axis)).toBeCloseTo(gap / 2, 12);
+  });
+});

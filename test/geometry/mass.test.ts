@@ -50,3 +50,25 @@ it.each(POLYGONS.map((polygon) => [polygon.length, polygon] as const))('of a pol
   expect(centre[0]).toBeCloseTo(sum((part) => part.area * part.x) / area, 10);
   expect(centre[1]).toBeCloseTo(sum((part) => part.area * part.y) / area, 10);
 });
+
+it.each([1e3, 1e5, 1e7])('of a polygon that is %d m away, as of one at hand', (distance) => {
+  // Of numbers that a shift by a power of two keeps to the bit.
+  const far = 2 ** Math.round(Math.log2(distance));
+  for (const [x, y] of [
+    [far, 0],
+    [0, -far],
+    [-far, far],
+  ] as const) {
+    for (const polygon of POLYGONS) {
+      const corners = polygon.flatMap(([px, py]) => [px / 8, py / 8]);
+      const moved = corners.map((value, i) => value + (i % 2 === 0 ? x : y));
+      const [here, there]: [number[], number[]] = [[], []];
+      polygonCentre(corners, here);
+      polygonCentre(moved, there);
+      expect(Math.abs(polygonArea(moved) / polygonArea(corners) - 1)).toBeLessThan(1e-12);
+      expect(Math.hypot(there[0]! - x - here[0]!, there[1]! - y - here[1]!)).toBeLessThan(4 * far * Number.EPSILON);
+      const steiner = polygonMasslessInertia(corners) + 2 * (x * here[0]! + y * here[1]!) + x * x + y * y;
+      expect(Math.abs(polygonMasslessInertia(moved) / steiner - 1)).toBeLessThan(1e-14);
+    }
+  }
+});

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { CastResult, Shape } from '../../src/index.js';
-import { add, near, plainBody, weightless } from '../conformance/setting.js';
+import { type CastResult, phys2D, type Shape } from '../../src/index.js';
+import { add, box, near, plainBody, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
 import { type Form, gapAlong, signedDistance } from '../geometry/reference.js';
 import { Scene } from './scene.js';
@@ -184,5 +184,29 @@ describe('convex casts', () => {
       const what = `${velocity} m/s, ${spin} rad/s`;
       expect(found && Number(found.factor.toPrecision(6)), what).toBe(wanted);
     }
+  });
+});
+
+describe('a shape that turns many times on its way', () => {
+  it.each([
+    [1, 1000],
+    [1, 5000],
+    [0.1, 300],
+    [20, 1e5],
+  ])('at %d m/s and %d rad/s meets the wall', (speed, spin) => {
+    const world = weightless();
+    add(world, phys2D.createRigidBody({ type: 'static', position: [10, 0], shapes: [box(1, 4)] }));
+    const shape = box(1, 1);
+    const body = phys2D.createRigidBody({ shapes: [shape], velocity: [speed, 0], angularVelocity: spin });
+    const hit = world.convexCast(shape, 20 / speed)!;
+    // At the latest when its inscribed circle would, and no sooner than the one around it.
+    expect(hit.factor * speed).toBeGreaterThan(9.5 - Math.SQRT1_2 - 1e-6);
+    expect(hit.factor * speed).toBeLessThan(9.5 - Math.SQRT1_2 + 0.01);
+    expect(hit.hitNormal[0]).toBe(-1);
+    // And one that passes it does not.
+    body.setPosition([0, 2 + Math.SQRT1_2 + 1e-3]);
+    expect(world.convexCast(shape, 20 / speed)).toBeNull();
+    body.setPosition([20, 0]);
+    expect(world.convexCast(shape, 20 / speed)).toBeNull();
   });
 });

@@ -95,3 +95,40 @@ describe('equal polygons', () => {
     expect(Object.is(minus!.vertices[1], -0)).toBe(true);
   });
 });
+
+describe('a polygon far from the origin of its body', () => {
+  it('is taken as it is, and has an area, a centre and a mass, which lies in the origin when it is aligned', () => {
+    for (const far of [1e4, 1e6, 1e8]) {
+      const vertices = phys2D.createRectangleVertices(far, -far, far + 1, 0.5 - far);
+      const shape = phys2D.createPolygonShape({ vertices });
+      const body = phys2D.createRigidBody({ shapes: [shape] });
+      expect(shape.computeArea()).toBe(0.5);
+      expect(body.computeLocalCenterOfMass()).toEqual([far + 0.5, 0.25 - far]);
+      body.alignWithOrigin();
+      expect(body.computeLocalCenterOfMass()).toEqual([0, 0]);
+      expect(body.getMass()).toBe(0.5);
+      expect(body.getInertia()).toBeCloseTo((0.5 * (1 + 0.25)) / 12, 12);
+    }
+  });
+
+  it('is refused where rounding leaves no area', () => {
+    const shape = phys2D.createPolygonShape({
+      vertices: [
+        [0, 0],
+        [1, 0],
+        [0.5, 1e-3],
+      ],
+    });
+    const rule = 'must be one that leaves points apart, an area, and all within 1e+75 m';
+    expect(() => shape.translate([0, 1e14])).toThrow(`Shape.translate: translation ${rule}`);
+    expect(() => shape.transform([1, 1, 1, 1 + 2 ** -52, 0, 0])).toThrow(`Shape.transform: matrix ${rule}`);
+    expect(shape.computeArea()).toBeCloseTo(5e-4, 12);
+  });
+
+  it('names the factor that stretches it too far', () => {
+    const shape = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 1) });
+    expect(() => shape.scale(1, 1e80)).toThrow('Shape.scale: scaleY must be one that');
+    expect(() => shape.scale(1e-12, 1)).toThrow('Shape.scale: scaleX must be one that');
+    expect(() => shape.scale(2, 1e-12)).toThrow('scaleY');
+  });
+});
