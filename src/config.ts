@@ -139,6 +139,15 @@ export const EASE_STEPS = 16;
 /** Joints that hang together start with so many, and one less in each sub-step, if most of them carried nothing yet: a net of 40 × 40 gapes 7 mm instead of 13. */
 export const NEW_JOINT_SWEEPS = 32;
 
+/**
+ * Joints are swept over to and fro where one body does more of what all its joints ask for, in some direction, than so many bodies would do all of one each. Equal discs of a net do 2; where
+ * it is 2.7, be it of three spokes or of twelve, a wheel at rest gets turning by itself.
+ */
+export const HUB_SHARE = 2.5;
+
+/** Large nets are looked at for hubs once in so many steps. */
+export const WEIGH_STEPS = 8;
+
 /** Of more sweeps than one, so many of positions for each of velocities. With 3, errors outside of the part that is swept over may grow for ever. */
 export const JOINT_PUSHES = 2;
 

@@ -78,6 +78,12 @@ export class Group {
   error = 0;
   /** … and of the largest that the first position iteration found. */
   pushed = 0;
+  /** Some body has three joints of it or more … */
+  branches = false;
+  /** … which was not looked at yet … */
+  isNew = false;
+  /** … and is a hub, so that all are swept over to and fro: see `joint-hubs.ts`. */
+  toAndFro = false;
   /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once … */
   isBeside = false;
   /** … of the first of them, the other one, which comes next. */
@@ -114,6 +120,8 @@ export class JointData implements Keeper {
   parts = 1;
   /** In this step what touches something may be swept over once less. */
   eases = false;
+  /** … and large groups are looked at for hubs. */
+  weighs = false;
   /** Squares: the worst error of a group so far in this sweep or at the start of the sub-step, of rigid point joints by whether their slots are even or odd … */
   readonly worst = new Float64Array(2);
   /** … and the error from which on a joint is strained … */

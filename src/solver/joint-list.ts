@@ -1,4 +1,5 @@
-import { KINEMATIC } from '../body-kind.js';
+import type { RigidBody } from '../body.js';
+import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEEPS } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
@@ -50,6 +51,8 @@ export function allot(data: JointData): void {
     const isCareful = data.joints.slice(group.start, group.end).some(({ constraint }) => constraint.breakUnderForce);
     group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
     group.sweeps = isCareful || !isNew(data, group) ? 1 : NEW_JOINT_SWEEPS;
+    group.branches = branches(data, group);
+    group.isNew = group.branches;
   }
   allotSlots(data);
   if (data.records.length < data.size) {
@@ -58,6 +61,17 @@ export function allot(data: JointData): void {
   if (data.bodies.length < data.members) {
     data.bodies = new Int32Array(2 * data.members);
   }
+}
+
+/** Some body that can move has three joints or more. */
+function branches({ joints }: JointData, { start, end }: Group): boolean {
+  const counts = new Map<RigidBody, number>();
+  for (const { constraint } of joints.slice(start, end)) {
+    for (const body of new Set(constraint.members)) {
+      counts.set(body, (counts.get(body) ?? 0) + (body.kind === DYNAMIC ? 1 : 0));
+    }
+  }
+  return [...counts.values()].some((count) => count > 2);
 }
 
 /** Gives rigid point joints their records for a step. Side by side lie no two that share a body. */
@@ -97,9 +111,10 @@ function allotRun(data: JointData, { start, end }: Run): void {
   data.slots += data.slots & 1;
 }
 
-/** One run of rigid point joints, solved one by one. */
-function isChain({ joints }: JointData, { start, end, runs }: Group): boolean {
-  return end - start >= FEWEST_BESIDE && runs.length === 1 && runs[0]!.kernel === POINT && !joints[start]!.isPaired;
+/** One run of rigid point joints, solved one by one, without branches. */
+function isChain({ joints }: JointData, { start, end, runs, branches }: Group): boolean {
+  const isOneRun = runs.length === 1 && runs[0]!.kernel === POINT;
+  return end - start >= FEWEST_BESIDE && isOneRun && !branches && !joints[start]!.isPaired;
 }
 
 /** Of as many joints, and what moves by its own will does not hang on two that would lie side by side. */

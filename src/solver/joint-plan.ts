@@ -1,4 +1,5 @@
 import {
+  FEW_JOINTS,
   JOINT_CALM,
   JOINT_REST_ERROR,
   JOINT_SNAP,
@@ -11,6 +12,7 @@ import {
 } from '../config.js';
 import type { SolverData } from './data.js';
 import { type Group, hasCallbacks } from './joint-data.js';
+import { hasHub } from './joint-hubs.js';
 import { POINT } from './joint-layout.js';
 import { steady } from './joint-numbers.js';
 import { findStrained } from './point-joints.js';
@@ -32,6 +34,7 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   }
   if (isFirst) {
     settle(data, group);
+    weigh(data, group);
   }
   limitMomentum(data, group, isFirst);
   planSweeps(data, group, isFirst && eases);
@@ -43,6 +46,15 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
     if (kernel === POINT && isStrained) {
       findStrained(data, start, end);
     }
+  }
+}
+
+/** Whether it has a hub: looked at once in a while where joints are many. */
+function weigh(data: SolverData, group: Group): void {
+  const isDue = data.joints.weighs || group.isNew || group.end - group.start <= FEW_JOINTS;
+  if (group.branches && isDue) {
+    group.toAndFro = hasHub(data, group);
+    group.isNew = false;
   }
 }
 
@@ -88,6 +100,9 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
   const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+  if (group.toAndFro) {
+    group.sweeps = Math.max(2, group.sweeps - (group.sweeps & 1));
+  }
   if (after > first) {
     const margin = JOINT_SWEEP_MARGIN * (after - first);
     group.from = first - margin;

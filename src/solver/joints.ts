@@ -1,4 +1,4 @@
-import { EASE_STEPS, JOINT_FAR, JOINT_PUSHES } from '../config.js';
+import { EASE_STEPS, JOINT_FAR, JOINT_PUSHES, WEIGH_STEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -33,6 +33,9 @@ import { pushRows, solveVelocityRows } from './row-joints.js';
 import { breakOff } from './ties.js';
 import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
 
+/** Whether custom constraints have something left for another position iteration. */
+const left = { found: false };
+
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
   const data = world.solver;
@@ -49,6 +52,7 @@ function packJoints(world: World, h: number): void {
     data.makeRoomForPoints(joints.slots);
   }
   joints.eases = world.timeStamp % EASE_STEPS === 0;
+  joints.weighs = world.timeStamp % WEIGH_STEPS === 0;
   if (joints.runs.length > 0) {
     packPoses(world);
   }
@@ -174,11 +178,14 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
 /** Solves a part of a run. @returns whether it was worth another sweep. */
 type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
 
-/** One sweep: over all joints of a group, or over those that are strained and near that. */
-function sweepOver(data: SolverData, group: Group, isWhole: boolean, solve: Solve): boolean {
-  const { runs } = group;
-  const from = isWhole ? group.start : group.from;
-  const to = isWhole ? group.end : group.to;
+/** The sweep of that number: over all joints of a group, or over those that are strained and near that; to and fro it is over all. */
+function sweepOver(data: SolverData, group: Group, sweep: number, isWhole: boolean, solve: Solve): boolean {
+  const { runs, toAndFro } = group;
+  if (toAndFro && sweep % 2 === 1) {
+    return sweepBack(data, runs, solve);
+  }
+  const from = isWhole || toAndFro ? group.start : group.from;
+  const to = isWhole || toAndFro ? group.end : group.to;
   let found = false;
   for (let k = 0; k < runs.length; k += 1) {
     const { kernel, start, end } = runs[k]!;
@@ -189,10 +196,22 @@ function sweepOver(data: SolverData, group: Group, isWhole: boolean, solve: Solv
   return found;
 }
 
+/** From the last joint to the first. */
+function sweepBack(data: SolverData, runs: readonly Run[], solve: Solve): boolean {
+  let found = false;
+  for (let n = runs.length - 1; n >= 0; n -= 1) {
+    const { kernel, start, end } = runs[n]!;
+    for (let k = end - 1; k >= start; k -= 1) {
+      found = solve(data, kernel, k, k + 1) || found;
+    }
+  }
+  return found;
+}
+
 /** Velocity iteration `i` of `count`. */
 function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   const { groups } = data.joints;
-  solveVelocityCustoms(data);
+  sweepCustoms(data, i, solveVelocityBlock);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const { beside } = group;
@@ -211,7 +230,7 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
   const last = sweeps - 1;
   const after = Math.floor(((i + 1) * sweeps) / count);
   for (let sweep = Math.floor((i * sweeps) / count); sweep < after && !(isBeside && sweep === last); sweep += 1) {
-    sweepOver(data, group, sweep === last, solveVelocityRun);
+    sweepOver(data, group, sweep, sweep === last, solveVelocityRun);
   }
 }
 
@@ -230,13 +249,17 @@ function solveVelocityRun(data: SolverData, kernel: number, start: number, end: 
   return false;
 }
 
-/** Custom constraints, whose callbacks are called once in each iteration. */
-function solveVelocityCustoms(data: SolverData): void {
-  const { runs, joints } = data.joints;
-  for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
-    for (let k = start; k < end && kernel === CUSTOM; k += 1) {
-      solveVelocityBlock(data, joints[k]!);
+/** Custom constraints, whose callbacks are called once in each iteration: in iteration `i`, which those to and fro begin with the last if it is odd. */
+function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joint: Joint) => void): void {
+  const { groups, joints } = data.joints;
+  for (let g = 0; g < groups.length; g += 1) {
+    const { runs, toAndFro } = groups[g]!;
+    const isBack = toAndFro && i % 2 === 1;
+    for (let n = 0; n < runs.length; n += 1) {
+      const { kernel, start, end } = runs[isBack ? runs.length - 1 - n : n]!;
+      for (let k = start; k < end && kernel === CUSTOM; k += 1) {
+        solve(data, joints[isBack ? start + end - 1 - k : k]!);
+      }
     }
   }
 }
@@ -244,7 +267,9 @@ function solveVelocityCustoms(data: SolverData): void {
 /** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups } = data.joints;
-  let isLeft = pushCustoms(data);
+  left.found = false;
+  sweepCustoms(data, i, pushCustom);
+  let isLeft = left.found;
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     if (i === 0 && group.beside !== null) {
@@ -287,11 +312,12 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
     worst[0] = 0;
     worst[1] = 0;
-    const isOff = sweepOver(data, group, sweep === 0, isLinear ? pushFurther : pushRun);
+    const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushFurther : pushRun);
     if (!isLinear) {
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     }
-    if (!isOff) {
+    // What is swept to is swept fro, too.
+    if (!isOff && !(group.toAndFro && sweep % 2 === 0)) {
       return false;
     }
   }
@@ -334,19 +360,10 @@ function linearise(data: SolverData, { runs }: Group): void {
   }
 }
 
-function pushCustoms(data: SolverData): boolean {
-  const { runs, joints, records } = data.joints;
-  let found = false;
-  for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
-    for (let k = start; k < end && kernel === CUSTOM; k += 1) {
-      const joint = joints[k]!;
-      lineariseBlock(data, joint);
-      pushBlock(data, joint);
-      found ||= records[joint.at + PUSH] !== 0;
-    }
-  }
-  return found;
+function pushCustom(data: SolverData, joint: Joint): void {
+  lineariseBlock(data, joint);
+  pushBlock(data, joint);
+  left.found ||= data.joints.records[joint.at + PUSH] !== 0;
 }
 
 /** What share of the momentum of corrections is made. */

@@ -364,6 +364,8 @@ function keepMetAgain(tape: Tape, pair: Arbiter): void {
 export function keepGroup(tape: Tape, group: Group): void {
   tape.begins();
   group.fresh = tape.flag(group.fresh);
+  group.isNew = tape.flag(group.isNew);
+  group.toAndFro = tape.flag(group.toAndFro);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.span = tape.number(group.span);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);

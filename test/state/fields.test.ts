@@ -19,7 +19,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['near', 'foreseen', 'dead'],
-  group: ['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside'],
+  group: ['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches'],
   record: [String(APPROACH)],
 };
 
