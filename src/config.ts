@@ -148,6 +148,9 @@ export const HUB_SHARE = 2.5;
 /** Large nets are looked at for hubs once in so many steps. */
 export const WEIGH_STEPS = 8;
 
+/** Cosine of the angle by which a row may turn in a sub-step for its corrections to make momentum as if it had not. */
+export const ROW_TURN = 0.9;
+
 /** Of more sweeps than one, so many of positions for each of velocities. With 3, errors outside of the part that is swept over may grow for ever. */
 export const JOINT_PUSHES = 2;
 
@@ -293,7 +296,7 @@ export const SWEEP_TOLERANCE = 1e-6;
  */
 export const IMPACT_DEPTH = 0.05;
 
-/** IMPACT_DEPTH is no more than this share of the thickness of both shapes, so that thin ones cannot pass each other. */
+/** IMPACT_DEPTH is no more than this share of the thickness of either shape, so that thin ones cannot pass others, nor slip into them. */
 export const IMPACT_SHARE = 0.25;
 
 /** m. IMPACT_DEPTH for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */

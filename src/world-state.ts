@@ -270,7 +270,7 @@ export abstract class WorldState {
     this.told = value;
   }
 
-  /** Whether bodies at rest fall asleep by themselves. Setting it wakes everything: their delay begins anew. */
+  /** Whether bodies at rest fall asleep by themselves. A change wakes everything: their delay begins anew. */
   get allowSleeping(): boolean {
     return this.mayRest;
   }

@@ -1,4 +1,4 @@
-import { BOUND_SLOP, BREAK_STEPS, JOINT_SNAP, MIN_INVERSE_MASS } from '../config.js';
+import { BOUND_SLOP, BREAK_STEPS, JOINT_SNAP, MIN_INVERSE_MASS, ROW_TURN } from '../config.js';
 import { isCustom } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';
@@ -374,24 +374,42 @@ export function measureBlock(data: SolverData, joint: Joint): void {
   }
 }
 
+/**
+ * Whether the one row points elsewhere than at the start of the sub-step, as a short rope does that swings. Momentum along that keeps energy as long as both are about the same (RATTLE); far from
+ * it, it would make any amount, and goes along where the correction went.
+ */
+function hasTurnedFar({ joints: { records: r } }: SolverData, { at, layout }: Joint): boolean {
+  const { members, jacobian, turned } = layout;
+  let dot = 0;
+  let square = 0;
+  for (let k = 0; k < members; k += 1) {
+    const p = at + jacobian + 3 * k;
+    const t = at + turned + 3 * k;
+    dot += r[p]! * r[t]! + r[p + 1]! * r[t + 1]!;
+    square += r[p]! * r[p]! + r[p + 1]! * r[p + 1]!;
+  }
+  return dot < ROW_TURN * square;
+}
+
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
 export function finishBlock(data: SolverData, joint: Joint, share: number): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, members, push, impulse, jacobian, total, carried, given, turned } = layout;
   const carry = share * r[at + j.CARRY]!;
+  const along = rows === 1 && hasTurnedFar(data, joint) ? turned : jacobian;
   if (carry !== 0) {
-    apply(data, joint, jacobian, push, carry, false);
+    apply(data, joint, along, push, carry, false);
   }
   for (let n = 0; n < rows; n += 1) {
     const held = r[at + impulse + n]!;
     const pushed = carry * r[at + push + n]!;
-    const lambda = held + pushed;
     r[at + total + n] = r[at + total + n]! + held;
     r[at + carried + n] = r[at + carried + n]! + pushed;
     for (let k = 0; k < 3 * members; k += 1) {
       const g = at + given + k;
-      r[g] = r[g]! + r[at + jacobian + 3 * n * members + k]! * lambda;
+      const p = 3 * n * members + k;
+      r[g] = r[g]! + r[at + jacobian + p]! * held + r[at + along + p]! * pushed;
     }
   }
   if (isCustom(constraint) && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {

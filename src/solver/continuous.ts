@@ -11,7 +11,7 @@ import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import { beginSensing, strike } from './impact.js';
 import type { Meeting } from './meeting-queue.js';
-import { findMeetings, findTime, isSensed, meets } from './meetings.js';
+import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js';
 import type { Mover } from './movers.js';
 import { findNearby } from './nearby.js';
 import { squareAround } from './swept-bounds.js';
@@ -94,7 +94,7 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter): void {
     mover.goOn();
     return;
   }
-  const carrier = partner.body.kind === KINEMATIC ? partner : mover.carrier;
+  const carrier = carries(partner) ? partner : mover.carrier;
   mover.stop();
   if (carrier !== null) {
     mover.ride(carrier);

@@ -95,7 +95,7 @@ function addPoint(
   sums[at + 6] = sums[at + 6]! + w * (i11 * y * y - 2 * i12 * x * y + i22 * x * x);
 }
 
-/** One that holds nothing, between its bounds, does nothing. */
+/** One that may be held at a bound, but is not, does nothing. */
 function addTurn(
   { velocity: v, joints: { records: r, bodies } }: SolverData,
   joint: Joint,
@@ -104,8 +104,12 @@ function addTurn(
 ): boolean {
   const { at: i, first } = joint;
   const ratio = member === 0 ? 1 : r[i + j.TURN_RATIO]!;
+  const isFree = r[i + j.TURN_LOW] !== -Infinity || r[i + j.TURN_HIGH] !== Infinity;
+  if (isFree && r[i + j.TURN_IMPULSE] === 0) {
+    return false;
+  }
   sums[at + 6] = sums[at + 6]! + v[bodies[first + member]! + d.INV_INERTIA]! * ratio * ratio * r[i + j.TURN_MASS]!;
-  return r[i + j.TURN_IMPULSE] !== 0;
+  return true;
 }
 
 function addBlock(

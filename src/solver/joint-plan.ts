@@ -49,7 +49,7 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
   }
 }
 
-/** Whether it has a hub: looked at once in a while where joints are many. */
+/** Whether it has a hub: looked at in each step where joints are few, and once in a while where they are many. */
 function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew || group.end - group.start <= FEW_JOINTS;
   if (group.branches && isDue) {

@@ -249,6 +249,11 @@ export function findTime(world: World, meeting: Meeting): void {
   }
 }
 
+/** Kinematic, and goes on whatever it meets. */
+export function carries(mover: Mover): boolean {
+  return mover.body.kind === KINEMATIC && !isStill(mover);
+}
+
 /** Stopped, and not carried along. */
 function isStill({ dx, dy, turn }: Mover): boolean {
   return dx === 0 && dy === 0 && turn === 0;
@@ -352,7 +357,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     return false;
   }
   const { time } = sweep;
-  const isCarried = one.body.kind === KINEMATIC || two.body.kind === KINEMATIC;
+  const isCarried = carries(one) || carries(two);
   sweep.target = Math.min(-least[0]!, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least[0]!));
   const isDeep = findNext(sweep);
   meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;

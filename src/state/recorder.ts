@@ -150,6 +150,11 @@ export function replay(world: World, recording: Recording): number {
   if (!(recording?.snapshot instanceof ArrayBuffer) || !Array.isArray(frames)) {
     throw typeError('replay', 'recording', 'the recording of a Recorder', recording);
   }
+  for (const [i, frame] of frames.entries()) {
+    if (!Array.isArray(frame?.calls) || !frame.calls.every(isCall)) {
+      throw typeError('replay', `recording.frames[${i}]`, 'a frame of a Recorder', frame);
+    }
+  }
   world.restore(recording.snapshot);
   return recording.frames.findIndex(({ calls, deltaTime, hash }) => {
     if (!calls.every((call) => repeat(world, call))) {
@@ -158,6 +163,11 @@ export function replay(world: World, recording: Recording): number {
     stepAgain(world, deltaTime);
     return world.hash() !== hash;
   });
+}
+
+function isCall(call: unknown): boolean {
+  const { args, added } = (call ?? {}) as Partial<RecordedCall>;
+  return Array.isArray(args) && added !== undefined;
 }
 
 function stepAgain(world: World, deltaTime: number): void {
@@ -184,7 +194,8 @@ function copyOf(argument: unknown): unknown {
 
 /** A method that can be recorded; not what every object has. */
 function methodOf(where: string, object: Recorded, method: string): (...args: unknown[]) => unknown {
-  const made = method in Object.prototype ? undefined : object?.[method as keyof Recorded];
+  const isName = typeof method === 'string' && !(method in Object.prototype);
+  const made = isName ? object?.[method as keyof Recorded] : undefined;
   if (typeof made !== 'function') {
     throw typeError(where, 'method', 'the name of a method of object', method);
   }

@@ -288,3 +288,27 @@ describe('a pose buffer', () => {
     expect(world.timeStamp).toBe(4);
   });
 });
+
+it('replay refuses frames that are none, before anything is done', () => {
+  const world = phys2D.createWorld();
+  world.addRigidBody(phys2D.createRigidBody());
+  const snapshot = world.snapshot();
+  world.step(1 / 60);
+  const before = world.hash();
+  for (const bad of [undefined, {}, { calls: [{}], deltaTime: 1 / 60, hash: '' }, { calls: [null] }, 5]) {
+    expect(() => replay(world, { snapshot, frames: [bad] as never })).toThrow(
+      'replay: recording.frames[0] must be a frame of a Recorder, got',
+    );
+    expect(world.hash()).toBe(before);
+  }
+});
+
+it('a Recorder refuses methods whose names are no strings', () => {
+  const world = phys2D.createWorld();
+  const recorder = Recorder.create(world);
+  for (const bad of [Object.create(null), 5, null, undefined]) {
+    expect(() => recorder.call(world, bad as never)).toThrow(
+      'Recorder.call: method must be the name of a method of object',
+    );
+  }
+});
