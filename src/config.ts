@@ -296,8 +296,14 @@ export const SWEEP_TOLERANCE = 1e-6;
  */
 export const IMPACT_DEPTH = 0.05;
 
-/** IMPACT_DEPTH is no more than this share of the thickness of either shape, so that thin ones cannot pass others, nor slip into them. */
+/** IMPACT_DEPTH is no more than this share of the thickness of both shapes, so that thin ones cannot pass each other. */
 export const IMPACT_SHARE = 0.25;
+
+/** … nor, of half the thickness of the thinner one, than this many times: it would slip into the foot of a thick wall. With 1 small things that skim over tiles are stopped by some. */
+export const IMPACT_SHARE_THIN = 1.5;
+
+/** rad. Unless they turn against each other by so much in the step: these would be stopped in it again and again, and stay in the air. */
+export const IMPACT_TURN = 0.3;
 
 /** m. IMPACT_DEPTH for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
 export const FORESIGHT_DEPTH = 0.005;

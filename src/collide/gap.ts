@@ -20,10 +20,7 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   return distance;
 }
 
-/**
- * Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `depth`, or less if one is thin, so that they cannot pass each other, nor one slip into the end of a
- * thick one, from which it is parted along that.
- */
+/** Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `depth`, or less if they are thin, so that they cannot pass each other. */
 export function findImpactDepth(a: Shape, b: Shape, depth: number): void {
-  impactDepth[0] = Math.min(depth, 2 * IMPACT_SHARE * Math.min(halfWidthOf(a), halfWidthOf(b)));
+  impactDepth[0] = Math.min(depth, IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b)));
 }

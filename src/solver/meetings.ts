@@ -6,6 +6,8 @@ import {
   CLEARANCE,
   DEEPER_SHARE,
   IMPACT_DEPTH,
+  IMPACT_SHARE_THIN,
+  IMPACT_TURN,
   JOINT_PATIENCE,
   SPECULATIVE_MARGIN,
   SWEEP_TOLERANCE,
@@ -16,7 +18,7 @@ import * as c from '../contact/layout.js';
 import { crossing, REACHED } from '../geometry/crossing.js';
 import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
 import { mixElasticity } from '../material.js';
-import type { Shape } from '../shape/shape.js';
+import { halfWidthOf, type Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
@@ -310,8 +312,8 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  const spin = (pair.shapeA.isRound() ? 0 : a.spin) + (pair.shapeB.isRound() ? 0 : b.spin);
-  findLeast(pair.shapeA, pair.shapeB, depth);
+  const spin = spinOf(pair.shapeA, pair.shapeB, a, b);
+  findLeast(pair.shapeA, pair.shapeB, spin, depth);
   return pair.foreseen === 0 && spin * way < least[0]! && holds(pair, a, b);
 }
 
@@ -325,10 +327,19 @@ function isJointed(a: Shape, b: Shape): boolean {
   return isTied(a.owner!) || isTied(b.owner!);
 }
 
-/** How deep two shapes have to get for an impact, to `least`: jointed bodies more, as stopping one of them alone opens its joints. */
-function findLeast(a: Shape, b: Shape, depth: number): void {
+/**
+ * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`: no deeper than a share of the thinner one, which else would slip into the end of a
+ * thick one, from which it is parted along that, unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
+ */
+function findLeast(a: Shape, b: Shape, spin: number, depth: number): void {
   findImpactDepth(a, b, depth);
-  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * impactDepth[0]!;
+  const thinner = spin < IMPACT_TURN ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
+  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(impactDepth[0]!, thinner);
+}
+
+/** How far two shapes turn in the step, but for circles. */
+function spinOf(a: Shape, b: Shape, one: Mover, two: Mover): number {
+  return (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
 }
 
 /**
@@ -351,7 +362,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findLeast(a, b, depth);
+  findLeast(a, b, spinOf(a, b, one, two), depth);
   sweep.target = -Math.min(TOUCH_DEPTH, least[0]! / 2);
   if (!findImpact(sweep)) {
     return false;

@@ -40,6 +40,9 @@ const up = new Along();
 const point = new Spot();
 const asked = new Float64Array(2);
 const bounds = new Float64Array(4);
+/** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. What lies beyond the count is old. */
+const around: Shape[] = [];
+let aroundCount = 0;
 
 /** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
 export function noteGround(world: World, pair: Arbiter): void {
@@ -61,7 +64,13 @@ export function noteGround(world: World, pair: Arbiter): void {
 export function smoothSeams(world: World): void {
   const { straddling } = world;
   for (let i = 0; i < straddling.count; i += 1) {
-    for (let pair = straddling.items[i]!.grounds; pair !== null; pair = pair.next) {
+    const { grounds } = straddling.items[i]!;
+    aroundCount = 0;
+    for (let pair = grounds; pair !== null; pair = pair.next) {
+      around[aroundCount] = groundOf(pair);
+      aroundCount += 1;
+    }
+    for (let pair = grounds; pair !== null; pair = pair.next) {
       smooth(pair);
     }
   }
@@ -111,9 +120,17 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   bounds[2] = x;
   bounds[3] = y;
   const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
+  aroundCount = 0;
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;
-    if (other !== ground && standsStill(other) && isHidden(pair, ground as Polygon, other as Polygon)) {
+    if (standsStill(other)) {
+      around[aroundCount] = other;
+      aroundCount += 1;
+    }
+  }
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other !== ground && isHidden(pair, ground as Polygon, other as Polygon)) {
       turn(pair);
       if (pair.count === 0) {
         touch(pair);
@@ -209,16 +226,16 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
   let side = 0;
   point.x += ground.owner!.x - other.owner!.x;
   point.y += ground.owner!.y - other.owner!.y;
-  if (findOpenFace(shape, other, ground)) {
+  if (findOpenFace(shape, other)) {
     side = up.x * ny - up.y * nx;
   }
   point.x = x;
   point.y = y;
-  return findOpenFace(shape, ground, other) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
+  return findOpenFace(shape, ground) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
 }
 
 /** Finds a face of a ground that a shape reaches no deeper below than `point` says, and that near that is not within another ground. */
-function findOpenFace(shape: Shape, ground: Polygon, other: Polygon): boolean {
+function findOpenFace(shape: Shape, ground: Polygon): boolean {
   const { numbers: edges, at } = ground;
   const end = endOfEdges(ground);
   up.dx = shape.owner!.x - ground.owner!.x;
@@ -227,7 +244,7 @@ function findOpenFace(shape: Shape, ground: Polygon, other: Polygon): boolean {
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
     separationAlong(ground, shape, up);
-    if (up.found > -point.depth && up.found < SPECULATIVE_MARGIN && isOpen(ground, k, other)) {
+    if (up.found > -point.depth && up.found < SPECULATIVE_MARGIN && isOpen(ground, k)) {
       return true;
     }
   }
@@ -254,16 +271,24 @@ function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygo
   return true;
 }
 
-/** Whether an edge of a ground, from its end near `point` on, is not within another polygon. */
-function isOpen(ground: Polygon, edge: number, other: Polygon): boolean {
+/** Whether an edge of a ground, from its end near `point` on, is not within any other polygon. */
+function isOpen(ground: Polygon, edge: number): boolean {
   const { numbers: edges, at } = ground;
   const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
   const isNext = isNearer(edges, next, edge);
   const from = isNext ? next : edge;
   const way = (isNext ? -1 : 1) * OPEN_WAY;
-  asked[0] = edges[from]! - way * up.y + CLEAR * up.x;
-  asked[1] = edges[from + 1]! + way * up.x + CLEAR * up.y;
-  return !isWithin(other, ground);
+  const x = edges[from]! - way * up.y + CLEAR * up.x;
+  const y = edges[from + 1]! + way * up.x + CLEAR * up.y;
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    asked[0] = x;
+    asked[1] = y;
+    if (other !== ground && other.kind === POLYGON && isWithin(other, ground)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /** Whether one corner is nearer to `point` than another. */
