@@ -17,6 +17,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import * as c from '../contact/layout.js';
 import { crossing, REACHED } from '../geometry/crossing.js';
 import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
+import { PRE_SOLVE } from '../listeners.js';
 import { mixElasticity } from '../material.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
@@ -328,13 +329,20 @@ function isJointed(a: Shape, b: Shape): boolean {
 }
 
 /**
- * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`: no deeper than a share of the thinner one, which else would slip into the end of a
- * thick one, from which it is parted along that, unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
+ * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`. What is not foreseen no deeper than a share of the thinner one, which else would slip
+ * into the end of a thick one, from which it is parted along that; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
  */
 function findLeast(a: Shape, b: Shape, spin: number, depth: number): void {
   findImpactDepth(a, b, depth);
-  const thinner = spin < IMPACT_TURN ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
+  const mayBeMissed = spin < IMPACT_TURN && !mayBeForeseen(a, b);
+  const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
   least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(impactDepth[0]!, thinner);
+}
+
+/** What bounces is not, nor what handlers are asked about. */
+function mayBeForeseen(a: Shape, b: Shape): boolean {
+  const isAsked = ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
+  return !isAsked && mixElasticity(a.material.elasticity, b.material.elasticity) <= 0;
 }
 
 /** How far two shapes turn in the step, but for circles. */
