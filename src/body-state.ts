@@ -149,9 +149,8 @@ export abstract class BodyState extends BodyNumbers {
       y += mass * centre[1];
       total += mass;
     }
-    return total > 0
-      ? vec2(x / total, y / total, 'RigidBody.computeLocalCenterOfMass', dst)
-      : vec2(0, 0, 'RigidBody.computeLocalCenterOfMass', dst);
+    const hasMass = total > 0;
+    return vec2(hasMass ? x / total : 0, hasMass ? y / total : 0, 'RigidBody.computeLocalCenterOfMass', dst);
   }
 
   /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */

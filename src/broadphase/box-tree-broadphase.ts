@@ -5,7 +5,7 @@ import {
   type Broadphase,
   type BroadphaseFilter,
   type BroadphaseHandle,
-  checkFilter,
+  checkInsert,
   checkRect,
   letsMeet,
   UNFILTERED,
@@ -78,9 +78,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     group: unknown = {},
     filter: BroadphaseFilter = UNFILTERED,
   ): BroadphaseHandle<T> {
-    checkRect('BoxTreeBroadphase.insert', bounds);
-    boolean('BoxTreeBroadphase.insert', 'isStatic', isStatic);
-    checkFilter('BoxTreeBroadphase.insert', filter);
+    checkInsert('BoxTreeBroadphase.insert', bounds, isStatic, filter);
     const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group, filter);
     this.setBox(handle.number, bounds);
     this.enter(handle, bounds);

@@ -1,5 +1,5 @@
 import type { RectLike, Vec2Like } from '../math/vectors.js';
-import { notNaN, rangeError, typeError } from '../validate.js';
+import { boolean, notNaN, rangeError, typeError } from '../validate.js';
 
 /** A thing in a broadphase. */
 export interface BroadphaseHandle<T = unknown> {
@@ -80,8 +80,10 @@ export interface Broadphase<T = unknown> {
   castRay?(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
 }
 
-/** Refuses what has not both numbers. */
-export function checkFilter(where: string, filter: BroadphaseFilter): void {
+/** Refuses what no broadphase can insert: bounds as `checkRect` does, a filter that has not both numbers. */
+export function checkInsert(where: string, bounds: RectLike, isStatic: boolean, filter: BroadphaseFilter): void {
+  checkRect(where, bounds);
+  boolean(where, 'isStatic', isStatic);
   const { group, mask } = (filter ?? {}) as Partial<BroadphaseFilter>;
   if (typeof group !== 'number' || typeof mask !== 'number') {
     throw typeError(where, 'filter', 'an object with the numbers group and mask', filter);

@@ -4,7 +4,7 @@ import {
   type Broadphase,
   type BroadphaseFilter,
   type BroadphaseHandle,
-  checkFilter,
+  checkInsert,
   checkRect,
   UNFILTERED,
 } from './broadphase.js';
@@ -130,9 +130,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     group: unknown = {},
     filter: BroadphaseFilter = UNFILTERED,
   ): BroadphaseHandle<T> {
-    checkRect('SweepAndPrune.insert', bounds);
-    boolean('SweepAndPrune.insert', 'isStatic', isStatic);
-    checkFilter('SweepAndPrune.insert', filter);
+    checkInsert('SweepAndPrune.insert', bounds, isStatic, filter);
     const handle = new SweepHandle(data, isStatic, group);
     handle.set(bounds);
     this.listOf(handle).add(handle);

@@ -50,10 +50,12 @@ export class Hit {
       x += share * (this.point[0] - x);
       y += share * (this.point[1] - y);
     }
-    vec2(x, y, '', this.point);
+    this.point[0] = x;
+    this.point[1] = y;
     const nx = arbiter.numbers[arbiter.at + g.NX]!;
     const ny = arbiter.numbers[arbiter.at + g.NY]!;
-    vec2(nx, ny, '', this.normal);
+    this.normal[0] = nx;
+    this.normal[1] = ny;
     const [jx, jy] = arbiter.getImpulseForBody(arbiter.bodyB);
     this.given = Math.max(0, nx * jx + ny * jy);
   }

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { Hit } from '../contact/hit.js';
-import { admits, END, HIT, NON_FINITE, RANKS, rankOf, WAKE } from '../listeners.js';
+import { admits, END, HIT, type Listeners, NON_FINITE, RANKS, rankOf, WAKE } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { type Note, Notes } from './notes.js';
@@ -172,25 +172,26 @@ export class EventQueue {
     list.sort();
     for (let i = 0; i < list.count; i += 1) {
       const note = list.all[i]!;
-      this.hand(list, note, false);
-      if (note.other !== null) {
-        this.hand(list, note, true);
-        this.handToWorld(list, note);
+      const { own, other, arbiter, hit } = note;
+      this.hand(list, note.listeners, note.otherGroup, own, arbiter ?? note.body, other, hit);
+      if (other !== null) {
+        this.hand(list, note.otherListeners, note.group, other, arbiter, own as Shape, hit);
+        this.hand(list, note.worldListeners, note.group, this.world, arbiter, hit, null);
       }
     }
     list.clear();
   }
 
-  /**
-   * Calls the handlers of one object of an event: a world's, body's or constraint's, or those of shape A or (`second`) B. `World.clear` called by
-   * one of them empties the list and its notes, and nothing more is called.
-   */
-  private hand(list: Notes, note: Note, second: boolean): void {
-    const { arbiter, body, hit } = note;
-    const own = second ? note.other : note.own;
-    const other = second ? note.own : note.other;
-    const group = second ? note.group : note.otherGroup;
-    const { entries } = second ? note.otherListeners : note.listeners;
+  /** Calls the handlers of one object of an event. `World.clear` called by one of them empties the list, and nothing more is called. */
+  private hand(
+    list: Notes,
+    { entries }: Listeners<unknown>,
+    group: number,
+    own: unknown,
+    subject: Arbiter | RigidBody | null,
+    other: Shape | Hit | null,
+    hit: Hit | null,
+  ): void {
     for (let i = 0; i < entries.length && list.count > 0; i += 1) {
       const entry = entries[i]!;
       if (
@@ -198,16 +199,7 @@ export class EventQueue {
         admits(entry, group) &&
         (hit === null || hit.approachSpeed >= entry.minimumSpeed)
       ) {
-        this.call(entry.handler as Handler, own, arbiter ?? body, other as Shape | null, hit);
-      }
-    }
-  }
-
-  /** Calls the handlers of the world for an interaction. */
-  private handToWorld(list: Notes, { arbiter, hit, worldListeners: { entries } }: Note): void {
-    for (let i = 0; i < entries.length && list.count > 0; i += 1) {
-      if (entries[i]!.type === list.type) {
-        this.call(entries[i]!.handler as Handler, this.world, arbiter, hit, null);
+        this.call(entry.handler as Handler, own, subject, other, hit);
       }
     }
   }

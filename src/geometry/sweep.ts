@@ -208,7 +208,7 @@ export function findImpact(sweep: Sweep): boolean {
   look(sweep, true);
   sweep.a.measureReach();
   sweep.b.measureReach();
-  return findNext(sweep);
+  return (sweep.cautious || comeNear(sweep)) && findNext(sweep);
 }
 
 /**
@@ -247,9 +247,6 @@ function comeNear(sweep: Sweep): boolean {
 /** The same from where the sweep is, for another target. */
 export function findNext(sweep: Sweep): boolean {
   const { a, b, cautious, distance, most } = sweep;
-  if (!cautious && !comeNear(sweep)) {
-    return false;
-  }
   const enough = sweep.target + sweep.tolerance;
   // m/s. How much less sure places are of which they come nearer to each other from far away.
   const blur = ROUNDING * (Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy));

@@ -275,10 +275,15 @@ function isElsewhere(mover: Mover, shape: Shape, { x, y, dx, dy, body }: Mover):
 
 function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
   if (pair === null) {
-    return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
+    return areElastic(a, b);
   }
   pair.mixMaterials();
   return pair.numbers[pair.at + c.ELASTICITY]! > 0;
+}
+
+/** Whether what meets bounces, as their materials say. */
+function areElastic(a: Shape, b: Shape): boolean {
+  return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
 }
 
 /** What will bounce is not foreseen. It only matters if it comes before something else that the same body meets. */
@@ -341,8 +346,7 @@ function findLeast(a: Shape, b: Shape, spin: number, depth: number): void {
 
 /** What bounces is not, nor what handlers are asked about. */
 function mayBeForeseen(a: Shape, b: Shape): boolean {
-  const isAsked = ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
-  return !isAsked && mixElasticity(a.material.elasticity, b.material.elasticity) <= 0;
+  return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) === 0 && !areElastic(a, b);
 }
 
 /** How far two shapes turn in the step, but for circles. */
