@@ -17,6 +17,9 @@ export interface MaterialParams {
   userData?: UserDataOf<'material'> | undefined;
 }
 
+/** Whether some material of the program has a negative elasticity, and so may take another its bounces: once one has, for good. */
+export const materials = { someDeaden: false };
+
 /**
  * What a shape is made of. Immutable apart from `userData`; sharing one between shapes is normal.
  * Two combine at a contact to the mean of their elasticities and the geometric mean of their frictions.
@@ -46,6 +49,7 @@ export class Material {
     const where = 'createMaterial';
     const given = options(where, params, false);
     this.elasticity = notNaN(where, 'elasticity', optional(given.elasticity, 0));
+    materials.someDeaden ||= this.elasticity < 0;
     this.staticFriction = nonNegative(where, 'staticFriction', optional(given.staticFriction, 2));
     this.dynamicFriction = nonNegative(where, 'dynamicFriction', optional(given.dynamicFriction, 1));
     this.rollingFriction = nonNegative(where, 'rollingFriction', optional(given.rollingFriction, 0.005));

@@ -1,6 +1,7 @@
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { AWAKE, DEAD, LISTED } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import type { Shape } from '../shape/shape.js';
 import type { Audit } from './audit.js';
@@ -23,7 +24,7 @@ export function auditPairs(audit: Audit): void {
   for (const list of [world.dynamicArbiters, world.staticArbiters]) {
     list.forEach((pair, i) => {
       audit.demand(
-        pair.listed && !pair.sleeping,
+        pair.is(LISTED) && !pair.sleeping,
         pair,
         'is in a list of the world, but asleep or in none of its shapes',
       );
@@ -43,7 +44,7 @@ function listOf({ world }: Audit, { bodyA, bodyB }: Arbiter): readonly Arbiter[]
 function auditListed(audit: Audit, pair: Arbiter): void {
   const { world } = audit;
   const { shapeA, shapeB, bodyA, bodyB } = pair;
-  audit.demand(pair.listed && !pair.dead, pair, 'is listed by a shape, but not as it is');
+  audit.demand(pair.is(LISTED) && !pair.is(DEAD), pair, 'is listed by a shape, but not as it is');
   audit.demand(shapeA.id < shapeB.id && bodyA !== bodyB, pair, 'must be of two bodies, the shape of lower id first');
   audit.demand(bodyA?.owner === world && bodyB?.owner === world, pair, 'must be of bodies in the world');
   const isListed = shapeA.arbiters[pair.indexA] === pair && shapeB.arbiters[pair.indexB] === pair;
@@ -56,7 +57,7 @@ function auditListed(audit: Audit, pair: Arbiter): void {
   } else {
     const isThere = listOf(audit, pair)[pair.listIndex] === pair;
     audit.demand(isThere, pair, 'must be in the list of the world that it belongs to');
-    audit.demand(pair.awake, pair, 'is not asleep, but not among the awake pairs either');
+    audit.demand(pair.is(AWAKE), pair, 'is not asleep, but not among the awake pairs either');
   }
   auditContacts(audit, pair);
 }
@@ -97,7 +98,7 @@ function auditSorted(audit: Audit): void {
   audit.distinct([...sorted, ...arriving], world, 'the list of awake pairs');
   let before: Arbiter | null = null;
   for (const pair of sorted) {
-    if (pair.dead) {
+    if (pair.is(DEAD)) {
       continue;
     }
     const isLater =
@@ -108,8 +109,8 @@ function auditSorted(audit: Audit): void {
     before = pair;
   }
   for (const pair of [...sorted, ...arriving]) {
-    audit.demand(pair.awake, pair, 'is in the list of awake pairs, and must know it');
-    audit.demand(pair.dead || table.find(pair.shapeA, pair.shapeB) === pair, pair, 'must be in the table of pairs');
+    audit.demand(pair.is(AWAKE), pair, 'is in the list of awake pairs, and must know it');
+    audit.demand(pair.is(DEAD) || table.find(pair.shapeA, pair.shapeB) === pair, pair, 'must be in the table of pairs');
   }
 }
 
@@ -120,11 +121,11 @@ function auditTable(audit: Audit): void {
   table.arbiters.forEach((pair) => {
     if (pair !== null) {
       count += 1;
-      audit.demand(!pair.dead, pair, 'is in the table of pairs, though it was cut off');
+      audit.demand(!pair.is(DEAD), pair, 'is in the table of pairs, though it was cut off');
       audit.demand(table.find(pair.shapeA, pair.shapeB) === pair, pair, 'must be found in the table of pairs');
-      audit.demand(pair.awake || pair.sleeping, pair, 'is in the table, but neither awake nor asleep');
+      audit.demand(pair.is(AWAKE) || pair.sleeping, pair, 'is in the table, but neither awake nor asleep');
       const isListed = pair.shapeA.arbiters[pair.indexA] === pair && pair.shapeB.arbiters[pair.indexB] === pair;
-      audit.demand(!pair.listed || isListed, pair, 'must be listed by both shapes');
+      audit.demand(!pair.is(LISTED) || isListed, pair, 'must be listed by both shapes');
     }
   });
   audit.demand(table.size === count, world, `the table of pairs must count ${count}, got ${table.size}`);
@@ -152,7 +153,7 @@ function auditPools(audit: Audit): void {
     );
   }
   for (let pair = pool; pair !== null; pair = pair.next) {
-    audit.demand(!pair.awake, pair, 'is in the pool and among the awake pairs');
+    audit.demand(!pair.is(AWAKE), pair, 'is in the pool and among the awake pairs');
   }
 }
 

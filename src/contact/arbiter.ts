@@ -2,13 +2,14 @@ import { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
 import { reset } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
-import { Slab } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
 import { boolean, instance, nonNegative, notNaN } from '../validate.js';
 import { atEnd, normalAtEnd } from './at-end.js';
+import { ACCEPTED, AWAKE, DEAD, FIXED, FRESH, LISTED, NEAR, PERSISTENT, SENSOR, SHOWN, USED } from './bits.js';
 import { Contact } from './contact.js';
 import * as c from './layout.js';
+import { PairState } from './pair-state.js';
 
 /** @internal which of the mixed values were set by hand */
 const FIXED_ELASTICITY = 1;
@@ -19,11 +20,11 @@ const FIXED_ROLLING = 8;
 /** [jx, jy, jw]: scratch. */
 const sum = new Float64Array(3);
 
-/** The records of pairs. */
-const slab = /* @__PURE__ */ new Slab();
-
-/** Long before the first step. */
-const NEVER = -1e6;
+/** The point `which` of a record is a new one. */
+export function clearPoint(n: Float64Array, o: number, which: number): void {
+  const from = o + c.NORMAL + c.IMPULSES * which;
+  n.fill(0, from, from + c.IMPULSES);
+}
 
 /** What a pair gave in a step before its points became others within it. */
 export interface Before {
@@ -38,69 +39,20 @@ export interface Before {
  * What two shapes have to do with each other: contacts, impulses, combined material. Made by the engine and recycled: read it
  * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
  */
-export class Arbiter {
+export class Arbiter extends PairState {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }
 
-  // What steps ask of thousands comes first, side by side in memory: they wait for every line of it, which is worth a twentieth of a step.
-
-  /** @internal where the record of the pair begins: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
-  at: number = slab.take(g.PAIR_STRIDE);
-  /** @internal the slab that it is in */
-  numbers: Float64Array = slab.numbers;
-  /**
-   * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
-   * has to be skipped.
-   */
-  active = false;
-  /** @internal */
-  accepted = true;
-  /** @internal the surfaces are apart but near enough to meet within the step; the solver sees them, no one else does */
-  near = false;
-  /** @internal … because of the way they go: their points are those of the time when they will meet; 0, or where `Movers.foresight` tells how much nearer they are then */
-  foreseen = 0;
-  /** In the latest step both bodies were asleep, interacting still; the arbiter is in no list of the world, and its impulses read 0. */
-  sleeping = false;
-  /** @internal taken out of everything; dropped from the sorted list when that is next walked */
-  dead = false;
-  /** One of the shapes is a sensor: no contacts, no physics. */
-  sensor = false;
-  /** @internal in `shape.arbiters` of both shapes: an interaction runs or is cached */
-  listed = false;
-  /** @internal index in the world's list it is in */
-  listIndex = -1;
-  /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
-  seen = -1;
-  /** @internal the last step in which the shapes interacted */
-  lastInteraction = -1;
-  /** @internal bit 0 and 1: the velocity solver used the point when it was last there */
-  usedPoints = 0;
-  /** @internal … for the first time in the latest step */
-  freshPoints = 0;
-  /** @internal how many points `contacts` lists */
-  shown = 0;
-  /** @internal for so many steps on end it did */
-  strain = 0;
-  /** @internal in the last step its two edges rocked on each other, in a column */
-  rocks = false;
-  /** @internal the last step in which it bore far more than the bodies weigh */
-  strained = NEVER;
-  /** @internal */
-  persistent = false;
   /** @internal the step in which the present interaction began, or the last one */
   began = -1;
   /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
   next: Arbiter | null = null;
-  /** @internal in the sorted list of awake pairs, or waiting to be merged into it */
-  awake = false;
   /** @internal index in shapeA.arbiters */
   indexA = -1;
   /** @internal index in shapeB.arbiters */
   indexB = -1;
-  /** @internal */
-  fixed = 0;
   /** @internal what was given in a step before the points became others within it */
   before: Before | null = null;
   /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
@@ -114,7 +66,9 @@ export class Arbiter {
     public shapeB: Shape,
     /** @internal among those of its world, from 1 on */
     readonly number: number,
-  ) {}
+  ) {
+    super();
+  }
 
   /** @internal how many points were found, 0 to 2 */
   get count(): number {
@@ -266,19 +220,19 @@ export class Arbiter {
 
   /** Whether the collision takes effect. */
   isStateAccepted(): boolean {
-    return this.accepted;
+    return this.is(ACCEPTED);
   }
 
   /** Whether that decision holds until the interaction ends. */
   isStatePersistent(): boolean {
-    return this.persistent;
+    return this.is(PERSISTENT);
   }
 
   /** Decides whether the collision takes effect; reset in every step unless persistent. */
   setAcceptedState(accepted: boolean): void {
     boolean('Arbiter.setAcceptedState', 'accepted', accepted);
     if (!this.sensor) {
-      this.accepted = accepted;
+      this.put(ACCEPTED, accepted);
       this.rouse();
     }
   }
@@ -287,7 +241,7 @@ export class Arbiter {
   setPersistentState(persistent: boolean): void {
     boolean('Arbiter.setPersistentState', 'persistent', persistent);
     if (!this.sensor) {
-      this.persistent = persistent;
+      this.put(PERSISTENT, persistent);
       this.rouse();
     }
   }
@@ -304,51 +258,32 @@ export class Arbiter {
     if ((fixed & FIXED_ROLLING) === 0) n[o + c.ROLLING_FRICTION] = mixFriction(a.rollingFriction, b.rollingFriction);
   }
 
-  /** @internal joins islands */
-  isSolid(): boolean {
-    return this.active && this.accepted;
-  }
-
-  /** @internal has a place in the solver */
-  isSolved(): boolean {
-    return this.near || (this.active && this.accepted);
-  }
-
   /** @internal a new pair in a recycled object */
   reuse(shapeA: Shape, shapeB: Shape): void {
     this.shapeA = shapeA;
     this.shapeB = shapeB;
-    this.sensor = shapeA.sensor || shapeB.sensor;
-    this.active = false;
-    this.sleeping = false;
+    this.bits = shapeA.sensor || shapeB.sensor ? SENSOR : 0;
     reset(this.numbers, this.at);
     this.began = -1;
-    this.strained = NEVER;
-    this.strain = 0;
-    this.rocks = false;
+    this.calm();
     this.lastInteraction = -1;
     this.seen = -1;
-    this.listed = false;
     this.revive();
     this.forget();
   }
 
   /** @internal in a world that is restored, with what a snapshot has of it, which is set next */
   revive(): void {
-    this.dead = false;
-    this.awake = false;
-    this.near = false;
+    this.unmark(DEAD | AWAKE | NEAR);
     this.foreseen = 0;
     this.before = null;
   }
 
   /** @internal drops what is only kept while an interaction runs or is cached */
   forget(): void {
-    this.shown = 0;
     this.dropPoints();
-    this.accepted = !this.sensor;
-    this.persistent = false;
-    this.fixed = 0;
+    this.unmark(PERSISTENT | (3 << SHOWN) | (15 << FIXED));
+    this.put(ACCEPTED, !this.sensor);
   }
 
   /** @internal in this step the pair meets once more, at other points: keeps the sum of what the ones so far gave, in what other pairs need no more */
@@ -380,21 +315,19 @@ export class Arbiter {
   /** @internal lists the points that the manifold has, as new ones */
   showPoints(): void {
     this.dropPoints();
-    this.shown = this.count;
+    this.bits = (this.bits & ~(3 << SHOWN)) | (this.count << SHOWN);
   }
 
   /** @internal new points: nothing is kept of the impulses of old ones */
   dropPoints(): void {
     this.numbers.fill(0, this.at + c.NORMAL, this.at + c.ELASTICITY);
-    this.usedPoints = 0;
-    this.freshPoints = 0;
+    this.unmark((3 << USED) | (3 << FRESH));
   }
 
   /** @internal the point `which` is a new one */
   dropPoint(which: 0 | 1): void {
-    const from = this.at + c.NORMAL + c.IMPULSES * which;
-    this.numbers.fill(0, from, from + c.IMPULSES);
-    this.usedPoints &= ~(1 << which);
+    clearPoint(this.numbers, this.at, which);
+    this.unmark(1 << (USED + which));
   }
 
   /** @internal the point `which` is the one that was the other */
@@ -402,7 +335,7 @@ export class Arbiter {
     const to = this.at + c.NORMAL + c.IMPULSES * which;
     const from = this.at + c.NORMAL + c.IMPULSES * (1 - which);
     this.numbers.copyWithin(to, from, from + c.IMPULSES);
-    this.usedPoints = which === 0 ? this.usedPoints >> 1 : (this.usedPoints << 1) & 2;
+    this.use(which === 0 ? this.usedPoints >> 1 : (this.usedPoints << 1) & 2);
     this.dropPoint(which === 0 ? 1 : 0);
   }
 
@@ -414,7 +347,7 @@ export class Arbiter {
     n[o + c.STEP_NORMAL + c.IMPULSES] = 0;
     n[o + c.STEP_TANGENT + c.IMPULSES] = 0;
     n[o + c.STEP_ROLL] = 0;
-    this.freshPoints = 0;
+    this.unmark(3 << FRESH);
   }
 
   private material(at: number): number | undefined {
@@ -424,14 +357,14 @@ export class Arbiter {
   private fix(which: number, at: number, value: number): void {
     if (!this.sensor) {
       this.numbers[this.at + at] = value;
-      this.fixed |= which;
+      this.mark(which << FIXED);
       this.rouse();
     }
   }
 
   private release(which: number): void {
     if (!this.sensor) {
-      this.fixed &= ~which;
+      this.unmark(which << FIXED);
       this.mixMaterials();
       this.rouse();
     }
@@ -439,7 +372,7 @@ export class Arbiter {
 
   /** Not if the arbiter is only kept for its `end` event: its shapes may be anywhere. */
   private rouse(): void {
-    const world = this.listed ? this.bodyA.owner : null;
+    const world = this.is(LISTED) ? this.bodyA.owner : null;
     if (world !== null && !world.stepping) {
       world.wakeBoth(this);
     }

@@ -3,6 +3,7 @@ import { List, takeOut } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
 import type { Shape } from '../shape/shape.js';
 import { Arbiter, type Before } from './arbiter.js';
+import { ACTIVE, AWAKE, DEAD, LISTED, SHOWN, SLEEPING } from './bits.js';
 import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 import { Places } from './places.js';
@@ -156,8 +157,8 @@ export class Pairs {
 
   /** Puts a pair among the awake ones, at the next `merge`. */
   arrive(pair: Arbiter): void {
-    if (!pair.awake) {
-      pair.awake = true;
+    if (!pair.is(AWAKE)) {
+      pair.mark(AWAKE);
       this.arriving.add(pair);
     }
   }
@@ -201,7 +202,7 @@ export class Pairs {
 
   /** Makes the pair visible to both shapes. */
   list(pair: Arbiter): void {
-    pair.listed = true;
+    pair.mark(LISTED);
     pair.indexA = pair.shapeA.arbiters.push(pair) - 1;
     pair.indexB = pair.shapeB.arbiters.push(pair) - 1;
     pair.mixMaterials();
@@ -211,13 +212,13 @@ export class Pairs {
   unlist(pair: Arbiter): void {
     removeAt(pair.shapeA, pair.indexA);
     removeAt(pair.shapeB, pair.indexB);
-    pair.listed = false;
+    pair.unmark(LISTED);
     pair.forget();
   }
 
   /** The cache of an interaction that is over has run out. */
   isExpired(pair: Arbiter, stamp: number): boolean {
-    return pair.listed && pair.lastInteraction + (pair.sensor ? SENSOR_CACHE : ARBITER_CACHE) < stamp;
+    return pair.is(LISTED) && pair.lastInteraction + (pair.sensor ? SENSOR_CACHE : ARBITER_CACHE) < stamp;
   }
 
   /** Drops a pair that is not listed and is leaving the sorted list. */
@@ -233,11 +234,8 @@ export class Pairs {
   cutOff(pair: Arbiter): void {
     removeAt(pair.shapeA, pair.indexA);
     removeAt(pair.shapeB, pair.indexB);
-    pair.listed = false;
-    pair.active = false;
-    pair.sleeping = false;
-    pair.shown = 0;
-    pair.dead = true;
+    pair.unmark(LISTED | ACTIVE | SLEEPING | (3 << SHOWN));
+    pair.mark(DEAD);
     this.drop(pair);
     this.cut.push(pair);
   }
@@ -249,7 +247,7 @@ export class Pairs {
 
   /** @internal */
   free(pair: Arbiter): void {
-    pair.awake = false;
+    pair.unmark(AWAKE);
     if (pair.before !== null) {
       this.spare.push(pair.before);
       pair.before = null;
@@ -263,7 +261,7 @@ export class Pairs {
     const free = this.cutBefore;
     for (let i = 0; i < free.length; i += 1) {
       const pair = free[i]!;
-      if (pair.awake) {
+      if (pair.is(AWAKE)) {
         this.cut.push(pair);
       } else {
         this.free(pair);
@@ -277,7 +275,7 @@ export class Pairs {
   clear(): void {
     this.merge();
     for (let i = 0; i < this.sorted.count; i += 1) {
-      this.sorted.items[i]!.awake = false;
+      this.sorted.items[i]!.unmark(AWAKE);
     }
     this.table.clear();
     this.sightings.fill(NEVER);

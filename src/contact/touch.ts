@@ -4,6 +4,7 @@ import * as g from '../collide/layout.js';
 import { overlaps } from '../collide/manifold.js';
 import { collide, intersect } from '../collide/table.js';
 import type { Arbiter } from './arbiter.js';
+import { LISTED } from './bits.js';
 
 /** Tells the kernels how the bodies of a pair lie to each other. */
 function placePair({ numbers: n, at: o, bodyA, bodyB }: Arbiter): void {
@@ -53,7 +54,7 @@ export function touchAlong(pair: Arbiter, nx: number, ny: number): void {
 function keepPoints(pair: Arbiter): void {
   const { shown, count, numbers: n, at: o } = pair;
   if (count === 0) {
-    if (!pair.listed && shown > 0) {
+    if (!pair.is(LISTED) && shown > 0) {
       pair.forget();
     }
   } else if (shown !== count) {

@@ -1,4 +1,5 @@
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED, PERSISTENT } from '../contact/bits.js';
 import { admits, type Listeners, PRE_SOLVE } from '../listeners.js';
 import type { HitHandler, Shape, ShapeHandler } from '../shape/shape.js';
 import type { EventQueue } from './events.js';
@@ -22,10 +23,10 @@ function wants({ listeners }: Shape, other: Shape): boolean {
  * @returns whether a handler that may change its mind keeps the bodies awake.
  */
 export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
-  if (arbiter.persistent) {
+  if (arbiter.is(PERSISTENT)) {
     return false;
   }
-  arbiter.accepted = true;
+  arbiter.mark(ACCEPTED);
   const { shapeA, shapeB } = arbiter;
   const { listeners: a } = shapeA;
   const { listeners: b } = shapeB;
@@ -34,7 +35,7 @@ export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
   }
   const unsteadyA = ask(events, arbiter, a, shapeA, shapeB);
   const unsteadyB = ask(events, arbiter, b, shapeB, shapeA);
-  return (unsteadyA || unsteadyB) && !arbiter.persistent;
+  return (unsteadyA || unsteadyB) && !arbiter.is(PERSISTENT);
 }
 
 /** Calls the handlers of one side. @returns whether one of them is not deterministic. */

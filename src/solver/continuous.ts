@@ -5,13 +5,14 @@ import * as g from '../collide/layout.js';
 import { leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED } from '../contact/bits.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import { beginSensing, strike } from './impact.js';
 import type { Meeting } from './meeting-queue.js';
-import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js';
+import { carries, findMeetings, findTime, isSensed, listWays, meets } from './meetings.js';
 import type { Mover } from './movers.js';
 import { findNearby } from './nearby.js';
 import { squareAround } from './swept-bounds.js';
@@ -29,6 +30,10 @@ export function continuous(world: World, dt: number): void {
     return;
   }
   movers.duration = dt;
+  for (let i = 0; i < world.liveKinematics.length; i += 1) {
+    movers.of(world.liveKinematics[i]!);
+  }
+  listWays(movers);
   findMeetings(world, IMPACT_DEPTH);
   settle(world);
   const { meetings } = movers;
@@ -172,7 +177,7 @@ function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Sh
     const meeting = world.movers.meetings.draft(shapes[i]!, other);
     const { a, b } = meeting;
     const pair = world.pairs.find(a, b);
-    const isRejected = pair?.active && !pair.accepted;
+    const isRejected = pair?.active && !pair.is(ACCEPTED);
     if (!isRejected && !isSensed(a, b) && mayInteract(a, b) && meets(world, meeting, IMPACT_DEPTH)) {
       time = Math.min(time, meeting.time);
     }

@@ -21,6 +21,10 @@ export class ContactBatch {
   bodies = new Int32Array(0);
   capacity = 0;
   arbiters: Arbiter[] = [];
+  /** Of the arbiters, as the step is stored by: where the record of each pair is, and its bits. It would have to wait for each arbiter else. */
+  numbers: Float64Array[] = [];
+  at = new Int32Array(0);
+  bits = new Int32Array(0);
   /** Which of the arbiter's points a one-point record is, 0 or 1; with `ONE_OF_TWO` if there is another. */
   point = new Uint8Array(0);
 
@@ -36,6 +40,9 @@ export class ContactBatch {
       this.owner.makeRoom();
     }
     this.arbiters[index] = pair;
+    this.numbers[index] = pair.numbers;
+    this.at[index] = pair.at;
+    this.bits[index] = pair.bits;
     this.count = index + 1;
     return index;
   }
@@ -46,6 +53,8 @@ export class ContactBatch {
     this.capacity = bodies.length / 2;
     if (this.point.length < this.capacity) {
       this.point = widened(this.point, new Uint8Array(this.capacity));
+      this.at = widened(this.at, new Int32Array(this.capacity));
+      this.bits = widened(this.bits, new Int32Array(this.capacity));
     }
   }
 }

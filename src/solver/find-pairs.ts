@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import { type BroadphaseHandle, letsMeet } from '../broadphase/broadphase.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED, ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { overlap, touch } from '../contact/touch.js';
@@ -81,8 +82,8 @@ function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): nu
   let kept = 0;
   for (let i = 0; i < count; i += 1) {
     const pair = items[i]!;
-    if (pair.dead || pair.sleeping || !renew(world, pair, dt)) {
-      pair.awake = false;
+    if (pair.is(DEAD) || pair.sleeping || !renew(world, pair, dt)) {
+      pair.unmark(AWAKE);
       continue;
     }
     items[kept] = pair;
@@ -94,7 +95,7 @@ function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): nu
 /** Works out what a pair does in this step. @returns whether there is still something to it. */
 function renew(world: World, pair: Arbiter, dt: number): boolean {
   const stamp = world.timeStamp;
-  pair.near = false;
+  pair.unmark(NEAR);
   pair.foreseen = 0;
   if (pair.active && pair.bodyA.asleep && pair.bodyB.asleep) {
     sleepPair(world, pair);
@@ -116,7 +117,7 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   if (isReported && pair.count > 0) {
     approach(world, pair, dt);
   }
-  if (!isReported && !pair.listed) {
+  if (!isReported && !pair.is(LISTED)) {
     world.pairs.retire(pair);
     return false;
   }
@@ -126,24 +127,24 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
 /** Where a shape left and came back within a step, nothing is remembered of before. */
 function forgetLeft(pair: Arbiter): void {
   const { shapeA, shapeB, seen } = pair;
-  if (!pair.listed && seen >= 0 && seen <= Math.max(shapeA.entered, shapeB.entered)) {
+  if (!pair.is(LISTED) && seen >= 0 && seen <= Math.max(shapeA.entered, shapeB.entered)) {
     pair.reuse(shapeA, shapeB);
-    pair.awake = true;
+    pair.mark(AWAKE);
   }
 }
 
 function interact(world: World, pair: Arbiter): void {
   const stamp = world.timeStamp;
   const begins = pair.lastInteraction !== stamp - 1;
-  if (!pair.listed) {
+  if (!pair.is(LISTED)) {
     world.pairs.list(pair);
   }
   if (begins) {
-    pair.persistent = false;
+    pair.unmark(PERSISTENT);
     pair.began = stamp;
   }
   pair.lastInteraction = stamp;
-  pair.active = true;
+  pair.mark(ACTIVE);
   world.events.interaction(begins ? BEGIN : PROGRESS, pair, IN_STEP);
   if (pair.sensor) {
     return;
@@ -154,7 +155,7 @@ function interact(world: World, pair: Arbiter): void {
     a.wakeTime = stamp;
     b.wakeTime = stamp;
   }
-  if (!pair.accepted) {
+  if (!pair.is(ACCEPTED)) {
     pair.dropPoints();
     return;
   }
@@ -179,9 +180,10 @@ function interact(world: World, pair: Arbiter): void {
 function approach(world: World, pair: Arbiter, dt: number): void {
   if (canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB) && !asksFirst(pair)) {
     pair.mixMaterials();
-    pair.near = !isForeseen(pair, dt);
-    if (!pair.near) {
+    if (isForeseen(pair, dt)) {
       world.closing.add(pair);
+    } else {
+      pair.mark(NEAR);
     }
     noteGround(world, pair);
     if (world.events.isHitHeard(pair)) {
@@ -210,7 +212,7 @@ export function canGiveWay({ kind, asleep }: RigidBody): boolean {
 /** The shapes do not interact in this step. */
 function part(world: World, pair: Arbiter): void {
   if (pair.active) {
-    pair.active = false;
+    pair.unmark(ACTIVE);
     pair.idle();
     world.events.interaction(END, pair, IN_STEP);
   }

@@ -5,6 +5,7 @@ import * as g from '../collide/layout.js';
 import { leastSeparation } from '../collide/manifold.js';
 import { CLEARANCE, FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { NEAR } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
@@ -14,7 +15,7 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { canGiveWay } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
-import { findMeetings } from './meetings.js';
+import { findMeetings, isClear, listWays } from './meetings.js';
 import { goesFar, type Mover, type Movers } from './movers.js';
 import { smoothMeeting } from './seams.js';
 
@@ -32,15 +33,17 @@ export function foresee(world: World, dt: number): void {
   movers.ahead = dt;
   movers.foreseen = 0;
   movers.bouncy = true;
-  movers.alone = world.liveKinematics.length === 0 && !hasBullet(world.liveDynamics);
+  movers.alone = world.liveKinematics.length === 0;
   movers.space.begin();
   movers.gain = average * dt;
   movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
+  foreseeBullets(world);
+  foreseeKinematics(world, dt);
+  listWays(movers);
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
     foreseeDynamic(world, world.liveDynamics[i]!);
   }
-  foreseeKinematics(world, dt);
-  if (movers.count + closing.count > 0) {
+  if (movers.looking + closing.count > 0) {
     findMeetings(world, FORESIGHT_DEPTH);
     const { meetings } = movers;
     for (let next = meetings.first(); next !== null; next = meetings.first()) {
@@ -50,7 +53,7 @@ export function foresee(world: World, dt: number): void {
       }
     }
     for (let i = 0; i < closing.count; i += 1) {
-      if (!closing.items[i]!.near) {
+      if (!closing.items[i]!.is(NEAR)) {
         // It slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it.
         openAt(world, closing.items[i]!, 1);
       }
@@ -61,18 +64,24 @@ export function foresee(world: World, dt: number): void {
   movers.clear();
 }
 
-function hasBullet(bodies: readonly RigidBody[]): boolean {
-  for (let i = 0; i < bodies.length; i += 1) {
-    if (bodies[i]!.isBullet) {
-      return true;
+/** What others are swept against comes first: of these most are clear of it. */
+function foreseeBullets(world: World): void {
+  const { movers, liveDynamics } = world;
+  for (let i = 0; i < liveDynamics.length; i += 1) {
+    const body = liveDynamics[i]!;
+    if (body.isBullet) {
+      movers.alone = false;
+      foreseeFalling(world, body);
     }
   }
-  return false;
 }
 
 /** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */
 function foreseeDynamic(world: World, body: RigidBody): void {
   const { ahead, pull } = world.movers;
+  if (body.isBullet) {
+    return;
+  }
   const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
   if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
     foreseeFalling(world, body);
@@ -82,9 +91,7 @@ function foreseeDynamic(world: World, body: RigidBody): void {
 function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void {
   for (let i = 0; i < liveKinematics.length; i += 1) {
     const body = liveKinematics[i]!;
-    if (goesFar(body, dt)) {
-      movers.add(body).aim(body, movers);
-    }
+    movers.add(body, goesFar(body, dt)).aim(body, movers);
   }
 }
 
@@ -101,23 +108,14 @@ function foreseeFalling(world: World, body: RigidBody): void {
   const w = body.w + body.appliedTorque * inertia * gain;
   const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
   movers.space.reach = way + CLEARANCE;
-  if (way > SPECULATIVE_MARGIN / 2 && !isInTheClear(movers, body)) {
-    const mover = movers.add(body);
+  if (way > SPECULATIVE_MARGIN / 2 && (body.isBullet || !isClear(world, body))) {
+    const mover = movers.add(body, true);
     mover.dx = vx;
     mover.dy = vy;
     mover.turn = w;
     goAlongContacts(world, mover, body);
     mover.foresee(body, movers);
   }
-}
-
-/** What `isClear` says of a body that is in its clear space, without a look. */
-function isInTheClear({ alone, space }: Movers, body: RigidBody): boolean {
-  if (alone && space.holds(body)) {
-    body.clearance = space.reach;
-    return true;
-  }
-  return false;
 }
 
 /** Takes from the velocity of a mover what goes into the static bodies that it touches; and notes if it may not bounce. */
@@ -168,7 +166,7 @@ function open(world: World, { a, b, time }: Meeting): void {
     return;
   }
   if (isClose(world, a, b)) {
-    pair.near = true;
+    pair.mark(NEAR);
     return;
   }
   const one = world.movers.of(a.owner!);
@@ -203,8 +201,8 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   two.putAt(0);
   a.place(one.body);
   b.place(two.body);
-  pair.near = pair.count > 0 && !isLost;
-  if (!pair.near) pair.foreseen = 0;
+  pair.put(NEAR, pair.count > 0 && !isLost);
+  if (!pair.is(NEAR)) pair.foreseen = 0;
 }
 
 /** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */

@@ -11,6 +11,7 @@ import {
   STRAIN_STEPS,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ROCKS } from '../contact/bits.js';
 import type { SolverData } from './data.js';
 import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD } from './layout.js';
 
@@ -31,7 +32,8 @@ export function markHard(data: SolverData, count: number, stamp: number): number
   // Above the marks of the windows before.
   const mark = 1 + 2 * (data.one.count + data.two.count);
   for (let i = 0; i < count; i += 1) {
-    const { active, began, strained: latest, rocks, bodyA, bodyB } = window[i]!;
+    const pair = window[i]!;
+    const { began, strained: latest, bodyA, bodyB } = pair;
     if (data.unloads && (bodyA.unloaded === stamp || bodyB.unloaded === stamp)) {
       return ALL_HARD;
     }
@@ -40,8 +42,8 @@ export function markHard(data: SolverData, count: number, stamp: number): number
       note(data, bodyA, mark);
       note(data, bodyB, mark);
     }
-    rocking += rocks ? 1 : 0;
-    fresh += stamp - began < NEW_STEPS && active && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
+    rocking += pair.is(ROCKS) ? 1 : 0;
+    fresh += stamp - began < NEW_STEPS && pair.active && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
   }
   if (
     fresh > NEW_SHARE * count ||

@@ -10,6 +10,7 @@ import {
   STATIC_FRICTION_SPEED_SQUARED,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED, ACTIVE, FRESH, LISTED, PERSISTENT, USED } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { touch, touchAtPoint } from '../contact/touch.js';
@@ -27,12 +28,12 @@ import { joinLists, wakeBody } from './sleep.js';
 
 /** An interaction begins in the course of a step. */
 export function beginLate(world: World, pair: Arbiter): void {
-  if (!pair.listed) {
+  if (!pair.is(LISTED)) {
     world.pairs.list(pair);
     joinLists(world, pair);
   }
-  pair.persistent = false;
-  pair.active = true;
+  pair.unmark(PERSISTENT);
+  pair.mark(ACTIVE);
   pair.began = world.timeStamp;
   pair.lastInteraction = world.timeStamp;
   world.events.interaction(BEGIN, pair, FOUND_LATE);
@@ -65,7 +66,7 @@ export function strike(world: World, { a, b }: Meeting): Arbiter | null {
     bodyA.wakeTime = world.timeStamp;
     bodyB.wakeTime = world.timeStamp;
   }
-  if (!pair.accepted) {
+  if (!pair.is(ACCEPTED)) {
     pair.dropPoints();
     return null;
   }
@@ -79,7 +80,8 @@ export function strike(world: World, { a, b }: Meeting): Arbiter | null {
   }
   solveImpact(world, pair);
   if (begins) {
-    pair.freshPoints = pair.usedPoints;
+    pair.unmark(3 << FRESH);
+    pair.mark(pair.usedPoints << FRESH);
     world.events.hit(pair, FOUND_LATE);
   } else if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC) {
     stopComing(pair);
@@ -154,7 +156,7 @@ export function solveImpact(world: World, pair: Arbiter): void {
       const at = c.IMPULSES * which;
       n[o + c.STEP_NORMAL + at] = n[o + c.STEP_NORMAL + at]! + normal;
       n[o + c.STEP_TANGENT + at] = n[o + c.STEP_TANGENT + at]! + tangent;
-      pair.usedPoints |= 1 << which;
+      pair.mark(1 << (USED + which));
     }
   }
 }

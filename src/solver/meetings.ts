@@ -1,9 +1,9 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { leastSeparation } from '../collide/manifold.js';
 import {
-  CLEARANCE,
   DEEPER_SHARE,
   IMPACT_DEPTH,
   IMPACT_SHARE_THIN,
@@ -14,11 +14,12 @@ import {
   TOUCH_DEPTH,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import { crossing, REACHED } from '../geometry/crossing.js';
 import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
 import { PRE_SOLVE } from '../listeners.js';
-import { mixElasticity } from '../material.js';
+import { materials, mixElasticity } from '../material.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
@@ -42,40 +43,35 @@ export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
 }
 
-/** Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. */
+/**
+ * Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. Kinematic bodies that are awake have movers, and
+ * the ways are listed.
+ */
 export function findMeetings(world: World, depth: number): void {
   const { movers } = world;
-  const sweeping = movers.count;
-  for (let i = 0; i < world.liveKinematics.length; i += 1) {
-    movers.of(world.liveKinematics[i]!);
-  }
-  const count = movers.count;
+  const { count } = movers;
+  // What bounces only matters where something else is foreseen.
+  const isBouncy = movers.bouncy && world.liveKinematics.length === 0;
   movers.meetings.clear();
-  listWays(movers);
-  for (let i = 0; i < sweeping; i += 1) {
+  for (let i = 0; i < count; i += 1) {
     const mover = movers.all[i]!;
-    mover.clear = movers.ahead > 0 && !meetsMovers(mover) && isClear(world, mover);
-    if (!mover.clear) {
+    if (mover.looks && (!isBouncy || materials.someDeaden || !meetsMovers(mover))) {
       meetStill(world, mover, count, depth);
     }
   }
-  // What bounces only matters where something else is foreseen.
-  const isIdle = movers.bouncy && movers.meetings.count === 0 && world.liveKinematics.length === 0;
+  const isIdle = isBouncy && movers.meetings.count === 0;
   for (let i = 0; i < count && movers.ways.count > 0 && !isIdle; i += 1) {
-    if (!movers.all[i]!.clear) {
-      meetWays(world, i, sweeping, depth);
-    }
+    meetWays(world, i, depth);
   }
   lookAtBouncing(world, depth);
 }
 
 /** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. */
-function listWays(movers: Movers): void {
+export function listWays(movers: Movers): void {
   const { ways } = movers;
   ways.clear();
   for (let i = 0; i < movers.count; i += 1) {
     const mover = movers.all[i]!;
-    mover.clear = false;
     if (!meetsMovers(mover)) {
       continue;
     }
@@ -88,22 +84,21 @@ function listWays(movers: Movers): void {
 }
 
 /**
- * Nothing that a body which is no fast bullet might be swept against is near it, wherever it goes in this step with little more than the speed foreseen: then
+ * Nothing that a body which is no bullet might be swept against is near it, wherever it goes in this step, which is no farther than `reach` of the clear space: then
  * it need not be looked at, now or at the end of the step. Bullets that come all the same are swept themselves.
  */
-function isClear(world: World, { body, dx, dy, spin }: Mover): boolean {
-  const reach = Math.abs(dx) + Math.abs(dy) + spin * body.radius + CLEARANCE;
-  if (world.movers.alone) {
-    world.movers.space.reach = reach;
-    world.movers.space.search(world, body);
-  }
-  for (let i = 0; i < body.shapes.length; i += 1) {
-    growBounds(body.shapes[i]!, reach, bounds);
-    if (comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
-      return false;
+export function isClear(world: World, body: RigidBody): boolean {
+  const { alone, space } = world.movers;
+  if (!(alone && space.holds(body))) {
+    if (alone) space.search(world, body);
+    for (let i = 0; i < body.shapes.length; i += 1) {
+      growBounds(body.shapes[i]!, space.reach, bounds);
+      if (comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
+        return false;
+      }
     }
   }
-  body.clearance = reach;
+  body.clearance = space.reach;
   return true;
 }
 
@@ -162,7 +157,7 @@ function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): 
 }
 
 /** A mover with all ways that were listed; one of both sweeps. */
-function meetWays(world: World, index: number, sweeping: number, depth: number): void {
+function meetWays(world: World, index: number, depth: number): void {
   const { movers } = world;
   const { ways } = movers;
   const mover = movers.all[index]!;
@@ -177,7 +172,7 @@ function meetWays(world: World, index: number, sweeping: number, depth: number):
       const other = ways.movers[way]!;
       const isOnce = other < index || !isListed;
       const isFar = movers.ahead > 0 && isBeyondEdge(movers.all[other]!, ways.shapes[way]!, bounds);
-      if (isOnce && !isFar && (other < sweeping || index < sweeping)) {
+      if (isOnce && !isFar && (mover.looks || movers.all[other]!.looks)) {
         note(world, ways.shapes[way]!, shapes[i]!, depth);
       }
     }
@@ -206,7 +201,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
   }
   const pair = pairs.find(a, b);
   const waits = isKnown(pair, movers, depth);
-  if ((waits && !pair!.accepted) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
+  if ((waits && !pair!.is(ACCEPTED)) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
   if (movers.ahead > 0 && !waits && bounces(pair, a, b)) {
@@ -309,10 +304,10 @@ function add({ movers }: World, meeting: Meeting): void {
  * as they go sideways, times the turn.
  */
 function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
-  if (pair === null || !(pair.active || pair.near)) {
+  if (pair === null || !(pair.active || pair.is(NEAR))) {
     return false;
   }
-  if (!pair.accepted || movers.ahead > 0) {
+  if (!pair.is(ACCEPTED) || movers.ahead > 0) {
     return true;
   }
   const a = movers.of(pair.bodyA);

@@ -28,10 +28,10 @@ const TURNED_BACK = 0.01;
  */
 export class Mover {
   body!: RigidBody;
+  /** Looks for what it may meet; others are only met. */
+  looks = false;
   /** Moved so far that it may have passed something. */
   sweeps = false;
-  /** Nothing is near that it could meet. */
-  clear = false;
   /** Something met it on its way. */
   met = false;
   /** An impact ended its way. */
@@ -278,6 +278,8 @@ export class Movers {
   /** What lies beyond the count is for later. */
   readonly all: Mover[] = [];
   count = 0;
+  /** How many of them look for what they may meet. */
+  looking = 0;
   readonly meetings = new MeetingQueue();
   readonly ways = new Ways();
   readonly nearby = new Nearby();
@@ -309,24 +311,26 @@ export class Movers {
     return this.foreseen;
   }
 
-  /** A mover for a body, whose way is to be set. */
-  add(body: RigidBody): Mover {
+  /** A mover for a body, which looks for what it meets or does not, and whose way is to be set. */
+  add(body: RigidBody, looks: boolean): Mover {
     if (this.count === this.all.length) {
       this.all.push(new Mover());
     }
     const mover = this.all[this.count]!;
     body.mover = this.count;
     mover.body = body;
+    mover.looks = looks;
     this.count += 1;
+    this.looking += looks ? 1 : 0;
     return mover;
   }
 
-  /** The mover of a body; if it has none it gets one, which does not sweep. */
+  /** The mover of a body; if it has none it gets one, which does not look. */
   of(body: RigidBody): Mover {
     if (body.mover >= 0) {
       return this.all[body.mover]!;
     }
-    const mover = this.add(body);
+    const mover = this.add(body, false);
     if (this.ahead > 0) {
       mover.aim(body, this);
     } else {
@@ -340,6 +344,7 @@ export class Movers {
       this.all[i]!.body.mover = -1;
     }
     this.count = 0;
+    this.looking = 0;
     this.ahead = 0;
     this.bouncy = false;
   }

@@ -15,6 +15,7 @@ import {
   UNEVEN,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { AWAKE, LISTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
@@ -41,13 +42,13 @@ export function packContacts(world: World): void {
   for (let i = 0; i < sorted.count; i += 1) {
     const pair = items[i]!;
     if (pair.sleeping) {
-      pair.awake = false;
+      pair.unmark(AWAKE);
       continue;
     }
     if (kept < i) items[kept] = pair;
     kept += 1;
-    pair.near &&= canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB);
-    if (pair.listed) {
+    if (pair.is(NEAR) && !(canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB))) pair.unmark(NEAR);
+    if (pair.is(LISTED)) {
       if (pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC) {
         dynamicArbiters[dynamics] = pair;
         pair.listIndex = dynamics;

@@ -6,6 +6,7 @@ import { leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { NEAR } from '../contact/bits.js';
 import { touch, touchAlong } from '../contact/touch.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
@@ -89,13 +90,13 @@ function smooth(pair: Arbiter): void {
       continue;
     }
     const below = isBelow(pair, other);
-    if (below && pair.near && other.isSolved() && moveAlike(ground, groundOf(other))) {
-      pair.near = false;
+    if (below && pair.is(NEAR) && other.isSolved() && moveAlike(ground, groundOf(other))) {
+      pair.unmark(NEAR);
       return;
     }
     if (below || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
       turn(pair);
-      pair.near &&= pair.count > 0;
+      if (pair.count === 0) pair.unmark(NEAR);
       return;
     }
   }

@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED, ACTIVE, SLEEPING } from '../contact/bits.js';
 import { IN_STEP } from '../events/events.js';
 import { PROGRESS, SLEEP } from '../listeners.js';
 import { takeOut } from '../math/list.js';
@@ -189,7 +190,7 @@ export function neighboursOf({ shapes }: RigidBody): RigidBody[] {
   for (const shape of shapes) {
     for (const pair of shape.arbiters) {
       const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
-      if (other.kind === DYNAMIC && (pair.active || pair.sleeping) && pair.accepted) {
+      if (other.kind === DYNAMIC && (pair.active || pair.sleeping) && pair.is(ACCEPTED)) {
         found.push(other);
       }
     }
@@ -199,8 +200,8 @@ export function neighboursOf({ shapes }: RigidBody): RigidBody[] {
 
 /** The interaction goes on where it was: the time asleep is no gap. Inside a step nothing has moved, so it holds for that step. */
 function wakePair(world: World, pair: Arbiter): void {
-  pair.sleeping = false;
-  pair.active = true;
+  pair.unmark(SLEEPING);
+  pair.mark(ACTIVE);
   world.pairs.arrive(pair);
   joinLists(world, pair);
   if (world.stepping) {
@@ -267,8 +268,8 @@ function sleepPairs(world: World, body: RigidBody): void {
 
 /** An interaction falls asleep with its bodies, in the step in which they do or in the next; its last `progress` tells so. */
 export function sleepPair(world: World, pair: Arbiter): void {
-  pair.sleeping = true;
-  pair.active = false;
+  pair.mark(SLEEPING);
+  pair.unmark(ACTIVE);
   pair.idle();
   tellProgress(world, pair);
 }

@@ -10,9 +10,10 @@ import {
   STRAIN_UNLIKE_ONE,
   TUMBLE_SPIN,
 } from '../config.js';
-import type { Arbiter } from '../contact/arbiter.js';
+import { clearPoint } from '../contact/arbiter.js';
+import { FRESH, ROCKS, STRAINS, USE, USED } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
-import type { SolverData } from './data.js';
+import type { ContactBatch, SolverData } from './data.js';
 import * as d from './layout.js';
 
 // Straight-line, as packing is: they run once a step for every contact. Zeros are never negative, as users and snapshots read them. The next step does not start from
@@ -20,13 +21,13 @@ import * as d from './layout.js';
 
 /** Writes the outcome of a contact of two points back to its pair. A point that was apart from the start and met nothing was not used. */
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
-  const { records: r, bodies, arbiters } = data.two;
+  const batch = data.two;
+  const { records: r, bodies } = batch;
   const i = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
   const a = bodies[2 * index]! & d.OFFSET;
   const b = bodies[2 * index + 1]!;
-  const pair = arbiters[index]!;
-  const { numbers: n } = pair;
-  const o = pair.at & d.OFFSET;
+  const n = batch.numbers[index]!;
+  const o = batch.at[index]! & d.OFFSET;
   const scale = data.impulseScale;
   const p1 = r[i + d.NORMAL1]!;
   const p2 = r[i + d.NORMAL2]!;
@@ -55,21 +56,24 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
     p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
     (areUnlike(data, a, b, STRAIN_UNLIKE) ||
       p1 + p2 > STRAIN_PART * Math.min(data.drive[a + d.LOAD]!, data.drive[b + d.LOAD]!));
-  noteUse(pair, (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0), isStrained, stamp);
-  pair.rocks = isRocking(data, a, b, p1 + p2);
+  const before = (batch.bits[index]! >> USED) & 3;
+  const used = (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0);
+  noteUse(batch, index, before, used, isRocking(data, a, b, p1 + p2), isStrained, stamp);
 }
 
 /** The same for a contact of one point; a second point that the solver did not see has no impulse. */
 export function storeOne(data: SolverData, index: number, stamp: number): void {
-  const { records: r, bodies, arbiters, point } = data.one;
+  const batch = data.one;
+  const { records: r, bodies, point } = batch;
   const i = ((index & d.PAIR) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
-  const pair = arbiters[index]!;
+  const n = batch.numbers[index]!;
+  const o = batch.at[index]! & d.OFFSET;
   const which = point[index]! & 1;
+  let usedBefore = (batch.bits[index]! >> USED) & 3;
   if ((point[index]! & d.ONE_OF_TWO) !== 0) {
-    pair.dropPoint(which === 0 ? 1 : 0);
+    clearPoint(n, o, 1 - which);
+    usedBefore &= 1 << which;
   }
-  const { numbers: n } = pair;
-  const o = pair.at & d.OFFSET;
   const to = o + c.IMPULSES * which;
   const p = r[i + d.NORMAL1]!;
   const tangent = r[i + d.TANGENT]!;
@@ -84,21 +88,37 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
   n[o + c.ROLL] = roll;
   n[o + c.STEP_ROLL] = r[i + d.ROLL_SUM]! + roll;
   const isUsed = total !== 0 || slid !== 0 || !(n[o + g.S0 + g.POINT * which]! > 0);
-  const others = pair.usedPoints & ~(1 << which);
   const isStrained =
     p > STRAIN_SPEED * r[i + d.NORMAL_MASS]! &&
     areUnlike(data, bodies[2 * index]! & d.OFFSET, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
-  noteUse(pair, others | (isUsed ? 1 << which : 0), isStrained, stamp);
-  pair.rocks = false;
+  const used = (usedBefore & ~(1 << which)) | (isUsed ? 1 << which : 0);
+  noteUse(batch, index, usedBefore, used, false, isStrained, stamp);
 }
 
-/** Which points the solver used, and since when the contact is hard to solve: since it bears far more than its bodies weigh, and they are unlike or it bears much of what either does. */
-function noteUse(pair: Arbiter, used: number, isStrained: boolean, stamp: number): void {
-  const { usedPoints, strain } = pair;
-  pair.usedPoints = used;
-  pair.freshPoints = used & ~usedPoints;
-  pair.strain = isStrained ? strain + 1 : 0;
-  if (pair.strain >= STRAIN_DELAY) pair.strained = stamp;
+/**
+ * Which points the solver used, and since when the contact is hard to solve: since it bears far more than its bodies weigh, and they are unlike or it bears much of what either does. The arbiter is
+ * only waited for if something is new.
+ */
+function noteUse(
+  { bits, arbiters }: ContactBatch,
+  index: number,
+  before: number,
+  used: number,
+  rocks: boolean,
+  isStrained: boolean,
+  stamp: number,
+): void {
+  const was = bits[index]!;
+  const is = (was & ~USE) | (used << USED) | ((used & ~before) << FRESH) | (rocks ? ROCKS : 0);
+  if (is !== was) {
+    const pair = arbiters[index]!;
+    pair.bits = (pair.bits & ~USE) | (is & USE);
+  }
+  if (isStrained || (was & STRAINS) !== 0) {
+    const pair = arbiters[index]!;
+    pair.strainFor(isStrained ? pair.strain + 1 : 0);
+    if (pair.strain >= STRAIN_DELAY) pair.strained = stamp;
+  }
 }
 
 function areUnlike({ velocity: v }: SolverData, a: number, b: number, share: number): boolean {

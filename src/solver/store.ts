@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { FAR, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { ACCEPTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
@@ -58,7 +59,7 @@ function storeBody(world: World, body: RigidBody): void {
     body.moved();
     // As `goesFar`, which called from here would have to box its numbers.
     if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > Math.max(body.clearance, SPECULATIVE_MARGIN / 2)) {
-      world.movers.add(body).look(body, true);
+      world.movers.add(body, true).look(body, true);
     }
   }
   body.clearance = 0;
@@ -73,17 +74,20 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
   const isTwo = batch === data.two;
   const { timeStamp, frozen } = world;
   for (let k = 0; k < batch.count; k += 1) {
-    const pair = batch.arbiters[k]!;
-    if (frozen.size > 0 && (frozen.has(pair.bodyA) || frozen.has(pair.bodyB))) {
-      pair.near = false;
+    if (frozen.size > 0 && holdsFrozen(frozen, batch.arbiters[k]!)) {
+      batch.arbiters[k]!.unmark(NEAR);
       continue;
     }
     if (isTwo) storeTwo(data, k, timeStamp);
     else storeOne(data, k, timeStamp);
-    if (pair.near) {
-      meet(world, pair);
+    if ((batch.bits[k]! & NEAR) !== 0) {
+      meet(world, batch.arbiters[k]!);
     }
   }
+}
+
+function holdsFrozen(frozen: Set<RigidBody>, { bodyA, bodyB }: Arbiter): boolean {
+  return frozen.has(bodyA) || frozen.has(bodyB);
 }
 
 /**
@@ -95,8 +99,8 @@ function meet(world: World, pair: Arbiter): void {
   if (n[o + c.STEP_NORMAL] === 0 && (pair.count === 1 || n[o + c.STEP_NORMAL + c.IMPULSES] === 0)) {
     return;
   }
-  pair.near = false;
-  pair.accepted = true;
+  pair.unmark(NEAR);
+  pair.mark(ACCEPTED);
   if (pair.foreseen > 0) {
     endForesight(world.movers, pair);
   }

@@ -1,4 +1,5 @@
 import type { Arbiter } from '../contact/arbiter.js';
+import { DEAD } from '../contact/bits.js';
 import { isBefore, NEVER, type Pairs } from '../contact/pairs.js';
 import type { Shape } from '../shape/shape.js';
 
@@ -50,7 +51,7 @@ function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
   const { items, count } = pairs.earlier;
   for (; next < count; next += 1) {
     const pair = items[next]!;
-    if (pair.shapeA === shapeA && pair.shapeB === shapeB && !pair.dead) {
+    if (pair.shapeA === shapeA && pair.shapeB === shapeB && !pair.is(DEAD)) {
       next += 1;
       return pair;
     }
@@ -64,7 +65,7 @@ function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
 /** A pair that was cut off, and is named by an `end` event. */
 export function claimCut(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
   const pair = pairs.make(shapeA, shapeB);
-  pair.dead = true;
+  pair.mark(DEAD);
   pairs.cut.push(pair);
   return pair;
 }
@@ -75,7 +76,7 @@ export function endClaims(pairs: Pairs): void {
   // Mostly those that were awake, which lie in memory as they are walked through.
   for (let i = 0; i < earlier.count && unclaimed > 0; i += 1) {
     const pair = earlier.items[i]!;
-    if (!pair.dead && sightings[pair.number] === NEVER) {
+    if (!pair.is(DEAD) && sightings[pair.number] === NEVER) {
       unclaimed -= 1;
       pairs.retire(pair);
     }

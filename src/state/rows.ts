@@ -3,6 +3,7 @@ import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
 import { FAR, MAX_JOINT_SWEEPS, MAX_SIZE, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { DEAD, KEPT, LISTED, SHOWN } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import { polygonArea } from '../geometry/mass.js';
 import { repeatedVertex } from '../geometry/vertices.js';
@@ -11,25 +12,7 @@ import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
 import type { Group } from '../solver/joint-data.js';
-import {
-  ACCEPTED,
-  ACTIVE,
-  AGAIN,
-  COUNT,
-  FACE,
-  FIXED,
-  FLAGS_END,
-  FRESH,
-  LISTED,
-  PERSISTENT,
-  ROCKS,
-  ROLLED,
-  SHOWN,
-  SLEEPING,
-  SOLVED,
-  USED,
-  USUAL,
-} from './layout.js';
+import { AGAIN, COUNT, FACE, FLAGS_END, ROLLED, SOLVED, USUAL } from './layout.js';
 import { areSame, Row, type Tape } from './tape.js';
 
 // What of each object influences the future, field by field. What can be worked out from other fields is not there, nor are listeners and user data.
@@ -181,7 +164,7 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
   if (n[o + g.FACE]! >= 0) {
     tape.block(n, o + g.FACE_DX, o + g.FACE_ANGLE_B + 1);
   }
-  const isKnown = pair.listed || pair.dead;
+  const isKnown = pair.is(LISTED) || pair.is(DEAD);
   const as = isKnown ? usual : usualNear;
   if ((flags & USUAL) === 0) {
     passUsual(tape, pair, as);
@@ -209,47 +192,29 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
 
 function flagsOf(pair: Arbiter): number {
   const { numbers: n, at: o } = pair;
-  const isKnown = pair.listed || pair.dead;
+  const isKnown = pair.is(LISTED) || pair.is(DEAD);
   return (
-    (pair.active ? ACTIVE : 0) |
-    (pair.sleeping ? SLEEPING : 0) |
-    (pair.accepted ? ACCEPTED : 0) |
-    (pair.persistent ? PERSISTENT : 0) |
+    (pair.bits & KEPT) |
     (pair.metAgain() ? AGAIN : 0) |
     (hasImpulse(n, o) ? SOLVED : 0) |
     (hasRoll(n, o) ? ROLLED : 0) |
-    (pair.rocks ? ROCKS : 0) |
-    (pair.listed ? LISTED : 0) |
     (isUsual(pair, isKnown ? usual : usualNear) ? USUAL : 0) |
     (pair.count << COUNT) |
-    ((n[o + g.FACE]! + 1) << FACE) |
-    (pair.fixed << FIXED) |
-    (pair.usedPoints << USED) |
-    (pair.freshPoints << FRESH) |
-    (pair.shown << SHOWN)
+    ((n[o + g.FACE]! + 1) << FACE)
   );
 }
 
-function checkFlags(tape: Tape, flags: number, { dead }: Arbiter): void {
+function checkFlags(tape: Tape, flags: number, pair: Arbiter): void {
   const isRight =
     flags >> FLAGS_END === 0 && ((flags >> COUNT) & 3) < 3 && ((flags >> FACE) & 3) < 3 && ((flags >> SHOWN) & 3) < 3;
-  tape.require(isRight && !(dead && (flags & LISTED) !== 0));
+  tape.require(isRight && !(pair.is(DEAD) && (flags & LISTED) !== 0));
 }
 
 function takeFlags(pair: Arbiter, flags: number): void {
   const { numbers: n, at: o } = pair;
-  pair.active = (flags & ACTIVE) !== 0;
-  pair.sleeping = (flags & SLEEPING) !== 0;
-  pair.accepted = (flags & ACCEPTED) !== 0;
-  pair.persistent = (flags & PERSISTENT) !== 0;
-  pair.listed = (flags & LISTED) !== 0;
-  pair.rocks = (flags & ROCKS) !== 0;
+  pair.bits = (pair.bits & ~KEPT) | (flags & KEPT);
   n[o + g.COUNT] = (flags >> COUNT) & 3;
   n[o + g.FACE] = ((flags >> FACE) & 3) - 1;
-  pair.fixed = (flags >> FIXED) & 15;
-  pair.usedPoints = (flags >> USED) & 3;
-  pair.freshPoints = (flags >> FRESH) & 3;
-  pair.shown = (flags >> SHOWN) & 3;
 }
 
 /** Spelled out, as of most pairs all of them have to be looked at. */
@@ -341,7 +306,7 @@ function takeUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   pair.began = as[1]! | 0;
   pair.strained = as[2]! | 0;
   pair.lastInteraction = as[3]! | 0;
-  pair.strain = as[4]! | 0;
+  pair.strainFor(as[4]! | 0);
   n[o + g.FACE_STAMP] = as[5]!;
   for (let i = 6; i < as.length; i += 1) {
     n[o + c.ELASTICITY - 6 + i] = as[i]!;

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { AWAKE, DEAD } from '../contact/bits.js';
 import type { Material } from '../material.js';
 import { drop } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
@@ -124,7 +125,7 @@ function gatherPairs(world: World, scene: Scene): void {
   let count = 0;
   for (let i = 0; i < sorted.count; i += 1) {
     const pair = sorted.items[i]!;
-    if (!pair.dead) {
+    if (!pair.is(DEAD)) {
       sleeping -= 1;
       if (isIn(world, pair.shapeA) && isIn(world, pair.shapeB)) {
         pairs[count] = pair;
@@ -138,7 +139,7 @@ function gatherPairs(world: World, scene: Scene): void {
     const { arbiters } = shapes[i]!;
     for (let k = 0; k < arbiters.length; k += 1) {
       const pair = arbiters[k]!;
-      if (!pair.awake && pair.indexA === k && pair.shapeA === shapes[i]) {
+      if (!pair.is(AWAKE) && pair.indexA === k && pair.shapeA === shapes[i]) {
         pairs.push(pair);
       }
     }

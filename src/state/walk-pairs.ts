@@ -1,4 +1,5 @@
 import { Arbiter } from '../contact/arbiter.js';
+import { AWAKE, DEAD, LISTED } from '../contact/bits.js';
 import { isBefore } from '../contact/pairs.js';
 import { BEFORE_STEP } from '../events/events.js';
 import { END } from '../listeners.js';
@@ -39,11 +40,11 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
       const isNext = i === 0 || i >= awake || isBefore(scratch, shapes[a]!, shapes[b]!);
       tape.require(isNext && (isCut || shapes[a]!.id < shapes[b]!.id));
       scratch.reuse(shapes[a]!, shapes[b]!);
-      scratch.dead = isCut;
+      scratch.put(DEAD, isCut);
     }
     const pair = scratch ?? (tape.reads ? (isCut ? claimCut : claim)(world.pairs, shapes[a]!, shapes[b]!) : pairs[i]!);
     keepPair(tape, pair);
-    if (pair.listed) {
+    if (pair.is(LISTED)) {
       keepPlaces(tape, world, pair, a, b);
     }
     if (tape.reads) {
@@ -104,7 +105,7 @@ function enlist(world: World, pair: Arbiter, isAwake: boolean, isCut: boolean): 
   if (isCut) {
     world.events.interaction(END, pair, BEFORE_STEP);
   } else if (isAwake) {
-    pair.awake = true;
+    pair.mark(AWAKE);
     world.pairs.sorted.add(pair);
   }
 }
