@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { validate } from '../../src/audit/index.js';
 import * as g from '../../src/collide/layout.js';
+import { ACTIVE, AWAKE, SENSOR, SLEEPING } from '../../src/contact/bits.js';
 import * as c from '../../src/contact/layout.js';
 import { type Arbiter, type Circle, type Constraint, type Polygon, phys2D, type World } from '../../src/index.js';
 import { Tangle } from '../scenes/tangle.js';
@@ -19,6 +20,11 @@ interface Scene {
 
 function spoil({ numbers, at }: Arbiter, value: number, field: number): void {
   numbers[at + field] = value;
+}
+
+function sleepAlone(arbiter: Arbiter): void {
+  arbiter.mark(SLEEPING);
+  arbiter.unmark(ACTIVE);
 }
 
 /** Something rolls, something hangs, two boxes sleep on each other. */
@@ -94,13 +100,10 @@ const DAMAGES: readonly [damage: (scene: Scene) => unknown, message: RegExp][] =
   [({ box }) => box.vertices.fill(NaN, 2, 3), /corner 1 must be a finite number/],
   [({ ball }) => ball.arbiters.pop(), /must be listed by both shapes/],
   [({ ball, arbiter }) => ball.arbiters.push(arbiter), /its index in the arbiters of shape \d+ must be 1, got 0/],
-  [
-    ({ arbiter }) => Object.assign(arbiter, { sleeping: true }),
-    /^validate: the arbiter of shapes \d+ and \d+: cannot be both/,
-  ],
-  [({ arbiter }) => Object.assign(arbiter, { sleeping: true, active: false }), /is asleep, but a body of it is not/],
-  [({ arbiter }) => Object.assign(arbiter, { sensor: true }), /must know whether one is a sensor/],
-  [({ arbiter }) => Object.assign(arbiter, { awake: false }), /is in the list of awake pairs, and must know it/],
+  [({ arbiter }) => arbiter.mark(SLEEPING), /^validate: the arbiter of shapes \d+ and \d+: cannot be both/],
+  [({ arbiter }) => sleepAlone(arbiter), /is asleep, but a body of it is not/],
+  [({ arbiter }) => arbiter.mark(SENSOR), /must know whether one is a sensor/],
+  [({ arbiter }) => arbiter.unmark(AWAKE), /is in the list of awake pairs, and must know it/],
   [({ arbiter }) => spoil(arbiter, 0.5, g.NX), /normal must be a unit vector/],
   [({ arbiter }) => spoil(arbiter, NaN, g.S0), /separation of contact 0 must be a finite number/],
   [({ arbiter }) => spoil(arbiter, -1, c.STEP_NORMAL), /normal impulse must be a number >= 0/],
