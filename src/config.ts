@@ -21,7 +21,7 @@ export const FACE_TIE = 1e-6;
 /** m. While two polygons move less than this against each other, the edges that face each other are not chosen anew. */
 export const FACE_MOTION = 0.002;
 
-/** rad. The same for the turn of either. */
+/** rad. The same for their turn. */
 export const FACE_TURN = 0.002;
 
 /**

@@ -34,12 +34,14 @@ export const AXIS = 31;
 /** Whose edge the other's was clipped to: 0 A's, 1 B's, −1: there was no such choice; and for which shapes. */
 export const FACE = 32;
 export const FACE_STAMP = 33;
-/** Placement for which the facing edges were chosen. */
-export const FACE_DX = 34;
-export const FACE_DY = 35;
-export const FACE_ANGLE_A = 36;
-export const FACE_ANGLE_B = 37;
+/** Where body B's origin is in the coordinates of body A, … */
+export const LOCAL_X = 34;
+export const LOCAL_Y = 35;
+/** … where it was when the facing edges were chosen, and how far B was turned against A. */
+export const FACE_X = 36;
+export const FACE_Y = 37;
+export const FACE_TURN = 38;
 /** With the last one, of the contacts. */
-export const PAIR_NUMBERS = 39;
+export const PAIR_NUMBERS = 40;
 /** From record to record: whole cache lines of 64 bytes, so that a record takes no more than it has to, and those of circles one less. */
 export const PAIR_STRIDE = 40;

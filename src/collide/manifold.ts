@@ -16,28 +16,28 @@ export function leastSeparation(n: Float64Array, o: number): number {
   return n[o + g.COUNT] === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!;
 }
 
-/** The bodies have hardly moved since the choice of edges, and the shapes are the same: `stamp` is the sum of theirs. */
+/**
+ * The bodies have hardly moved against each other since the choice of edges, however both turn together, as in a drum; and the shapes are the same: `stamp` is
+ * the sum of theirs.
+ */
 export function keepsFace(n: Float64Array, o: number, stamp: number): boolean {
-  const x = n[o + g.DX]! - n[o + g.FACE_DX]!;
-  const y = n[o + g.DY]! - n[o + g.FACE_DY]!;
-  const a = n[o + g.ANGLE_A]! - n[o + g.FACE_ANGLE_A]!;
-  const b = n[o + g.ANGLE_B]! - n[o + g.FACE_ANGLE_B]!;
+  const x = n[o + g.LOCAL_X]! - n[o + g.FACE_X]!;
+  const y = n[o + g.LOCAL_Y]! - n[o + g.FACE_Y]!;
+  const turn = n[o + g.ANGLE_B]! - n[o + g.ANGLE_A]! - n[o + g.FACE_TURN]!;
   return (
     n[o + g.FACE]! >= 0 &&
     n[o + g.FACE_STAMP] === stamp &&
     x * x + y * y < FACE_MOTION * FACE_MOTION &&
-    a * a < FACE_TURN * FACE_TURN &&
-    b * b < FACE_TURN * FACE_TURN
+    turn * turn < FACE_TURN * FACE_TURN
   );
 }
 
 /** Remembers for what the edges were chosen. */
 export function faceChosen(n: Float64Array, o: number, stamp: number): void {
   n[o + g.FACE_STAMP] = stamp;
-  n[o + g.FACE_DX] = n[o + g.DX]!;
-  n[o + g.FACE_DY] = n[o + g.DY]!;
-  n[o + g.FACE_ANGLE_A] = n[o + g.ANGLE_A]!;
-  n[o + g.FACE_ANGLE_B] = n[o + g.ANGLE_B]!;
+  n[o + g.FACE_X] = n[o + g.LOCAL_X]!;
+  n[o + g.FACE_Y] = n[o + g.LOCAL_Y]!;
+  n[o + g.FACE_TURN] = n[o + g.ANGLE_B]! - n[o + g.ANGLE_A]!;
 }
 
 /** Drops normal and points. */

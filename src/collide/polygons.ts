@@ -90,6 +90,7 @@ function opposedEdge(q: Polygon, nx: number, ny: number): number {
  */
 export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
   n[o + g.COUNT] = 0;
+  look(a, n, o);
   const stamp = a.geometryStamp + b.geometryStamp;
   if (!keepsFace(n, o, stamp)) {
     n[o + g.FACE] = -1;
@@ -99,6 +100,15 @@ export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: numb
     faceChosen(n, o, stamp);
   }
   clipToFace(a, b, n, o);
+}
+
+/** Finds where B's origin is in the coordinates of A. */
+function look({ owner }: Polygon, n: Float64Array, o: number): void {
+  const { cos, sin } = owner!;
+  const dx = n[o + g.DX]!;
+  const dy = n[o + g.DY]!;
+  n[o + g.LOCAL_X] = cos * dx + sin * dy;
+  n[o + g.LOCAL_Y] = cos * dy - sin * dx;
 }
 
 function clipToFace(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
@@ -161,6 +171,7 @@ export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o:
   const edgeB = opposedEdge(b, nx, ny);
   n[o + g.EDGE_A] = edgeA;
   n[o + g.EDGE_B] = edgeB;
+  look(a, n, o);
   n[o + g.FACE] = alignment(a, edgeA, nx, ny) >= -alignment(b, edgeB, nx, ny) - FACE_TIE ? 0 : 1;
   faceChosen(n, o, a.geometryStamp + b.geometryStamp);
   clipToFace(a, b, n, o);

@@ -16,4 +16,4 @@ export const STATIC_FRICTION = 24;
 export const DYNAMIC_FRICTION = 25;
 export const ROLLING_FRICTION = 26;
 /** m/s. How fast the surfaces come together; only kept right where a `hit` is listened for. */
-export const APPROACH = 38;
+export const APPROACH = 39;

@@ -162,7 +162,7 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
   }
   keepFeatures(tape, n, o);
   if (n[o + g.FACE]! >= 0) {
-    tape.block(n, o + g.FACE_DX, o + g.FACE_ANGLE_B + 1);
+    tape.block(n, o + g.FACE_X, o + g.FACE_TURN + 1);
   }
   const isKnown = pair.is(LISTED) || pair.is(DEAD);
   const as = isKnown ? usual : usualNear;

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { BodyNumbers } from '../../src/body-numbers.js';
-import { PAIR_NUMBERS } from '../../src/collide/layout.js';
+import { LOCAL_X, LOCAL_Y, PAIR_NUMBERS } from '../../src/collide/layout.js';
+import { KEPT, LISTED } from '../../src/contact/bits.js';
 import { APPROACH } from '../../src/contact/layout.js';
 import { type Arbiter, phys2D, type World } from '../../src/index.js';
 import { GAMES } from '../scenes/states.js';
@@ -18,9 +19,9 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   shape: ['groundStamp', 'stateIndex'],
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
-  arbiter: ['near', 'foreseen', 'dead'],
+  arbiter: ['foreseen'],
   group: ['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches'],
-  record: [String(APPROACH)],
+  record: [LOCAL_X, LOCAL_Y, APPROACH].map(String),
 };
 
 /** Fixed when an object is made. */
@@ -29,7 +30,7 @@ const FIXED: Readonly<Record<string, readonly string[]>> = {
   shape: ['id', 'sensor', 'kind', 'at'],
   polygon: ['radius'],
   constraint: ['dimension', 'positional', 'bounded'],
-  arbiter: ['sensor', 'at', 'number'],
+  arbiter: ['at', 'number'],
 };
 
 /** Kept, but of no influence: lists without order, and by what objects are found. */
@@ -38,7 +39,7 @@ const UNHEARD: Readonly<Record<string, readonly string[]>> = {
   body: ['order', 'index', 'liveIndex', 'ignoring'],
   shape: ['order'],
   constraint: ['order', 'index', 'liveIndex'],
-  arbiter: ['listIndex', 'listed', 'awake', 'indexA', 'indexB'],
+  arbiter: ['listIndex', 'indexA', 'indexB'],
 };
 
 /** What a body has as accessors. */
@@ -123,7 +124,7 @@ describe.each([
           expect(world.hash(), `${kind}.${key} and the hash`).not.toBe(hash);
         }
         // By these the world finds its own objects again.
-        if (['index', 'liveIndex', 'ignoring', 'listed', 'awake', 'indexA', 'indexB', 'listIndex'].includes(key)) {
+        if (['index', 'liveIndex', 'ignoring', 'indexA', 'indexB', 'listIndex'].includes(key)) {
           object[key] = before;
         }
         world.restore(snapshot);
@@ -132,6 +133,20 @@ describe.each([
       }
     });
   }
+
+  it('bits of an arbiter', () => {
+    const find = () => world.dynamicArbiters.find((arbiter) => arbiter.is(LISTED) && arbiter.count > 0)!;
+    for (let bit = 1; bit <= KEPT; bit *= 2) {
+      // By whether it is listed the world finds it again.
+      if ((KEPT & bit) !== 0 && bit !== LISTED) {
+        const { bits } = find();
+        find().bits ^= bit;
+        expect(world.hash(), `bit ${bit}`).not.toBe(hash);
+        world.restore(snapshot);
+        expect(find().bits, `bit ${bit}`).toBe(bits);
+      }
+    }
+  });
 
   it('lists of numbers', () => {
     for (const constraint of world.constraints) {
