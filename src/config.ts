@@ -206,6 +206,12 @@ export const JOINT_SNAP = 0.05;
  */
 export const SETTLE_STEPS = 60;
 
+/** m, rad. What errors have to be below for that to be over: of what is left of them momentum is made again, in one sub-step. */
+export const JOINT_SETTLED = 1e-3;
+
+/** Of these so many, the first ones, move the bodies without turning them. */
+export const SNAP_STEPS = 4;
+
 /**
  * m, rad. Joints that contacts hold open by more are corrected once more, after the contacts: else one in a hundred in a heap of ragdolls would stay torn by
  * up to 0.3 m. With 0.005 that is done where contacts and joints only disagree for a moment.

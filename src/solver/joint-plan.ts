@@ -2,11 +2,13 @@ import {
   FEW_JOINTS,
   JOINT_CALM,
   JOINT_REST_ERROR,
+  JOINT_SETTLED,
   JOINT_SNAP,
   JOINT_SWEEP_MARGIN,
   MAX_JOINT_SWEEPS,
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
+  SNAP_STEPS,
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
 } from '../config.js';
@@ -61,11 +63,12 @@ function weigh(data: SolverData, group: Group): void {
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
 function settle(data: SolverData, group: Group): void {
   const { joints } = data.joints;
-  const isLarge = group.error > JOINT_SNAP * JOINT_SNAP;
+  const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
+  const isLarge = group.error > most * most;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(data, joints[k]!, group.touched ? 0 : 1);
+    steady(data, joints[k]!, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
   }
 }
 
