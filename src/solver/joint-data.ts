@@ -78,10 +78,12 @@ export class Group {
   error = 0;
   /** … and of the largest that the first position iteration found. */
   pushed = 0;
+  /** The heaviest of the bodies, and how they hang together, are yet to be looked at. */
+  isNew = true;
+  /** One body is far heavier than another: sweeps are slow to close the joints between these. */
+  burdened = false;
   /** Some body has three joints of it or more … */
   branches = false;
-  /** … which was not looked at yet … */
-  isNew = false;
   /** … and is a hub, so that all are swept over to and fro: see `joint-hubs.ts`. */
   toAndFro = false;
   /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once … */

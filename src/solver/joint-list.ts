@@ -52,7 +52,7 @@ export function allot(data: JointData): void {
     group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
     group.sweeps = isCareful || !isNew(data, group) ? 1 : NEW_JOINT_SWEEPS;
     group.branches = branches(data, group);
-    group.isNew = group.branches;
+    group.isNew = true;
   }
   allotSlots(data);
   if (data.records.length < data.size) {

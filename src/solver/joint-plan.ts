@@ -1,5 +1,6 @@
 import {
   FEW_JOINTS,
+  HEAVY,
   JOINT_CALM,
   JOINT_REST_ERROR,
   JOINT_SETTLED,
@@ -17,6 +18,7 @@ import { type Group, hasCallbacks } from './joint-data.js';
 import { hasHub } from './joint-hubs.js';
 import { POINT } from './joint-layout.js';
 import { steady } from './joint-numbers.js';
+import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
 
 // What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
@@ -51,13 +53,30 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
   }
 }
 
-/** Whether it has a hub: looked at in each step where joints are few, and once in a while where they are many. */
+/** Whether it has a hub or something heavy: looked at in each step where joints are few, and once in a while where they are many. */
 function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew || group.end - group.start <= FEW_JOINTS;
-  if (group.branches && isDue) {
-    group.toAndFro = hasHub(data, group);
+  if (isDue) {
+    group.toAndFro = group.branches && hasHub(data, group);
+    group.burdened = isBurdened(data, group);
     group.isNew = false;
   }
+}
+
+function isBurdened({ joints: { joints, bodies }, velocity: v }: SolverData, { start, end }: Group): boolean {
+  let least = Infinity;
+  let most = 0;
+  for (let k = start; k < end; k += 1) {
+    const { first, layout } = joints[k]!;
+    for (let n = first; n < first + layout.members; n += 1) {
+      const inverse = v[bodies[n]! + INV_MASS]!;
+      if (inverse > 0) {
+        least = inverse < least ? inverse : least;
+        most = inverse > most ? inverse : most;
+      }
+    }
+  }
+  return most > HEAVY * least;
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
@@ -90,8 +109,8 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
 }
 
 /**
- * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before, as sweeps that come and go shake what
- * hangs there, and fling up what lies on it.
+ * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before where it touches something or bears something heavy, as sweeps that come and go
+ * shake what hangs there, fling up what lies on it, and make a thin rope with a load whirl by itself.
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const { strained } = data.joints;
@@ -100,8 +119,9 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const error = Math.sqrt(group.error);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
   const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
-  const fewer = !group.touched || group.sweeps > MAX_JOINT_SWEEPS || eases;
-  const least = Math.max(group.touched ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
+  const isSteady = group.touched || group.burdened;
+  const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
+  const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
   if (group.toAndFro) {
     group.sweeps = Math.max(2, group.sweeps - (group.sweeps & 1));

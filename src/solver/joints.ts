@@ -1,4 +1,4 @@
-import { EASE_STEPS, JOINT_FAR, JOINT_PUSHES, WEIGH_STEPS } from '../config.js';
+import { EASE_STEPS, JOINT_FAR, JOINT_PUSHES, SWEPT_ONCE, WEIGH_STEPS } from '../config.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -366,9 +366,10 @@ function pushCustom(data: SolverData, joint: Joint): void {
   left.found ||= data.joints.records[joint.at + PUSH] !== 0;
 }
 
-/** What share of the momentum of corrections is made. */
-function shareOf({ joints: { h } }: SolverData, { span }: Group): number {
-  return (h / span) * (h / span);
+/** What share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them. */
+function shareOf({ joints: { h } }: SolverData, { span, sweeps, start, end }: Group): number {
+  const kept = sweeps === 1 && end - start > 1 ? Math.max(0, 1 - SWEPT_ONCE * h) : 1;
+  return kept * (h / span) * (h / span);
 }
 
 function finishGroup(data: SolverData, group: Group): void {
@@ -395,8 +396,9 @@ function finishJoints(data: SolverData): void {
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const { beside } = group;
-    if (beside !== null && beside.span === group.span) {
-      finishPoints(data, group.start, beside.end, shareOf(data, group));
+    const share = shareOf(data, group);
+    if (beside !== null && shareOf(data, beside) === share) {
+      finishPoints(data, group.start, beside.end, share);
       closeOpen(data, group);
       closeOpen(data, beside);
       k += 1;

@@ -331,6 +331,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.fresh = tape.flag(group.fresh);
   group.isNew = tape.flag(group.isNew);
   group.toAndFro = tape.flag(group.toAndFro);
+  group.burdened = tape.flag(group.burdened);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.span = tape.number(group.span);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);

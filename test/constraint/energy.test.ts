@@ -1,0 +1,164 @@
+import { describe, expect, it } from 'vitest';
+import {
+  type Constraint,
+  type PointConstraint,
+  phys2D,
+  type RigidBody,
+  type Vec2,
+  type World,
+} from '../../src/index.js';
+import { add, box, disc, heavy, staticBody, tie } from '../conformance/setting.js';
+
+// What hangs and swings without anything that drives it has no more energy than before; and what is joined while it is apart comes together without making any.
+
+function point(bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): Constraint {
+  return phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB });
+}
+
+/** Links of a length below each other, turned by an angle, from the origin on. @returns them, the first one being what it hangs on. */
+function hang(world: World, count: number, length: number, angle: number, free = false): RigidBody[] {
+  const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+  const bodies = [staticBody()];
+  for (let i = 0; i < count; i += 1) {
+    const along = (i + 0.5) * length;
+    const body = phys2D.createRigidBody({
+      shapes: [box(0.05, length, { mask: 0 })],
+      position: [sin * along, cos * along],
+      rotation: -angle,
+      ...(free ? { linearDrag: 0, angularDrag: 0 } : {}),
+    });
+    add(world, body);
+    tie(world, point(bodies[i]!, i === 0 ? [0, 0] : [0, length / 2], body, [0, -length / 2]));
+    bodies.push(body);
+  }
+  return bodies;
+}
+
+function energyOf(world: World): number {
+  return world.rigidBodies.reduce((sum, body) => {
+    const [vx, vy] = body.getVelocity();
+    const w = body.getAngularVelocity();
+    const kinetic = 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * w * w;
+    return sum + kinetic - 10 * body.getMass() * body.getPosition()[1];
+  }, 0);
+}
+
+function widestGap(world: World): number {
+  return Math.max(
+    ...world.constraints.map((constraint) => {
+      const joint = constraint as PointConstraint;
+      const [ax, ay] = joint.bodyA.transformLocalPointToWorld(joint.getAnchorA());
+      const [bx, by] = joint.bodyB.transformLocalPointToWorld(joint.getAnchorB());
+      return Math.hypot(ax - bx, ay - by);
+    }),
+  );
+}
+
+function fastest(world: World): number {
+  return Math.max(...world.rigidBodies.map((body) => Math.hypot(...body.getVelocity())));
+}
+
+describe('a rope whose end is tied to a point that it reaches', () => {
+  it.each([
+    { links: 10, x: 2, rate: 60 },
+    { links: 10, x: 2, rate: 144 },
+    { links: 10, x: 4, rate: 60 },
+    { links: 20, x: 8, rate: 60 },
+    { links: 4, x: 1.5, rate: 60 },
+  ])('$links links, $x m aside, steps of 1/$rate s', ({ links, x, rate }) => {
+    const world = heavy();
+    const last = hang(world, links, 0.5, 0).at(-1)!;
+    for (let i = 0; i < rate; i += 1) world.step(1 / rate);
+    tie(world, point(staticBody(), [x, 0], last, [0, 0.25]));
+    let speed = 0;
+    for (let i = 0; i < 5 * rate; i += 1) {
+      world.step(1 / rate);
+      speed = Math.max(speed, fastest(world));
+      if (i === 8) expect(widestGap(world)).toBeLessThan(0.01);
+    }
+    // What its middle gains in falling is some metres.
+    expect(speed).toBeLessThan(12);
+  });
+});
+
+describe('a hinged bridge whose middle joint is off for a second', () => {
+  it.each([30, 60, 144])('steps of 1/%i s', (rate) => {
+    for (const slack of [0.3, 1]) {
+      const world = heavy();
+      const width = 5 - slack;
+      const left = staticBody();
+      let last = left;
+      for (let i = 0; i <= 20; i += 1) {
+        const isEnd = i === 20;
+        const body = isEnd
+          ? left
+          : phys2D.createRigidBody({
+              shapes: [box(0.5, 0.15, { mask: 0 })],
+              position: [-width + ((i + 0.5) * width) / 10, 0],
+            });
+        if (!isEnd) add(world, body);
+        tie(world, point(last, i === 0 ? [-width, 0] : [0.25, 0], body, isEnd ? [width, 0] : [-0.25, 0]));
+        last = body;
+      }
+      for (let i = 0; i < 5 * rate; i += 1) world.step(1 / rate);
+      const middle = world.constraints[10]!;
+      middle.disable();
+      for (let i = 0; i < rate; i += 1) world.step(1 / rate);
+      middle.enable();
+      let speed = 0;
+      for (let i = 0; i < 3 * rate; i += 1) {
+        world.step(1 / rate);
+        speed = Math.max(speed, fastest(world));
+      }
+      expect(widestGap(world)).toBeLessThan(0.02);
+      expect(speed).toBeLessThan(25);
+    }
+  });
+});
+
+describe('a thin rope of 3 m with a heavy load, which swings from 40°', () => {
+  it.each([
+    { links: 10, load: 100, rate: 60 },
+    { links: 10, load: 200, rate: 60 },
+    { links: 20, load: 100, rate: 60 },
+    { links: 20, load: 350, rate: 144 },
+    { links: 10, load: 1000, rate: 144 },
+  ])('$links links, a load of $load of their masses, steps of 1/$rate s', ({ links, load, rate }) => {
+    const world = heavy();
+    const angle = 0.7;
+    const last = hang(world, links, 3 / links, angle).at(-1)!;
+    const mass = load * last.getMass();
+    const position: Vec2 = [3 * Math.sin(angle), 3 * Math.cos(angle)];
+    const ball = phys2D.createRigidBody({ shapes: [disc(0.2, { mask: 0 })], mass, position });
+    add(world, ball);
+    tie(world, point(last, [0, 1.5 / links], ball, [0, 0]));
+    const start = energyOf(world);
+    const swing = 10 * mass * 3 * (1 - Math.cos(angle));
+    let gain = 0;
+    for (let i = 0; i < 10 * rate; i += 1) {
+      world.step(1 / rate);
+      gain = Math.max(gain, energyOf(world) - start);
+    }
+    expect(gain).toBeLessThan(0.03 * swing);
+    expect(widestGap(world)).toBeLessThan(0.01);
+  });
+});
+
+describe('a pendulum of several rods without drag, let go level', () => {
+  it.each([3, 4, 5, 6, 8])('%i rods never have more energy than at first', (count) => {
+    for (const rate of [30, 60, 120]) {
+      const world = heavy();
+      hang(world, count, 1, Math.PI / 2, true);
+      const start = energyOf(world);
+      const mass = world.rigidBodies[0]!.getMass();
+      for (let i = 0; i < 100 * rate; i += 1) {
+        world.step(1 / rate);
+        if (i % rate === 0) {
+          expect(energyOf(world) - start, `steps of 1/${rate} s, after ${i / rate} s`).toBeLessThan(
+            0.02 * 5 * mass * count * count,
+          );
+        }
+      }
+    }
+  });
+});
