@@ -311,8 +311,11 @@ export const IMPACT_DEPTH = 0.05;
 /** IMPACT_DEPTH is no more than this share of the thickness of both shapes, so that thin ones cannot pass each other. */
 export const IMPACT_SHARE = 0.25;
 
-/** … nor, of half the thickness of the thinner one, than this many times: it would slip into the foot of a thick wall. With 1 small things that skim over tiles are stopped by some. */
-export const IMPACT_SHARE_THIN = 1.5;
+/**
+ * … nor, of half the thickness of the thinner one, than this share: it would slip into the foot of a thick wall, or into the joint of two tiles, of which neither holds it then. With 1.5 rods that fly at a joint
+ * lengthwise get in; what skims over tiles is stopped by none of them with either.
+ */
+export const IMPACT_SHARE_THIN = 0.95;
 
 /** rad. Unless they turn against each other by so much in the step: these would be stopped in it again and again, and stay in the air. */
 export const IMPACT_TURN = 0.3;
@@ -332,8 +335,8 @@ export const CLEARANCE = 0.1;
 /** For so many steps, at the speed it has, a body is looked around at once; more means a wider look, which finds something more often, and was for nothing then. */
 export const CLEAR_STEPS = 8;
 
-/** How much deeper than others jointed bodies may get. Times IMPACT_SHARE it must stay well below 1. */
-export const JOINT_PATIENCE = 3;
+/** How much deeper than others jointed bodies may get. Times IMPACT_SHARE no more than a half: what is deeper in a wall leaves it on the other side. With 3 jointed balls did. */
+export const JOINT_PATIENCE = 2;
 
 /** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
 export const DEEPER_SHARE = 0.1;

@@ -218,14 +218,19 @@ export function noSink(where: string, name: string, value: unknown, count: numbe
 
 /** A destination for so many numbers: anything with writable indices. */
 export function sink(where: string, name: string, value: unknown, count: number): void {
-  if (!holdsNumbers(value, count) || Object.isFrozen(value)) {
+  if (!holdsNumbers(value, count) || Object.isFrozen(value) || isShut(value as ArrayLike<unknown>, count)) {
     throw noSink(where, name, value, count);
   }
 }
 
+/** It cannot grow to hold so many, or holds integers of another type. */
+function isShut(value: ArrayLike<unknown>, count: number): boolean {
+  return typeof value[0] === 'bigint' || (!Object.isExtensible(value) && !(value.length >= count));
+}
+
 /** A destination for objects: an array, or what has writable indices as one. */
 export function list(where: string, name: string, value: unknown): void {
-  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || Object.isFrozen(value)) {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || !Object.isExtensible(value)) {
     throw typeError(where, name, 'an array to write into', value);
   }
 }

@@ -198,6 +198,7 @@ export abstract class WorldState {
     );
     this.broadphase =
       given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
+    users.set(this.broadphase, this);
   }
 
   /** s. Grows by the step length at the start of each step; never reset. */
@@ -316,6 +317,9 @@ function checkedSaving(where: string, value: unknown): WorldSaving {
   return value as WorldSaving;
 }
 
+/** The world that each broadphase was given to last. */
+const users = /* @__PURE__ */ new WeakMap<Broadphase, WorldState>();
+
 function checkedBroadphase(where: string, value: unknown): Broadphase {
   if (typeof value !== 'object' || value === null) {
     throw typeError(where, 'broadphase', 'a Broadphase', value);
@@ -324,6 +328,10 @@ function checkedBroadphase(where: string, value: unknown): Broadphase {
     if (typeof (value as Record<string, unknown>)[method] !== 'function') {
       throw typeError(where, 'broadphase', `a Broadphase with the method ${method}`, value);
     }
+  }
+  const user = users.get(value as Broadphase);
+  if (user !== undefined && user.rigidBodies.length > 0) {
+    throw new Error(`${where}: broadphase must not be that of another world that has bodies`);
   }
   return value as Broadphase;
 }

@@ -296,6 +296,18 @@ export class Arbiter extends PairState {
     this.dropPoints();
   }
 
+  /** @internal of what a pair that met again gave body B before, along a direction, the share of one of its points: as of the normal impulses since */
+  gaveBefore(which: number, x: number, y: number): number {
+    if (!this.active || !this.metAgain()) {
+      return 0;
+    }
+    const { numbers: n, at: o, before } = this;
+    const first = n[o + c.STEP_NORMAL]!;
+    const both = first + n[o + c.STEP_NORMAL + c.IMPULSES]!;
+    const ofFirst = both > 0 ? first / both : 1 / this.shown;
+    return (which === 0 ? ofFirst : 1 - ofFirst) * (before!.x * x + before!.y * y);
+  }
+
   /** @internal of the latest step */
   noteBefore(x: number, y: number, wA: number, wB: number): void {
     this.before ??= { step: 0, x: 0.5, y: 0.5, wA: 0.5, wB: 0.5 };

@@ -1,3 +1,4 @@
+import * as g from '../collide/layout.js';
 import { type NumberSink, type Vec2, vec2 } from '../math/vectors.js';
 import type { Arbiter } from './arbiter.js';
 import { atEnd, pointAtEnd } from './at-end.js';
@@ -47,16 +48,18 @@ export class Contact {
 
   /** N·s along the arbiter's normal that body B got in the latest step, >= 0; body A got the opposite. */
   getNormalImpulse(): number {
-    const { numbers, at } = this.arbiter;
-    return numbers[at + c.STEP_NORMAL + c.IMPULSES * this.which]!;
+    const { numbers: n, at: o } = this.arbiter;
+    const earlier = this.arbiter.gaveBefore(this.which, n[o + g.NX]!, n[o + g.NY]!);
+    return n[o + c.STEP_NORMAL + c.IMPULSES * this.which]! + Math.max(0, earlier);
   }
 
   /**
    * N·s along the tangent (−n.y, n.x) that body B got in the latest step. Two contacts have one friction, of which each is told the share that it
-   * has of their normal impulses.
+   * has of their normal impulses; and likewise where the shapes met twice in the step, of what they gave each other before.
    */
   getTangentImpulse(): number {
-    const { numbers, at } = this.arbiter;
-    return numbers[at + c.STEP_TANGENT + c.IMPULSES * this.which]!;
+    const { numbers: n, at: o } = this.arbiter;
+    const earlier = this.arbiter.gaveBefore(this.which, -n[o + g.NY]!, n[o + g.NX]!);
+    return n[o + c.STEP_TANGENT + c.IMPULSES * this.which]! + earlier;
   }
 }

@@ -314,7 +314,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
   const spin = spinOf(pair.shapeA, pair.shapeB, a, b);
-  findLeast(pair.shapeA, pair.shapeB, spin, depth);
+  findLeast(pair.shapeA, pair.shapeB, spin, depth, false);
   return pair.foreseen === 0 && spin * way < least[0]! && holds(pair, a, b);
 }
 
@@ -329,12 +329,12 @@ function isJointed(a: Shape, b: Shape): boolean {
 }
 
 /**
- * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`. What is not foreseen no deeper than a share of the thinner one, which else would slip
- * into the end of a thick one, from which it is parted along that; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
+ * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
+ * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
  */
-function findLeast(a: Shape, b: Shape, spin: number, depth: number): void {
+function findLeast(a: Shape, b: Shape, spin: number, depth: number, isNew: boolean): void {
   findImpactDepth(a, b, depth);
-  const mayBeMissed = spin < IMPACT_TURN && !mayBeForeseen(a, b);
+  const mayBeMissed = spin < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
   const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
   least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(impactDepth[0]!, thinner);
 }
@@ -369,7 +369,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findLeast(a, b, spinOf(a, b, one, two), depth);
+  findLeast(a, b, spinOf(a, b, one, two), depth, true);
   sweep.target = -Math.min(TOUCH_DEPTH, least[0]! / 2);
   if (!findImpact(sweep)) {
     return false;

@@ -1,5 +1,5 @@
-import type { RigidBody } from '../body.js';
-import { integer, optional, options, typeError } from '../validate.js';
+import { RigidBody } from '../body.js';
+import { instance, integer, optional, options, typeError } from '../validate.js';
 
 /** Numbers of a body in a pose buffer. */
 export const POSE_STRIDE = 4;
@@ -67,6 +67,7 @@ export class PoseBuffer {
 
   /** Frees the index of a body. @returns whether it was tracked. */
   untrack(body: RigidBody): boolean {
+    instance('PoseBuffer.untrack', 'body', body, RigidBody, 'a RigidBody');
     const index = this.indices.get(body);
     if (index === undefined) {
       return false;
@@ -80,6 +81,7 @@ export class PoseBuffer {
 
   /** The index of a body, −1 if it is not tracked. */
   indexOf(body: RigidBody): number {
+    instance('PoseBuffer.indexOf', 'body', body, RigidBody, 'a RigidBody');
     return this.indices.get(body) ?? -1;
   }
 

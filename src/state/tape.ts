@@ -117,9 +117,9 @@ export class Tape {
 
   /** Ends a digest. @returns 16 hexadecimal digits. */
   hashed(): string {
-    const { digest, halves, words } = this;
     this.word(this.atNumber);
-    const { atNumber, atWord } = this;
+    // After that, which may make the tracks longer.
+    const { digest, halves, words, atNumber, atWord } = this;
     halves.fill(0, 2 * atNumber, 2 * atNumber + 4);
     words.fill(0, atWord, atWord + 4);
     digest.begin();

@@ -142,6 +142,21 @@ describe('vectors', () => {
       'createWorld: broadphase must be a Broadphase with the method update, got an object',
     );
   });
+
+  it('name a broadphase that is in use: two worlds would cut each other for ever', () => {
+    const broadphase = phys2D.createBoxTreeBroadphase();
+    const world = phys2D.createWorld({ broadphase });
+    expect(() => phys2D.createWorld({ broadphase })).not.toThrow();
+    world.addRigidBody(phys2D.createRigidBody());
+    phys2D.createWorld({ broadphase: phys2D.createBoxTreeBroadphase() });
+    const other = phys2D.createWorld();
+    other.addRigidBody(phys2D.createRigidBody());
+    expect(() => phys2D.createWorld({ broadphase: other.broadphase })).toThrow(
+      'createWorld: broadphase must not be that of another world that has bodies',
+    );
+    other.clear();
+    expect(() => phys2D.createWorld({ broadphase: other.broadphase })).not.toThrow();
+  });
 });
 
 describe('legal infinities', () => {

@@ -14,7 +14,8 @@ function stage() {
 
 const frozen = Object.freeze([0, 0, 0, 0]) as unknown as number[];
 const short = new Float32Array(1);
-const BAD = [null, 5, 'text', frozen, short] as unknown as number[][];
+const shut = Object.preventExtensions([0]);
+const BAD = [null, 5, 'text', frozen, short, shut, new BigInt64Array(4)] as unknown as number[][];
 
 describe('a destination for numbers', () => {
   const { world, a, b, utils } = stage();

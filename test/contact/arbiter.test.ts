@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D } from '../../src/index.js';
+import * as g from '../../src/collide/layout.js';
+import { type Contact, phys2D } from '../../src/index.js';
+import { generator } from '../scenes/mixed.js';
 
 it.each([
   [Infinity, 1],
@@ -112,5 +114,37 @@ describe('normal and penetration are those of the end of the step', () => {
       // At a corner what is half-way between the surfaces is followed, not the corner.
       expect(arbiter.contacts[0]!.getPenetration()).toBeCloseTo(0.5 - length, 4);
     }
+  });
+
+  it('contacts tell all that a pair gave that met twice in a step', () => {
+    let again = 0;
+    for (let i = 0; i < 400; i += 1) {
+      const random = generator(i + 1);
+      const world = phys2D.createWorld();
+      const material = phys2D.createMaterial({ elasticity: 0.3, staticFriction: 0.6, dynamicFriction: 0.5 });
+      const floor = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(30, 1), material });
+      world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [0, 3], shapes: [floor] }));
+      const shape = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.8, 0.5), material });
+      const body = phys2D.createRigidBody({
+        shapes: [shape],
+        rotation: 6 * random(),
+        velocity: [6 * random() - 3, 6 * random()],
+        angularVelocity: 8 * random() - 4,
+      });
+      world.addRigidBody(body);
+      for (let k = 0; k < 60; k += 1) {
+        world.step(1 / 60);
+        const arbiter = world.staticArbiters[0];
+        if (arbiter?.active !== true) continue;
+        again += arbiter.metAgain() ? 1 : 0;
+        const [x, y] = arbiter.getImpulseForBody(body);
+        const sign = arbiter.bodyB === body ? 1 : -1;
+        const [nx, ny] = [arbiter.numbers[arbiter.at + g.NX]!, arbiter.numbers[arbiter.at + g.NY]!];
+        const sum = (of: (contact: Contact) => number) => arbiter.contacts.reduce((all, each) => all + of(each), 0);
+        expect(sum((contact) => contact.getNormalImpulse())).toBeCloseTo(sign * (x * nx + y * ny), 9);
+        expect(sum((contact) => contact.getTangentImpulse())).toBeCloseTo(sign * (y * nx - x * ny), 9);
+      }
+    }
+    expect(again).toBeGreaterThan(5);
   });
 });

@@ -342,4 +342,14 @@ describe('cost', () => {
     expect(growth).toBeLessThan(0.1 * more.length * frames);
     expect([handles, found]).toEqual([bodies, bodies]);
   }, 120_000);
+
+  it('a hash is the same when it is asked for again, whatever room it takes', () => {
+    const world = phys2D.createWorld();
+    for (let i = 0; i < 1500; i += 1) {
+      const shapes = i % 2 === 0 ? [] : [phys2D.createCircleShape({ radius: 1 })];
+      const velocity: [number, number] = i % 3 === 0 ? [0.5, 0] : [0, 0];
+      world.addRigidBody(phys2D.createRigidBody({ position: [3 * i, 0], velocity, shapes }));
+      expect(world.hash(), `${i + 1} bodies`).toBe(world.hash());
+    }
+  });
 });
