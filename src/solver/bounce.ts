@@ -11,6 +11,7 @@ import {
 } from '../config.js';
 import { type BounceList, recordAt, type SolverData } from './data.js';
 import * as d from './layout.js';
+import { findShare, gains, share } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
 import { isTied } from './ties.js';
 import { solveVelocityTwo } from './two-point.js';
@@ -88,7 +89,7 @@ export function planBounces(data: SolverData, h: number): void {
   list.hit.fill(0);
   let count = planRound(data, h, 0);
   for (let round = 1; round <= BOUNCE_ROUNDS && count > 0; round += 1) {
-    solveRound(data, h, count);
+    solveRound(data, h, count, round);
     count = planRound(data, h, round);
   }
   for (let k = 0; k < list.count; k += 1) {
@@ -160,8 +161,10 @@ function bouncesNow({ bias, hit }: BounceList, k: number): boolean {
  * Sweeps over what bounces in a round until nothing changes. Friction gets no larger after the first few: in a corner that of one wall presses onto the
  * other one, and would grow with each sweep.
  */
-function solveRound(data: SolverData, h: number, count: number): void {
+function solveRound(data: SolverData, h: number, count: number, round: number): void {
   const { bounces: list } = data;
+  const isFree = collect(data, count, round);
+  noteVelocities(data, before);
   dropAll(list, count);
   let changed = true;
   for (let i = 0; i < BOUNCE_RUBS && changed; i += 1) {
@@ -172,7 +175,118 @@ function solveRound(data: SolverData, h: number, count: number): void {
     changed = sweepBouncing(data, h, count);
   }
   swapFriction(list, count);
+  noteVelocities(data, after);
+  if (isFree && gains(weights, before, after, 3 * bodyCount)) {
+    lessenFriction(data, h, count);
+  }
   dropAll(list, count);
+}
+
+/** The bodies of a round, by the offsets of their records, what these weigh, and their velocities before it, after it, and after it as it would be without friction: scratch. */
+const involved: number[] = [];
+let bodyCount = 0;
+let weights = new Float64Array(0);
+let before = new Float64Array(0);
+let after = new Float64Array(0);
+let without = new Float64Array(0);
+/** What the contacts of a round gave with friction: scratch. */
+const given: number[] = [];
+
+/** Lists the bodies of a round, which are marked. @returns whether nothing drives them, and nothing is set to bounce higher than it came. */
+function collect({ bounces: list, velocity: v }: SolverData, count: number, round: number): boolean {
+  let isFree = true;
+  bodyCount = 0;
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    const { records: r, stride } = list.batches[k]!;
+    const record = recordAt(list.index[k]!, stride);
+    isFree &&= list.elasticity[k]! <= 1 && r[record + d.SURFACE_T] === 0 && r[record + d.SURFACE_N] === 0;
+    for (let side = 0; side < 2; side += 1) {
+      const at = list.bodies[2 * k + side]!;
+      if (v[at + d.MARK] === -round) {
+        v[at + d.MARK] = -round - 0.5;
+        involved[bodyCount] = at;
+        bodyCount += 1;
+      }
+    }
+  }
+  if (weights.length < 3 * bodyCount) {
+    const size = 6 * bodyCount;
+    weights = new Float64Array(size);
+    before = new Float64Array(size);
+    after = new Float64Array(size);
+    without = new Float64Array(size);
+  }
+  for (let n = 0; n < bodyCount; n += 1) {
+    const at = involved[n]!;
+    const mass = v[at + d.INV_MASS]!;
+    const inertia = v[at + d.INV_INERTIA]!;
+    v[at + d.MARK] = -round;
+    weights[3 * n] = mass > 0 ? 1 / mass : 0;
+    weights[3 * n + 1] = weights[3 * n]!;
+    weights[3 * n + 2] = inertia > 0 ? 1 / inertia : 0;
+    isFree &&= mass > 0 || inertia > 0 || (v[at + d.VX] === 0 && v[at + d.VY] === 0 && v[at + d.W] === 0);
+  }
+  return isFree;
+}
+
+function noteVelocities({ velocity: v }: SolverData, into: Float64Array): void {
+  for (let n = 0; n < bodyCount; n += 1) {
+    const at = involved[n]!;
+    into[3 * n] = v[at + d.VX]!;
+    into[3 * n + 1] = v[at + d.VY]!;
+    into[3 * n + 2] = v[at + d.W]!;
+  }
+}
+
+function setVelocities({ velocity: v }: SolverData, from: Float64Array): void {
+  for (let n = 0; n < bodyCount; n += 1) {
+    const at = involved[n]!;
+    v[at + d.VX] = from[3 * n]!;
+    v[at + d.VY] = from[3 * n + 1]!;
+    v[at + d.W] = from[3 * n + 2]!;
+  }
+}
+
+/** What contacts of two points and of one give. */
+const OF_TWO = [d.NORMAL1, d.TANGENT, d.NORMAL2];
+const OF_ONE = [d.NORMAL1, d.TANGENT, d.ROLL];
+
+/** Leaves as much of friction in a round as makes no energy: see `no-gain.ts`. */
+function lessenFriction(data: SolverData, h: number, count: number): void {
+  const { bounces: list } = data;
+  setVelocities(data, before);
+  let size = 0;
+  for (let n = 0; n < count; n += 1) {
+    const { records: r, stride } = list.batches[list.bouncing[n]!]!;
+    const record = recordAt(list.index[list.bouncing[n]!]!, stride);
+    for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
+      given[size] = r[record + field]!;
+      r[record + field] = 0;
+      size += 1;
+    }
+  }
+  swapFriction(list, count);
+  for (let i = 0, changed = true; i < BOUNCE_SWEEPS && changed; i += 1) {
+    changed = sweepBouncing(data, h, count);
+  }
+  swapFriction(list, count);
+  noteVelocities(data, without);
+  findShare(weights, before, without, after, 3 * bodyCount);
+  const kept = share[0]!;
+  for (let k = 0; k < 3 * bodyCount; k += 1) {
+    without[k] = without[k]! + kept * (after[k]! - without[k]!);
+  }
+  setVelocities(data, without);
+  size = 0;
+  for (let n = 0; n < count; n += 1) {
+    const { records: r, stride } = list.batches[list.bouncing[n]!]!;
+    const record = recordAt(list.index[list.bouncing[n]!]!, stride);
+    for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
+      r[record + field] = r[record + field]! + kept * (given[size]! - r[record + field]!);
+      size += 1;
+    }
+  }
 }
 
 /** Exchanges the effective masses along the tangents of what bounces for its biases, which are 0 by then, and back. */

@@ -23,6 +23,8 @@ import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
 import type { Meeting } from './meeting-queue.js';
+import { findShare, gains, share } from './no-gain.js';
+import { isMoving } from './pack-contacts.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
 
@@ -122,6 +124,9 @@ class Point {
   tangent = 0.5;
   nextNormal = 0.5;
   nextTangent = 0.5;
+  /** What was given with friction, while it is solved without. */
+  normalRubbed = 0.5;
+  tangentRubbed = 0.5;
 }
 
 /** Both points, and the inverse masses and inertias of the bodies: scratch. */
@@ -145,11 +150,9 @@ export function solveImpact(world: World, pair: Arbiter): void {
   for (let which = 0; which < 2; which += 1) {
     setPoint(world.solver, pair, which, which < count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }
-  for (let i = 0, changed = true; i < IMPACT_ITERATIONS && changed; i += 1) {
-    const rubbed = rub(pair, points[0]);
-    changed = rub(pair, points[1]) || rubbed;
-    changed = solveNormals(pair) || changed;
-  }
+  noteVelocities(pair, before);
+  solvePoints(pair);
+  keepEnergy(pair);
   for (let which = 0; which < 2; which += 1) {
     const { isUsed, normal, tangent } = points[which]!;
     if (isUsed) {
@@ -159,6 +162,82 @@ export function solveImpact(world: World, pair: Arbiter): void {
       pair.mark(1 << (USED + which));
     }
   }
+}
+
+function solvePoints(pair: Arbiter): void {
+  for (let i = 0, changed = true; i < IMPACT_ITERATIONS && changed; i += 1) {
+    const rubbed = rub(pair, points[0]);
+    changed = rub(pair, points[1]) || rubbed;
+    changed = solveNormals(pair) || changed;
+  }
+}
+
+/** Of both bodies, `[vx, vy, w]` of each: before an impact, after it, and after it as it would be without friction; and their masses and inertias: scratch. */
+const before = new Float64Array(6);
+const after = new Float64Array(6);
+const without = new Float64Array(6);
+const weights = new Float64Array(6);
+
+function noteVelocities({ bodyA: a, bodyB: b }: Arbiter, into: Float64Array): void {
+  into[0] = a.vx;
+  into[1] = a.vy;
+  into[2] = a.w;
+  into[3] = b.vx;
+  into[4] = b.vy;
+  into[5] = b.w;
+}
+
+function setVelocities({ bodyA: a, bodyB: b }: Arbiter, from: Float64Array): void {
+  a.vx = from[0]!;
+  a.vy = from[1]!;
+  a.w = from[2]!;
+  b.vx = from[3]!;
+  b.vy = from[4]!;
+  b.w = from[5]!;
+}
+
+/** Takes as much of friction from an impact as makes energy; what drives or is set to bounce higher may make it. */
+function keepEnergy(pair: Arbiter): void {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+  const isDriven =
+    (a.kind !== DYNAMIC && isMoving(a)) || (b.kind !== DYNAMIC && isMoving(b)) || isRubbing(a) || isRubbing(b);
+  const { massA, massB, inertiaA, inertiaB } = inverse;
+  weights[0] = massA > 0 ? 1 / massA : 0;
+  weights[1] = weights[0];
+  weights[2] = inertiaA > 0 ? 1 / inertiaA : 0;
+  weights[3] = massB > 0 ? 1 / massB : 0;
+  weights[4] = weights[3];
+  weights[5] = inertiaB > 0 ? 1 / inertiaB : 0;
+  noteVelocities(pair, after);
+  if (isDriven || n[o + c.ELASTICITY]! > 1 || !gains(weights, before, after, 6)) {
+    return;
+  }
+  setVelocities(pair, before);
+  for (let i = 0; i < 2; i += 1) {
+    const point = points[i]!;
+    point.normalRubbed = point.normal;
+    point.tangentRubbed = point.tangent;
+    point.normal = 0;
+    point.tangent = 0;
+    point.friction = 0;
+  }
+  solvePoints(pair);
+  noteVelocities(pair, without);
+  findShare(weights, before, without, after, 6);
+  const kept = share[0]!;
+  for (let k = 0; k < 6; k += 1) {
+    without[k] = without[k]! + kept * (after[k]! - without[k]!);
+  }
+  setVelocities(pair, without);
+  for (let i = 0; i < 2; i += 1) {
+    const point = points[i]!;
+    point.normal += kept * (point.normalRubbed - point.normal);
+    point.tangent = kept * point.tangentRubbed;
+  }
+}
+
+function isRubbing({ surfaceX, surfaceY }: RigidBody): boolean {
+  return surfaceX !== 0 || surfaceY !== 0;
 }
 
 /**

@@ -347,6 +347,7 @@ function shareOfTwo({ shapeA, shapeB }: Arbiter, areUneven: boolean): number {
   return areUneven ? PUSH_SHARE_UNEVEN : PUSH_SHARE_DYNAMIC;
 }
 
-function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {
+/** Moves or drives what it touches. */
+export function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {
   return vx !== 0 || vy !== 0 || w !== 0 || surfaceX !== 0 || surfaceY !== 0;
 }

@@ -1,5 +1,5 @@
-import { RigidBody } from '../body.js';
-import { instance, integer, optional, options, typeError } from '../validate.js';
+import type { RigidBody } from '../body.js';
+import { integer, optional, options, typeError } from '../validate.js';
 
 /** Numbers of a body in a pose buffer. */
 export const POSE_STRIDE = 4;
@@ -48,9 +48,7 @@ export class PoseBuffer {
   /** Tracks a body, in a world or not. @returns its index; the same one if it is tracked already. @throws RangeError if there is no room. */
   track(body: RigidBody): number {
     const where = 'PoseBuffer.track';
-    if (typeof body?.getRotation !== 'function') {
-      throw typeError(where, 'body', 'a RigidBody', body);
-    }
+    checkBody(where, body);
     const known = this.indices.get(body);
     if (known !== undefined) {
       return known;
@@ -67,7 +65,7 @@ export class PoseBuffer {
 
   /** Frees the index of a body. @returns whether it was tracked. */
   untrack(body: RigidBody): boolean {
-    instance('PoseBuffer.untrack', 'body', body, RigidBody, 'a RigidBody');
+    checkBody('PoseBuffer.untrack', body);
     const index = this.indices.get(body);
     if (index === undefined) {
       return false;
@@ -81,7 +79,7 @@ export class PoseBuffer {
 
   /** The index of a body, −1 if it is not tracked. */
   indexOf(body: RigidBody): number {
-    instance('PoseBuffer.indexOf', 'body', body, RigidBody, 'a RigidBody');
+    checkBody('PoseBuffer.indexOf', body);
     return this.indices.get(body) ?? -1;
   }
 
@@ -102,5 +100,12 @@ export class PoseBuffer {
     poses[at + 1] = body.y;
     poses[at + 2] = body.cos;
     poses[at + 3] = body.sin;
+  }
+}
+
+/** By what it can do, as the class is that of the engine's bundle. */
+function checkBody(where: string, body: RigidBody): void {
+  if (typeof body?.getRotation !== 'function') {
+    throw typeError(where, 'body', 'a RigidBody', body);
   }
 }

@@ -1,0 +1,35 @@
+// Where a bounce has to end with a share of the speed that it came with (Newton), friction that turns the bodies meanwhile may ask for more normal impulse than there is energy for (Kane & Levinson, "Dynamics:
+// Theory and Applications", 1985). Without friction it never does. Both solutions keep that share and the cone of friction, and so do all between them, as both are linear; and energy is a convex function along the way:
+// it is as before at one place, where as much is left of friction as there can be.
+
+/** Three velocities of a body, `[vx, vy, w]`, and so on for others; and what they weigh, 0 for what cannot move. */
+type Numbers = Float64Array;
+
+/** Whether `after` has more energy than `before`. */
+export function gains(weights: Numbers, before: Numbers, after: Numbers, count: number): boolean {
+  let was = 0;
+  let is = 0;
+  for (let k = 0; k < count; k += 1) {
+    was += weights[k]! * before[k]! * before[k]!;
+    is += weights[k]! * after[k]! * after[k]!;
+  }
+  return is > was * (1 + 1e-9);
+}
+
+/** How much of the way from `without` to `after`, with friction, ends with the energy of `before`, to `share`. */
+export function findShare(weights: Numbers, before: Numbers, without: Numbers, after: Numbers, count: number): void {
+  let surplus = 0;
+  let slope = 0;
+  let bend = 0;
+  for (let k = 0; k < count; k += 1) {
+    const way = after[k]! - without[k]!;
+    surplus += weights[k]! * (without[k]! * without[k]! - before[k]! * before[k]!);
+    slope += weights[k]! * without[k]! * way;
+    bend += weights[k]! * way * way;
+  }
+  const root = (Math.sqrt(Math.max(0, slope * slope - bend * surplus)) - slope) / bend;
+  share[0] = root > 0 ? (root < 1 ? root : 1) : 0;
+}
+
+/** What `findShare` found: 0 to 1. */
+export const share = new Float64Array(1);

@@ -1,0 +1,71 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type World } from '../../src/index.js';
+import { add, box, disc, staticBody, weightless } from '../conformance/setting.js';
+import { generator } from '../scenes/mixed.js';
+
+// Bounces with friction: where one has to end as fast as it came, friction must not ask for more than there is energy for. Boxes left with up to half as much again.
+
+function energyOf(world: World): number {
+  return world.rigidBodies.reduce((sum, body) => {
+    const [vx, vy] = body.getVelocity();
+    const w = body.getAngularVelocity();
+    const isFree = body.isDynamic();
+    return isFree ? sum + 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * w * w : sum;
+  }, 0);
+}
+
+const FREE = { linearDrag: 0, angularDrag: 0 };
+
+describe('a box that bounces off a floor', () => {
+  it.each([
+    { elasticity: 1, friction: 0.3 },
+    { elasticity: 1, friction: 2 },
+    { elasticity: 0.9, friction: 1 },
+  ])('elasticity $elasticity, friction $friction', ({ elasticity, friction }) => {
+    const random = generator(3);
+    const within = (from: number, to: number) => from + (to - from) * random();
+    const of = { elasticity, staticFriction: friction, dynamicFriction: friction, rollingFriction: 0 };
+    const material = phys2D.createMaterial(of);
+    for (const rate of [60, 240]) {
+      for (let i = 0; i < 500; i += 1) {
+        const world = weightless();
+        add(world, staticBody({ position: [0, 1], shapes: [box(400, 2, { material })] }));
+        const shapes = [box(within(0.1, 0.6), within(0.05, 0.6), { material })];
+        const velocity: [number, number] = [within(-8, 8), within(2, 15)];
+        const [rotation, angularVelocity] = [within(0, 6), within(-40, 40)];
+        add(world, phys2D.createRigidBody({ position: [0, -1], velocity, rotation, angularVelocity, shapes, ...FREE }));
+        const before = energyOf(world);
+        for (let k = 0; k < rate; k += 1) world.step(1 / rate);
+        expect(energyOf(world) / before, `${i}, steps of 1/${rate} s`).toBeLessThan(1.001);
+      }
+    }
+  });
+});
+
+describe('boxes and balls that bounce off each other in a room', () => {
+  it.each([0.2, 1])('friction %f: have no more energy than at first', (friction) => {
+    const random = generator(9);
+    const of = { elasticity: 1, staticFriction: friction, dynamicFriction: friction, rollingFriction: 0 };
+    const material = phys2D.createMaterial(of);
+    const world = weightless();
+    for (const [x, y, w, h] of [
+      [0, 5.5, 12, 1],
+      [0, -5.5, 12, 1],
+      [5.5, 0, 1, 12],
+      [-5.5, 0, 1, 12],
+    ] as const) {
+      add(world, staticBody({ position: [x, y], shapes: [box(w, h, { material })] }));
+    }
+    for (let i = 0; i < 49; i += 1) {
+      const shapes = [i % 3 === 0 ? disc(0.25, { material }) : box(0.4, 0.3 + 0.2 * random(), { material })];
+      const velocity: [number, number] = [8 * random() - 4, 8 * random() - 4];
+      const position: [number, number] = [(i % 7) * 1.3 - 3.9, Math.floor(i / 7) * 1.3 - 3.9];
+      add(world, phys2D.createRigidBody({ position, velocity, angularVelocity: 6 * random() - 3, shapes, ...FREE }));
+    }
+    const before = energyOf(world);
+    for (let i = 0; i < 1200; i += 1) {
+      world.step(1 / 60);
+      expect(energyOf(world) / before, `after ${i} steps`).toBeLessThan(1.02);
+    }
+  });
+});
