@@ -200,7 +200,9 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     for (let kind = 0; kind < 2; kind += 1) {
       const list = kind === 0 ? this.moving : this.still;
       list.sort();
-      for (let i = list.firstThatReaches(minX); i < list.handles.length; i += 1) {
+      // What a callback inserts comes after all that there were.
+      const count = list.handles.length;
+      for (let i = list.firstThatReaches(minX); i < count && i < list.handles.length; i += 1) {
         const b = list.handles[i]!;
         if (b.minX > maxX) break;
         if (b.maxX >= minX && b.minY <= maxY && b.maxY >= minY) {

@@ -53,13 +53,15 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
   }
 }
 
-/** Whether it has a hub or something heavy: looked at in each step where joints are few, and once in a while where they are many. */
+/** Whether it has something heavy, looked at once in a while, and whether a hub: in each step where joints are few. */
 function weigh(data: SolverData, group: Group): void {
-  const isDue = data.joints.weighs || group.isNew || group.end - group.start <= FEW_JOINTS;
+  const isDue = data.joints.weighs || group.isNew;
   if (isDue) {
-    group.toAndFro = group.branches && hasHub(data, group);
     group.burdened = isBurdened(data, group);
     group.isNew = false;
+  }
+  if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
+    group.toAndFro = hasHub(data, group);
   }
 }
 

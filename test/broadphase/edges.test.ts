@@ -11,6 +11,17 @@ import type { Item } from './tree-model.js';
 const EVERYWHERE: Rect = [-Infinity, -Infinity, Infinity, Infinity];
 
 describe.each(BROADPHASES)('edges: %s', (_, create) => {
+  it('what a callback of a sample inserts is not sampled', () => {
+    const broadphase = create();
+    for (let i = 0; i < 5; i += 1) broadphase.insert(i, [0, 0, 1, 1], i % 2 === 0);
+    let calls = 0;
+    broadphase.sample(EVERYWHERE, () => {
+      calls += 1;
+      if (calls < 100) broadphase.insert(null, [0, 0, 1, 1], false);
+    });
+    expect(calls).toBe(5);
+  });
+
   it('takes the same data many times, and any data', () => {
     const broadphase = create();
     const data = {};
