@@ -101,6 +101,9 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     sleepPair(world, pair);
     return false;
   }
+  if (world.pairs.isExpired(pair, stamp)) {
+    world.pairs.unlist(pair);
+  }
   if (world.pairs.isReported(pair, stamp) && mayInteract(pair.shapeA, pair.shapeB)) {
     forgetLeft(pair);
     pair.seen = stamp;
@@ -111,9 +114,6 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     return true;
   }
   part(world, pair);
-  if (world.pairs.isExpired(pair, stamp)) {
-    world.pairs.unlist(pair);
-  }
   if (isReported && pair.count > 0) {
     approach(world, pair, dt);
   }

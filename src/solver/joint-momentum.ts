@@ -58,12 +58,12 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
   return kernel !== TURN && kernel !== CUSTOM && square * mass * mass > STRAIN_SPEED * STRAIN_SPEED;
 }
 
-/** Whether something far heavier touches one of its bodies. */
-function isUnderWeight(joints: readonly Joint[], { start, end }: Group): boolean {
-  for (let k = start; k < end; k += 1) {
+/** Whether something far heavier touches one of its bodies, and is none of them: a wrecking ball that its last link reaches into does not lie on that. */
+function isUnderWeight(joints: readonly Joint[], group: Group): boolean {
+  for (let k = group.start; k < group.end; k += 1) {
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {
-      if (touchesHeavy(members[n]!)) {
+      if (touchesHeavy(members[n]!, joints, group)) {
         return true;
       }
     }
@@ -71,13 +71,23 @@ function isUnderWeight(joints: readonly Joint[], { start, end }: Group): boolean
   return false;
 }
 
-function touchesHeavy({ shapes, kind, mass }: RigidBody): boolean {
+function hasMember(joints: readonly Joint[], { start, end }: Group, body: RigidBody): boolean {
+  for (let k = start; k < end; k += 1) {
+    if (joints[k]!.constraint.members.includes(body)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+function touchesHeavy({ shapes, kind, mass }: RigidBody, joints: readonly Joint[], group: Group): boolean {
   for (let i = 0; i < shapes.length && kind === DYNAMIC; i += 1) {
     const shape = shapes[i]!;
     for (let k = 0; k < shape.arbiters.length; k += 1) {
       const pair = shape.arbiters[k]!;
       const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
-      if (pair.isSolved() && other.kind === DYNAMIC && other.mass > HEAVY * mass) {
+      const isHeavy = pair.isSolved() && other.kind === DYNAMIC && other.mass > HEAVY * mass;
+      if (isHeavy && !hasMember(joints, group, other)) {
         return true;
       }
     }

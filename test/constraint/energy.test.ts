@@ -162,3 +162,30 @@ describe('a pendulum of several rods without drag, let go level', () => {
     }
   });
 });
+
+it('a wrecking ball that its last link reaches into hangs still', () => {
+  for (const rate of [60, 144]) {
+    const world = heavy();
+    const bodies = [staticBody()];
+    for (let i = 0; i < 3; i += 1) {
+      const link = phys2D.createRigidBody({ shapes: [box(0.1, 0.5)], position: [0, 0.25 + 0.5 * i] });
+      add(world, link);
+      const bodyA = bodies[i]!;
+      const anchorA: Vec2 = i === 0 ? [0, 0] : [0, 0.25];
+      tie(
+        world,
+        phys2D.createPointConstraint({ bodyA, anchorA, bodyB: link, anchorB: [0, -0.25], ignoreInteractions: true }),
+      );
+      bodies.push(link);
+    }
+    const material = phys2D.createMaterial({ density: 5 });
+    const ball = phys2D.createRigidBody({ shapes: [disc(1, { material })], position: [0, 1.5] });
+    add(world, ball);
+    tie(
+      world,
+      phys2D.createPointConstraint({ bodyA: bodies[3]!, anchorA: [0, 0.25], bodyB: ball, ignoreInteractions: true }),
+    );
+    for (let i = 0; i < 20 * rate; i += 1) world.step(1 / rate);
+    expect(fastest(world)).toBeLessThan(0.5);
+  }
+});
