@@ -36,6 +36,8 @@ sweep.tolerance = SWEEP_TOLERANCE;
 sweep.most = 1;
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
+/** What `findLeast` is asked about: how far two shapes turn against each other, rad, and how deep they may get, m. Here, as arguments they would be boxed. */
+const asked = new Float64Array(2);
 /** m. What `findLeast` found. */
 const least = new Float64Array(1);
 
@@ -314,7 +316,9 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
   const spin = spinOf(pair.shapeA, pair.shapeB, a, b);
-  findLeast(pair.shapeA, pair.shapeB, spin, depth, false);
+  asked[0] = spin;
+  asked[1] = depth;
+  findLeast(pair.shapeA, pair.shapeB, false);
   return pair.foreseen === 0 && spin * way < least[0]! && holds(pair, a, b);
 }
 
@@ -332,9 +336,9 @@ function isJointed(a: Shape, b: Shape): boolean {
  * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
  * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
  */
-function findLeast(a: Shape, b: Shape, spin: number, depth: number, isNew: boolean): void {
-  findImpactDepth(a, b, depth);
-  const mayBeMissed = spin < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
+function findLeast(a: Shape, b: Shape, isNew: boolean): void {
+  findImpactDepth(a, b, asked[1]!);
+  const mayBeMissed = asked[0]! < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
   const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
   least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(impactDepth[0]!, thinner);
 }
@@ -369,7 +373,9 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findLeast(a, b, spinOf(a, b, one, two), depth, true);
+  asked[0] = spinOf(a, b, one, two);
+  asked[1] = depth;
+  findLeast(a, b, true);
   sweep.target = -Math.min(TOUCH_DEPTH, least[0]! / 2);
   if (!findImpact(sweep)) {
     return false;
