@@ -11,7 +11,7 @@ import {
 } from '../config.js';
 import { type BounceList, recordAt, type SolverData } from './data.js';
 import * as d from './layout.js';
-import { findShare, gains, share } from './no-gain.js';
+import { gains, lessen, share } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
 import { isTied } from './ties.js';
 import { solveVelocityTwo } from './two-point.js';
@@ -272,11 +272,8 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   }
   swapFriction(list, count);
   noteVelocities(data, without);
-  findShare(weights, before, without, after, 3 * bodyCount);
+  lessen(weights, before, without, after, 3 * bodyCount);
   const kept = share[0]!;
-  for (let k = 0; k < 3 * bodyCount; k += 1) {
-    without[k] = without[k]! + kept * (after[k]! - without[k]!);
-  }
   setVelocities(data, without);
   size = 0;
   for (let n = 0; n < count; n += 1) {

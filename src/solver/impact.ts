@@ -23,7 +23,7 @@ import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
 import type { Meeting } from './meeting-queue.js';
-import { findShare, gains, share } from './no-gain.js';
+import { gains, lessen, share } from './no-gain.js';
 import { isMoving } from './pack-contacts.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
@@ -223,11 +223,8 @@ function keepEnergy(pair: Arbiter): void {
   }
   solvePoints(pair);
   noteVelocities(pair, without);
-  findShare(weights, before, without, after, 6);
+  lessen(weights, before, without, after, 6);
   const kept = share[0]!;
-  for (let k = 0; k < 6; k += 1) {
-    without[k] = without[k]! + kept * (after[k]! - without[k]!);
-  }
   setVelocities(pair, without);
   for (let i = 0; i < 2; i += 1) {
     const point = points[i]!;

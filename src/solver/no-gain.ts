@@ -16,8 +16,8 @@ export function gains(weights: Numbers, before: Numbers, after: Numbers, count: 
   return is > was * (1 + 1e-9);
 }
 
-/** How much of the way from `without` to `after`, with friction, ends with the energy of `before`, to `share`. */
-export function findShare(weights: Numbers, before: Numbers, without: Numbers, after: Numbers, count: number): void {
+/** How much of the way from `without` to `after`, with friction, ends with the energy of `before`, to `share`; and goes it: `without` has what comes out. */
+export function lessen(weights: Numbers, before: Numbers, without: Numbers, after: Numbers, count: number): void {
   let surplus = 0;
   let slope = 0;
   let bend = 0;
@@ -28,8 +28,12 @@ export function findShare(weights: Numbers, before: Numbers, without: Numbers, a
     bend += weights[k]! * way * way;
   }
   const root = (Math.sqrt(Math.max(0, slope * slope - bend * surplus)) - slope) / bend;
-  share[0] = root > 0 ? (root < 1 ? root : 1) : 0;
+  const kept = root > 0 ? (root < 1 ? root : 1) : 0;
+  for (let k = 0; k < count; k += 1) {
+    without[k] = without[k]! + kept * (after[k]! - without[k]!);
+  }
+  share[0] = kept;
 }
 
-/** What `findShare` found: 0 to 1. */
+/** How much of friction `lessen` left: 0 to 1. */
 export const share = new Float64Array(1);
