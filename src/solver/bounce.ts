@@ -11,7 +11,7 @@ import {
 } from '../config.js';
 import { type BounceList, recordAt, type SolverData } from './data.js';
 import * as d from './layout.js';
-import { gains, lessen, share } from './no-gain.js';
+import { gains, lessen } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
 import { isTied } from './ties.js';
 import { solveVelocityTwo } from './two-point.js';
@@ -272,8 +272,7 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   }
   swapFriction(list, count);
   noteVelocities(data, without);
-  lessen(weights, before, without, after, 3 * bodyCount);
-  const kept = share[0]!;
+  const kept = lessen(weights, before, without, after, 3 * bodyCount);
   setVelocities(data, without);
   size = 0;
   for (let n = 0; n < count; n += 1) {

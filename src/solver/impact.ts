@@ -23,7 +23,7 @@ import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
 import type { Meeting } from './meeting-queue.js';
-import { gains, lessen, share } from './no-gain.js';
+import { gains, lessen } from './no-gain.js';
 import { isMoving } from './pack-contacts.js';
 import { smoothMeeting } from './seams.js';
 import { joinLists, wakeBody } from './sleep.js';
@@ -199,8 +199,6 @@ function setVelocities({ bodyA: a, bodyB: b }: Arbiter, from: Float64Array): voi
 /** Takes as much of friction from an impact as makes energy; what drives or is set to bounce higher may make it. */
 function keepEnergy(pair: Arbiter): void {
   const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
-  const isDriven =
-    (a.kind !== DYNAMIC && isMoving(a)) || (b.kind !== DYNAMIC && isMoving(b)) || isRubbing(a) || isRubbing(b);
   const { massA, massB, inertiaA, inertiaB } = inverse;
   weights[0] = massA > 0 ? 1 / massA : 0;
   weights[1] = weights[0];
@@ -209,7 +207,7 @@ function keepEnergy(pair: Arbiter): void {
   weights[4] = weights[3];
   weights[5] = inertiaB > 0 ? 1 / inertiaB : 0;
   noteVelocities(pair, after);
-  if (isDriven || n[o + c.ELASTICITY]! > 1 || !gains(weights, before, after, 6)) {
+  if (drives(a) || drives(b) || n[o + c.ELASTICITY]! > 1 || !gains(weights, before, after, 6)) {
     return;
   }
   setVelocities(pair, before);
@@ -223,8 +221,7 @@ function keepEnergy(pair: Arbiter): void {
   }
   solvePoints(pair);
   noteVelocities(pair, without);
-  lessen(weights, before, without, after, 6);
-  const kept = share[0]!;
+  const kept = lessen(weights, before, without, after, 6);
   setVelocities(pair, without);
   for (let i = 0; i < 2; i += 1) {
     const point = points[i]!;
@@ -233,8 +230,9 @@ function keepEnergy(pair: Arbiter): void {
   }
 }
 
-function isRubbing({ surfaceX, surfaceY }: RigidBody): boolean {
-  return surfaceX !== 0 || surfaceY !== 0;
+/** By a motion that nothing stops, or by its surface. */
+function drives(body: RigidBody): boolean {
+  return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : isMoving(body);
 }
 
 /**

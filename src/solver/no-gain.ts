@@ -16,8 +16,8 @@ export function gains(weights: Numbers, before: Numbers, after: Numbers, count: 
   return is > was * (1 + 1e-9);
 }
 
-/** How much of the way from `without` to `after`, with friction, ends with the energy of `before`, to `share`; and goes it: `without` has what comes out. */
-export function lessen(weights: Numbers, before: Numbers, without: Numbers, after: Numbers, count: number): void {
+/** Goes so much of the way from `without` to `after`, with friction, as ends with the energy of `before`: `without` has what comes out. @returns that share of the way. */
+export function lessen(weights: Numbers, before: Numbers, without: Numbers, after: Numbers, count: number): number {
   let surplus = 0;
   let slope = 0;
   let bend = 0;
@@ -32,8 +32,5 @@ export function lessen(weights: Numbers, before: Numbers, without: Numbers, afte
   for (let k = 0; k < count; k += 1) {
     without[k] = without[k]! + kept * (after[k]! - without[k]!);
   }
-  share[0] = kept;
+  return kept;
 }
-
-/** How much of friction `lessen` left: 0 to 1. */
-export const share = new Float64Array(1);
