@@ -124,8 +124,8 @@ function pointKernelsOf(kernels: Exports, step: Float64Array): PointKernels {
     },
     pushFurther: ({ points, pointBodies, motion }, from, to) =>
       kernels.pushPointsFurther(points.byteOffset, pointBodies.byteOffset, motion.byteOffset, from, to),
-    finish: ({ points, pointBodies, velocity }, from, to, share) => {
-      step[0] = share;
+    finish: ({ points, pointBodies, velocity, joints: { share } }, from, to) => {
+      step[0] = share[0]!;
       return kernels.finishPoints(points.byteOffset, pointBodies.byteOffset, velocity.byteOffset, from, to);
     },
   };

@@ -20,7 +20,7 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   return distance;
 }
 
-/** Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `depth`, or less if they are thin, so that they cannot pass each other. */
-export function findImpactDepth(a: Shape, b: Shape, depth: number): void {
-  impactDepth[0] = Math.min(depth, IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b)));
+/** Writes to `impactDepth` how deep two shapes may get into each other without passing each other, thin as they are. */
+export function findImpactDepth(a: Shape, b: Shape): void {
+  impactDepth[0] = IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b));
 }

@@ -392,11 +392,11 @@ function hasTurnedFar({ joints: { records: r } }: SolverData, { at, layout }: Jo
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
-export function finishBlock(data: SolverData, joint: Joint, share: number): void {
-  const { records: r } = data.joints;
+export function finishBlock(data: SolverData, joint: Joint): void {
+  const { records: r, share } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, members, push, impulse, jacobian, total, carried, given, turned } = layout;
-  const carry = share * r[at + j.CARRY]!;
+  const carry = share[0]! * r[at + j.CARRY]!;
   const along = rows === 1 && hasTurnedFar(data, joint) ? turned : jacobian;
   if (carry !== 0) {
     apply(data, joint, along, push, carry, false);

@@ -399,8 +399,8 @@ export function releaseBounces(data: SolverData): void {
       const at = recordAt(list.index[k]!, stride) + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {
         const { shapeA, shapeB } = arbiters[list.index[k]!]!;
-        findImpactDepth(shapeA, shapeB, IMPACT_DEPTH);
-        r[at] = r[at]! + impactDepth[0]!;
+        findImpactDepth(shapeA, shapeB);
+        r[at] = r[at]! + Math.min(IMPACT_DEPTH, impactDepth[0]!);
       } else {
         r[at] = d.NEVER;
       }

@@ -14,7 +14,7 @@ import {
   TOUCHED_SWEEPS,
 } from '../config.js';
 import type { SolverData } from './data.js';
-import { type Group, hasCallbacks } from './joint-data.js';
+import { type Group, hasCallbacks, type Joint } from './joint-data.js';
 import { hasHub } from './joint-hubs.js';
 import { POINT } from './joint-layout.js';
 import { steady } from './joint-numbers.js';
@@ -65,20 +65,27 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-function isBurdened({ joints: { joints, bodies }, velocity: v }: SolverData, { start, end }: Group): boolean {
-  let least = Infinity;
-  let most = 0;
+/** 1/kg. The heaviest and the lightest body of a group: scratch. */
+const range = new Float64Array(2);
+
+function isBurdened(data: SolverData, { start, end }: Group): boolean {
+  range[0] = Infinity;
+  range[1] = 0;
   for (let k = start; k < end; k += 1) {
-    const { first, layout } = joints[k]!;
-    for (let n = first; n < first + layout.members; n += 1) {
-      const inverse = v[bodies[n]! + INV_MASS]!;
-      if (inverse > 0) {
-        least = inverse < least ? inverse : least;
-        most = inverse > most ? inverse : most;
-      }
+    weighMembers(data, data.joints.joints[k]!);
+  }
+  return range[1]! > HEAVY * range[0]!;
+}
+
+/** A function of its own, as one that is called for each joint is soon compiled, and what loops over them once in a while is not. */
+function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, layout }: Joint): void {
+  for (let n = first; n < first + layout.members; n += 1) {
+    const inverse = v[bodies[n]! + INV_MASS]!;
+    if (inverse > 0) {
+      range[0] = Math.min(range[0]!, inverse);
+      range[1] = Math.max(range[1]!, inverse);
     }
   }
-  return most > HEAVY * least;
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */

@@ -366,25 +366,30 @@ function pushCustom(data: SolverData, joint: Joint): void {
   left.found ||= data.joints.records[joint.at + PUSH] !== 0;
 }
 
-/** What share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them. */
-function shareOf({ joints: { h } }: SolverData, { span, sweeps, start, end }: Group): number {
+/** Sets what share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them. */
+function findShare({ joints: { h, share } }: SolverData, { span, sweeps, start, end }: Group): void {
   const kept = sweeps === 1 && end - start > 1 ? Math.max(0, 1 - SWEPT_ONCE * h) : 1;
-  return kept * (h / span) * (h / span);
+  share[0] = kept * (h / span) * (h / span);
+}
+
+/** Whether two groups that lie side by side, of as many joints, make the same share of it. */
+function areAlike(one: Group, other: Group): boolean {
+  return one.span === other.span && (one.sweeps === 1) === (other.sweeps === 1);
 }
 
 function finishGroup(data: SolverData, group: Group): void {
   const { runs } = group;
   const { joints } = data.joints;
-  const share = shareOf(data, group);
+  findShare(data, group);
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     if (kernel === POINT) {
-      finishPoints(data, start, end, share);
+      finishPoints(data, start, end);
     } else if (kernel === TURN) {
-      finishTurns(data, start, end, share);
+      finishTurns(data, start, end);
     } else {
       for (let k = start; k < end; k += 1) {
-        finishBlock(data, joints[k]!, share);
+        finishBlock(data, joints[k]!);
       }
     }
   }
@@ -396,9 +401,9 @@ function finishJoints(data: SolverData): void {
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const { beside } = group;
-    const share = shareOf(data, group);
-    if (beside !== null && shareOf(data, beside) === share) {
-      finishPoints(data, group.start, beside.end, share);
+    if (beside !== null && areAlike(group, beside)) {
+      findShare(data, group);
+      finishPoints(data, group.start, beside.end);
       closeOpen(data, group);
       closeOpen(data, beside);
       k += 1;

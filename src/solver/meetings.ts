@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
-import { leastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation } from '../collide/manifold.js';
 import {
   DEEPER_SHARE,
   IMPACT_DEPTH,
@@ -40,6 +40,7 @@ const around = new Float64Array(4);
 const asked = new Float64Array(2);
 /** m. What `findLeast` found. */
 const least = new Float64Array(1);
+const separation = new Float64Array(1);
 
 export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
@@ -94,7 +95,7 @@ export function isClear(world: World, body: RigidBody): boolean {
   if (!(alone && space.holds(body))) {
     if (alone) space.search(world, body);
     for (let i = 0; i < body.shapes.length; i += 1) {
-      growBounds(body.shapes[i]!, space.reach, bounds);
+      growBounds(body.shapes[i]!, space, bounds);
       if (comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
         return false;
       }
@@ -315,17 +316,16 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  const spin = spinOf(pair.shapeA, pair.shapeB, a, b);
-  asked[0] = spin;
-  asked[1] = depth;
+  ask(pair.shapeA, pair.shapeB, a, b, depth);
   findLeast(pair.shapeA, pair.shapeB, false);
-  return pair.foreseen === 0 && spin * way < least[0]! && holds(pair, a, b);
+  return pair.foreseen === 0 && asked[0]! * way < least[0]! && holds(pair, a, b);
 }
 
 /** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and `findLeast` allows: what is hit hard towards a wall may not stop there. */
 function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boolean {
   const came = n[o + g.NX]! * (a.dx - b.dx) + n[o + g.NY]! * (a.dy - b.dy);
-  return count === 0 || came - Math.max(leastSeparation(n, o), 0) < least[0]!;
+  findLeastSeparation(n, o, separation);
+  return count === 0 || came - Math.max(separation[0]!, 0) < least[0]!;
 }
 
 function isJointed(a: Shape, b: Shape): boolean {
@@ -337,10 +337,10 @@ function isJointed(a: Shape, b: Shape): boolean {
  * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
  */
 function findLeast(a: Shape, b: Shape, isNew: boolean): void {
-  findImpactDepth(a, b, asked[1]!);
+  findImpactDepth(a, b);
   const mayBeMissed = asked[0]! < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
   const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
-  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(impactDepth[0]!, thinner);
+  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(asked[1]!, impactDepth[0]!, thinner);
 }
 
 /** What bounces is not, nor what handlers are asked about. */
@@ -348,9 +348,10 @@ function mayBeForeseen(a: Shape, b: Shape): boolean {
   return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) === 0 && !areElastic(a, b);
 }
 
-/** How far two shapes turn in the step, but for circles. */
-function spinOf(a: Shape, b: Shape, one: Mover, two: Mover): number {
-  return (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
+/** Sets what `findLeast` is asked about. Circles do not turn. */
+function ask(a: Shape, b: Shape, one: Mover, two: Mover, depth: number): void {
+  asked[0] = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
+  asked[1] = depth;
 }
 
 /**
@@ -373,8 +374,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  asked[0] = spinOf(a, b, one, two);
-  asked[1] = depth;
+  ask(a, b, one, two, depth);
   findLeast(a, b, true);
   sweep.target = -Math.min(TOUCH_DEPTH, least[0]! / 2);
   if (!findImpact(sweep)) {

@@ -17,7 +17,7 @@ import * as plain from './point-loops.js';
  * A loop in WebAssembly, from one record to another, both even. @returns twice the index of the first that it left to the loop in TypeScript, and 1 if an error was worth
  * another iteration.
  */
-type Kernel = (data: SolverData, from: number, to: number, share: number) => number;
+type Kernel = (data: SolverData, from: number, to: number) => number;
 
 export interface PointKernels {
   readonly warmStart: Kernel;
@@ -28,7 +28,7 @@ export interface PointKernels {
 }
 
 /** The same in TypeScript, over each record or, with a `step` of 2, every second one. @returns `true` if an error was worth another iteration. */
-type Loop = (data: SolverData, from: number, to: number, step: number, share: number) => unknown;
+type Loop = (data: SolverData, from: number, to: number, step: number) => unknown;
 
 /** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
 const FAR_BLOCK = 8;
@@ -150,39 +150,32 @@ function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Join
  * Joints from one to another, by a kernel, if there is one, and by a loop what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
  * at once if both are wanted. @returns what they find together.
  */
-function solve(
-  data: SolverData,
-  start: number,
-  end: number,
-  kernel: Kernel | undefined,
-  loop: Loop,
-  share: number,
-): boolean {
+function solve(data: SolverData, start: number, end: number, kernel: Kernel | undefined, loop: Loop): boolean {
   const { pointBodies } = data;
   const { joints } = data.joints;
   const { slot, isPaired } = joints[start]!;
   const to = joints[end - 1]!.slot + 1;
   const step = stepOf(data, start, end);
   if (kernel === undefined || !isPaired || step === 2) {
-    return loop(data, slot, to, step, share) === true;
+    return loop(data, slot, to, step) === true;
   }
   let k = slot;
   let found = false;
   if (k % 2 === 1) {
-    found = loop(data, k, k + 1, 1, share) === true;
+    found = loop(data, k, k + 1, 1) === true;
     k += 1;
   }
   const whole = to + (to & 1) * ((pointBodies[2 * to]! & d.MISSING) === 0 ? -1 : 1);
   while (k < whole) {
-    const done = kernel(data, k, whole, share);
+    const done = kernel(data, k, whole);
     found = (done & 1) === 1 || found;
     k = done >> 1;
     if (k < whole) {
-      found = loop(data, k, k + 2, 1, share) === true || found;
+      found = loop(data, k, k + 2, 1) === true || found;
       k += 2;
     }
   }
-  return (k < to && loop(data, k, to, 1, share) === true) || found;
+  return (k < to && loop(data, k, to, 1) === true) || found;
 }
 
 /** How far it is from one record to the next: two within a group with another one beside it, as all of them are even or odd. */
@@ -193,22 +186,22 @@ function stepOf({ joints: { joints } }: SolverData, start: number, end: number):
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, data.pointKernels?.warmStart, plain.warmStartPoints, 0);
+  solve(data, start, end, data.pointKernels?.warmStart, plain.warmStartPoints);
 }
 
 /** One sweep over velocities. */
 export function solveVelocityPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, data.pointKernels?.solveVelocity, plain.solveVelocityPoints, 0);
+  solve(data, start, end, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
 }
 
 /** One exact sweep over positions. @returns whether an error was worth another iteration. */
 export function pushPoints(data: SolverData, start: number, end: number): boolean {
-  return solve(data, start, end, data.pointKernels?.push, plain.pushPoints, 0);
+  return solve(data, start, end, data.pointKernels?.push, plain.pushPoints);
 }
 
 /** Another sweep, linear. @returns as the others. */
 export function pushPointsFurther(data: SolverData, start: number, end: number): boolean {
-  return solve(data, start, end, data.pointKernels?.pushFurther, plain.pushPointsFurther, 0);
+  return solve(data, start, end, data.pointKernels?.pushFurther, plain.pushPointsFurther);
 }
 
 /** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
@@ -228,8 +221,8 @@ export function measurePoints(data: SolverData, start: number, end: number): voi
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
-export function finishPoints(data: SolverData, start: number, end: number, share: number): void {
-  solve(data, start, end, data.pointKernels?.finish, plain.finishPoints, share);
+export function finishPoints(data: SolverData, start: number, end: number): void {
+  solve(data, start, end, data.pointKernels?.finish, plain.finishPoints);
 }
 
 function haveTurned(data: SolverData, start: number, end: number): boolean {

@@ -298,7 +298,8 @@ export function measurePoints(data: SolverData, from: number, to: number, step: 
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
-export function finishPoints(data: SolverData, from: number, to: number, step: number, share: number): void {
+export function finishPoints(data: SolverData, from: number, to: number, step: number): void {
+  const share = data.joints.share[0]!;
   const { points: r, pointBodies: bodies, velocity: v } = data;
   for (let k = from; k < to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {

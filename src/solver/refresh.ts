@@ -1,14 +1,13 @@
 import type { RigidBody } from '../body.js';
-import { SPECULATIVE_MARGIN } from '../config.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { growBounds } from './swept-bounds.js';
+import { growBounds, HALF_MARGIN } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 
 /** The bounds of a shape for the broadphase: two shapes within the speculative margin overlap. Dead after the next call. */
 export function widened(shape: Shape): Float64Array {
-  growBounds(shape, SPECULATIVE_MARGIN / 2, bounds);
+  growBounds(shape, HALF_MARGIN, bounds);
   return bounds;
 }
 

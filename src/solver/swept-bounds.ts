@@ -26,8 +26,17 @@ export function mayMeet(one: Mover, { numbers: a, at: i }: Shape, two: Mover, { 
   return crosses(a, i, b, j);
 }
 
+/** m. By how much bounds are wider; a number of its own would be boxed where it is handed on. */
+export interface Reach {
+  readonly reach: number;
+}
+
+/** Half the margin within which pairs are solved: two shapes within that overlap. */
+export const HALF_MARGIN: Reach = { reach: SPECULATIVE_MARGIN / 2 };
+const way = { reach: 0.5 };
+
 /** Writes the bounds of a shape, so much wider on all sides. */
-export function growBounds({ numbers: n, at }: Shape, reach: number, out: Float64Array): void {
+export function growBounds({ numbers: n, at }: Shape, { reach }: Reach, out: Float64Array): void {
   out[0] = n[at]! - reach;
   out[1] = n[at + 1]! - reach;
   out[2] = n[at + 2]! + reach;
@@ -45,8 +54,8 @@ export function squareAround(x: number, y: number, reach: number, out: Float64Ar
 /** Writes the bounds of all places that a shape without a mover can have in this step. */
 export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): void {
   const { lastDx, lastDy, lastTurn, radius } = shape.owner!;
-  const reach = ahead ? SPECULATIVE_MARGIN / 2 : Math.abs(lastDx) + Math.abs(lastDy) + Math.abs(lastTurn) * radius;
-  growBounds(shape, reach, out);
+  way.reach = Math.abs(lastDx) + Math.abs(lastDy) + Math.abs(lastTurn) * radius;
+  growBounds(shape, ahead ? HALF_MARGIN : way, out);
 }
 
 /** Whether bounds lie beyond an edge of a polygon for as long as that is on its way: a long one that is turned has bounds that are much larger. */

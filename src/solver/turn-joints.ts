@@ -200,8 +200,9 @@ export function measureTurns({ joints: data, motion: q }: SolverData, start: num
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
-export function finishTurns(data: SolverData, start: number, end: number, share: number): void {
+export function finishTurns(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints } = data.joints;
+  const share = data.joints.share[0]!;
   const { velocity: v } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;

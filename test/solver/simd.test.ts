@@ -241,7 +241,8 @@ describe.each([
           const [expected, found] = [plainKernels, simdKernels].map((kernels) => {
             const data = filledWithPoints(kernels, drawn, bodies);
             data.joints.worst[0] = share;
-            const result = loop(data, from, to, share);
+            data.joints.share[0] = share;
+            const result = loop(data, from, to);
             const { velocity, motion, points, joints } = data;
             const records = joints.joints.map(({ slot }) =>
               Array.from({ length: POINT_STRIDE }, (_, n) => points[recordAt(slot, POINT_STRIDE) + 2 * n]),
