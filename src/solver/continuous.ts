@@ -12,7 +12,7 @@ import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import { beginSensing, strike } from './impact.js';
 import type { Meeting } from './meeting-queue.js';
-import { carries, findMeetings, findTime, isSensed, listWays, meets } from './meetings.js';
+import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js';
 import type { Mover } from './movers.js';
 import { findNearby } from './nearby.js';
 import { squareAround } from './swept-bounds.js';
@@ -34,7 +34,6 @@ export function continuous(world: World, dt: number): void {
   for (let i = 0; i < world.liveKinematics.length; i += 1) {
     movers.of(world.liveKinematics[i]!);
   }
-  listWays(movers);
   findMeetings(world, IMPACT_DEPTH);
   settle(world);
   const { meetings } = movers;

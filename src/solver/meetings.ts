@@ -48,7 +48,7 @@ export function isSensed(a: Shape, b: Shape): boolean {
 
 /**
  * Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. Kinematic bodies that are awake have movers, and
- * the ways are listed.
+ * while a step is foreseen the ways are listed.
  */
 export function findMeetings(world: World, depth: number): void {
   const { movers } = world;
@@ -60,8 +60,10 @@ export function findMeetings(world: World, depth: number): void {
     const mover = movers.all[i]!;
     if (mover.looks && (!isBouncy || materials.someDeaden || !meetsMovers(mover))) {
       meetStill(world, mover, count, depth);
+      if (movers.ahead === 0 && world.liveKinematics.length === 0) shorten(world, mover);
     }
   }
+  if (movers.ahead === 0) listWays(movers);
   const isIdle = isBouncy && movers.meetings.count === 0;
   for (let i = 0; i < count && movers.ways.count > 0 && !isIdle; i += 1) {
     meetWays(world, i, depth);
@@ -146,6 +148,42 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
       }
     }
   }
+}
+
+/**
+ * What meets something static stops there for the rest of the step, unless something stops it before, and where nothing is kinematic nothing carries it on. So of two bullets
+ * in rooms of their own neither can come to the other, and of several walls in a row only the first is met.
+ */
+function shorten(world: World, mover: Mover): void {
+  const { meetings } = world.movers;
+  let first = mover.firstMeeting();
+  while (first?.isOpen) {
+    findTime(world, first);
+    first = mover.firstMeeting();
+  }
+  if (first === null || first.time === Infinity || !stops(world, first)) {
+    return;
+  }
+  mover.until = first.time;
+  for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
+    if (other.slot >= 0 && other.time > first.time && isWithStatic(other)) {
+      meetings.remove(other);
+    }
+  }
+}
+
+/** A meeting with something static that begins in this step, and that no handler is asked about. */
+function stops(world: World, meeting: Meeting): boolean {
+  const { a, b } = meeting;
+  return isWithStatic(meeting) && !asks(a, b) && world.pairs.find(a, b)?.active !== true;
+}
+
+function isWithStatic({ a, b }: Meeting): boolean {
+  return a.owner!.kind === STATIC || b.owner!.kind === STATIC;
+}
+
+function asks(a: Shape, b: Shape): boolean {
+  return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
 }
 
 /** What a sensor will be crossed by is not foreseen. */
@@ -345,7 +383,7 @@ function findLeast(a: Shape, b: Shape, isNew: boolean): void {
 
 /** What bounces is not, nor what handlers are asked about. */
 function mayBeForeseen(a: Shape, b: Shape): boolean {
-  return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) === 0 && !areElastic(a, b);
+  return !asks(a, b) && !areElastic(a, b);
 }
 
 /** Sets what `findLeast` is asked about. Circles do not turn. */

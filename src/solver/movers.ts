@@ -63,6 +63,8 @@ export class Mover {
   meetings: Meeting | null = null;
   /** When it first met something. */
   first = Infinity;
+  /** When it stops for the rest of the step at the latest: at something static that it meets; 1 if that is not known. */
+  until = 0.5;
   /** What carries it along since it was stopped. */
   carrier: Mover | null = null;
 
@@ -72,6 +74,7 @@ export class Mover {
     this.stopped = false;
     this.meetings = null;
     this.first = Infinity;
+    this.until = 1;
     this.carrier = null;
     this.vx = body.vx;
     this.vy = body.vy;
@@ -175,6 +178,15 @@ export class Mover {
   comesFirst(time: number): boolean {
     this.first = Math.min(this.first, time);
     return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
+  }
+
+  /** Of its meetings that wait for their turn the one that is due first, at the earliest. */
+  firstMeeting(): Meeting | null {
+    let first: Meeting | null = null;
+    for (let next = this.meetings; next !== null; next = next.nextOf(this)) {
+      if (next.slot >= 0 && (first === null || next.time < first.time)) first = next;
+    }
+    return first;
   }
 
   /** Puts the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is without arguments. */

@@ -9,12 +9,14 @@ import type { Mover } from './movers.js';
 // Shapes are placed where the step began; from there their bodies go straight on and turn.
 
 /** Writes the bounds of all places that a shape can have on the way of its body. */
-export function sweepBounds({ body, dx, dy, turn }: Mover, { numbers: n, at }: Shape, out: Float64Array): void {
+export function sweepBounds({ body, dx, dy, turn, until }: Mover, { numbers: n, at }: Shape, out: Float64Array): void {
   const swing = Math.abs(turn) * body.radius;
-  out[0] = n[at]! + Math.min(dx, 0) - swing;
-  out[1] = n[at + 1]! + Math.min(dy, 0) - swing;
-  out[2] = n[at + 2]! + Math.max(dx, 0) + swing;
-  out[3] = n[at + 3]! + Math.max(dy, 0) + swing;
+  const x = dx * until;
+  const y = dy * until;
+  out[0] = n[at]! + Math.min(x, 0) - swing;
+  out[1] = n[at + 1]! + Math.min(y, 0) - swing;
+  out[2] = n[at + 2]! + Math.max(x, 0) + swing;
+  out[3] = n[at + 3]! + Math.max(y, 0) + swing;
 }
 
 /** Whether the bounds of two shapes may meet at one time, and when at the earliest: seen from B, A's go along the way of both. */
