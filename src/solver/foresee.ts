@@ -41,7 +41,7 @@ export function foresee(world: World, dt: number): void {
   movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   foreseeBullets(world);
   foreseeKinematics(world, dt);
-  listWays(movers);
+  listWays(movers, movers.count);
   for (let i = 0; i < world.liveDynamics.length; i += 1) {
     foreseeDynamic(world, world.liveDynamics[i]!);
   }

@@ -63,7 +63,7 @@ export function findMeetings(world: World, depth: number): void {
       if (movers.ahead === 0 && world.liveKinematics.length === 0) shorten(world, mover);
     }
   }
-  if (movers.ahead === 0) listWays(movers);
+  if (movers.ahead === 0) listWays(movers, count);
   const isIdle = isBouncy && movers.meetings.count === 0;
   for (let i = 0; i < count && movers.ways.count > 0 && !isIdle; i += 1) {
     meetWays(world, i, depth);
@@ -71,11 +71,11 @@ export function findMeetings(world: World, depth: number): void {
   lookAtBouncing(world, depth);
 }
 
-/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves. */
-export function listWays(movers: Movers): void {
+/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves, of the first `count` movers. */
+export function listWays(movers: Movers, count: number): void {
   const { ways } = movers;
   ways.clear();
-  for (let i = 0; i < movers.count; i += 1) {
+  for (let i = 0; i < count; i += 1) {
     const mover = movers.all[i]!;
     if (!meetsMovers(mover)) {
       continue;
@@ -300,13 +300,12 @@ function isStill({ dx, dy, turn }: Mover): boolean {
 
 /** Whether a shape, if nothing met it, does not come to where another body may be, from where it was stopped on; that of a static one has no radius. */
 function isElsewhere(mover: Mover, shape: Shape, { x, y, dx, dy, body }: Mover): boolean {
+  if (mover.met || body.kind === STATIC) {
+    return false;
+  }
   const reach = Math.abs(dx) + Math.abs(dy) + body.radius + SPECULATIVE_MARGIN / 2;
   sweepBounds(mover, shape, around);
-  return (
-    !mover.met &&
-    body.kind !== STATIC &&
-    (around[0]! > x + reach || around[1]! > y + reach || around[2]! < x - reach || around[3]! < y - reach)
-  );
+  return around[0]! > x + reach || around[1]! > y + reach || around[2]! < x - reach || around[3]! < y - reach;
 }
 
 function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
