@@ -20,6 +20,7 @@ import {
   MAX_ERROR,
   POINT,
   PUSH,
+  REACH,
   SNAPPED,
   SNAPS,
   TURN,
@@ -214,5 +215,6 @@ export function packHead(data: JointData, joint: Joint): void {
   r[at + PUSH] = stiff && positional ? 1 : 0;
   r[at + SNAPPED] = 0;
   r[at + SNAPS] = 0;
+  r[at + REACH] = Infinity;
   r[at + CHECKED] = r[at + LIMIT]! < Infinity || r[at + BREAK]! < Infinity ? 1 : 0;
 }

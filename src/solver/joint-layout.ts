@@ -24,7 +24,9 @@ export const CHECKED = 9;
 export const SNAPPED = 10;
 /** 1 if a large error is corrected without turning. */
 export const SNAPS = 11;
-export const HEAD = 12;
+/** m, rad. A larger error is corrected by no more at once: see `reachLess`. */
+export const REACH = 12;
+export const HEAD = 13;
 
 /**
  * Rigid point joints: what they keep from step to step, without such a head, as they are two rows with unit columns, so that their arms say all: anchors in the
@@ -101,24 +103,24 @@ export const CUSTOM = 4;
 /**
  * Angles and motors have, after the head, what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K …
  */
-export const TURN_IMPULSE = 12;
-export const TURN_BIAS = 13;
-export const TURN_LOW = 14;
-export const TURN_HIGH = 15;
-export const TURN_RATIO = 16;
-export const TURN_MASS = 17;
+export const TURN_IMPULSE = 13;
+export const TURN_BIAS = 14;
+export const TURN_LOW = 15;
+export const TURN_HIGH = 16;
+export const TURN_RATIO = 17;
+export const TURN_MASS = 18;
 /** … then what position iterations use: the correction of this sub-step, the value at its start, bounds … */
-export const TURN_PUSH = 18;
-export const TURN_VALUE = 19;
-export const TURN_LOWER = 20;
-export const TURN_UPPER = 21;
+export const TURN_PUSH = 19;
+export const TURN_VALUE = 20;
+export const TURN_LOWER = 21;
+export const TURN_UPPER = 22;
 /** … then: the error at the start of the sub-step; 1 if there are bounds; what of the value is due to bodies that cannot move; what the step gave to A and to B so far. */
-export const TURN_ERROR = 22;
-export const TURN_BOUNDED = 23;
-export const TURN_STILL = 24;
-export const TURN_GIVEN_A = 25;
-export const TURN_GIVEN_B = 26;
-export const TURN_STRIDE = 27;
+export const TURN_ERROR = 23;
+export const TURN_BOUNDED = 24;
+export const TURN_STILL = 25;
+export const TURN_GIVEN_A = 26;
+export const TURN_GIVEN_B = 27;
+export const TURN_STRIDE = 28;
 
 /** Where things are in the record of any other joint, of D rows and N members. */
 export class BlockLayout {

@@ -59,7 +59,7 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
 }
 
 /** Whether something far heavier touches one of its bodies, and is none of them: a wrecking ball that its last link reaches into does not lie on that. */
-function isUnderWeight(joints: readonly Joint[], group: Group): boolean {
+export function isUnderWeight(joints: readonly Joint[], group: Group): boolean {
   for (let k = group.start; k < group.end; k += 1) {
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {

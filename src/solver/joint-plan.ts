@@ -6,6 +6,7 @@ import {
   JOINT_SETTLED,
   JOINT_SNAP,
   JOINT_SWEEP_MARGIN,
+  JOINT_TORN,
   MAX_JOINT_SWEEPS,
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
@@ -13,10 +14,21 @@ import {
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
 } from '../config.js';
-import type { SolverData } from './data.js';
+import { recordAt, type SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint } from './joint-data.js';
 import { hasHub } from './joint-hubs.js';
-import { POINT } from './joint-layout.js';
+import {
+  ERROR_X,
+  ERROR_Y,
+  POINT,
+  POINT_STRIDE,
+  REACH,
+  TURN,
+  TURN_LOWER,
+  TURN_UPPER,
+  TURN_VALUE,
+} from './joint-layout.js';
+import { isUnderWeight } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
 import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
@@ -41,6 +53,9 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
     weigh(data, group);
   }
   limitMomentum(data, group, isFirst);
+  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && !isUnderWeight(data.joints.joints, group)) {
+    reachLess(data, group);
+  }
   planSweeps(data, group, isFirst && eases);
 }
 
@@ -97,6 +112,31 @@ function settle(data: SolverData, group: Group): void {
   group.fresh = false;
   for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
     steady(data, joints[k]!, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
+  }
+}
+
+/**
+ * Where something is in the way, joints that cannot be met are corrected by no more at once than contacts can undo: else what is dragged along or hauled up would be pulled into a wall, deeper and deeper, and
+ * through it. Not those that something heavy lies on, which has to be held up.
+ */
+function reachLess(data: SolverData, { start, end }: Group): void {
+  const { joints, records: r } = data.joints;
+  const { points: p } = data;
+  for (let k = start; k < end; k += 1) {
+    const { kernel, at, slot } = joints[k]!;
+    if (kernel === POINT) {
+      const i = recordAt(slot, POINT_STRIDE);
+      const error = Math.sqrt(p[i + ERROR_X]! * p[i + ERROR_X]! + p[i + ERROR_Y]! * p[i + ERROR_Y]!);
+      const share = Math.min(1, JOINT_TORN / error);
+      p[i + ERROR_X] = share * p[i + ERROR_X]!;
+      p[i + ERROR_Y] = share * p[i + ERROR_Y]!;
+    } else if (kernel === TURN) {
+      const most = r[at + TURN_UPPER]! + JOINT_TORN;
+      const least = r[at + TURN_LOWER]! - JOINT_TORN;
+      r[at + TURN_VALUE] = Math.max(least, Math.min(most, r[at + TURN_VALUE]!));
+    } else {
+      r[at + REACH] = JOINT_TORN;
+    }
   }
 }
 

@@ -1,0 +1,108 @@
+import { describe, expect, it } from 'vitest';
+import { type Constraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { add, box, staticBody, steps, tie } from '../conformance/setting.js';
+
+// What rigid constraints drag along, haul up or press down stays in front of what is in its way, however slowly and far they go on: the constraints stay open.
+
+/** m. Of a wall at most so much. */
+const DEPTH = 0.11;
+
+const KINDS: Record<string, (bodyA: RigidBody, bodyB: RigidBody, anchorA: Vec2, anchorB: Vec2) => Constraint> = {
+  point: (bodyA, bodyB, anchorA, anchorB) => phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB }),
+  weld: (bodyA, bodyB, anchorA, anchorB) => phys2D.createWeldConstraint({ bodyA, bodyB, anchorA, anchorB }),
+  distance: (bodyA, bodyB, anchorA, anchorB) =>
+    phys2D.createDistanceConstraint({ bodyA, bodyB, anchorA, anchorB, lowerBound: 0, upperBound: 0.05 }),
+  line: (bodyA, bodyB, anchorA, anchorB) =>
+    phys2D.createLineConstraint({ bodyA, bodyB, anchorA, anchorB, axis: [0, 1], lowerBound: -0.1, upperBound: 0.1 }),
+};
+
+/** m. How far the anchor goes in a step. */
+const PACES = [0.001, 0.005, 0.05, 0.3, 5];
+
+describe('a box that a hand drags against a wall', () => {
+  it.each(Object.keys(KINDS).flatMap((kind) => PACES.map((pace) => [kind, pace] as const)))(
+    'by %s, %f m a step',
+    (kind, pace) => {
+      for (const [wall, size] of [
+        [0.2, 0.3],
+        [1, 1],
+      ] as const) {
+        const world = phys2D.createWorld();
+        add(world, staticBody({ shapes: [box(40, 1)], position: [0, 0.5] }));
+        add(world, staticBody({ shapes: [box(wall, 20)], position: [3 + wall / 2, -10] }));
+        const dragged = phys2D.createRigidBody({ shapes: [box(size, size)], position: [2, -0.5 - size / 2] });
+        add(world, dragged);
+        const hand = staticBody({ position: [2, -3] });
+        tie(world, KINDS[kind]!(hand, dragged, [0, 0], [0, 0]));
+        for (let x = 2; x < 6; x += pace) {
+          hand.setPosition([x, -3]);
+          world.step(1 / 60);
+        }
+        steps(world, 60);
+        expect(dragged.getPosition()[0] + size / 2, `a wall of ${wall} m`).toBeLessThan(3 + DEPTH);
+      }
+    },
+  );
+});
+
+/** A load under a ceiling, on links that meet nothing, the last of which is held by a hand. */
+function hangUp(world: World, kind: string, links: number, density: number, hand: RigidBody): RigidBody {
+  const material = phys2D.createMaterial({ density });
+  const load = phys2D.createRigidBody({ shapes: [box(1, 1, { material })], position: [0, 1] });
+  add(world, load);
+  let below = load;
+  for (let i = 1; i < links; i += 1) {
+    const link = phys2D.createRigidBody({ shapes: [box(0.1, 0.5, { mask: 0 })], position: [0, 1.25 - 0.5 * i] });
+    add(world, link);
+    tie(world, KINDS[kind]!(link, below, [0, 0.25], below === load ? [0, 0] : [0, -0.25]));
+    below = link;
+  }
+  hand.setPosition([0, 1 - 0.5 * (links - 1)]);
+  tie(world, KINDS[kind]!(hand, below, [0, 0], below === load ? [0, 0] : [0, -0.25]));
+  return load;
+}
+
+describe('a load that is hauled up to a ceiling and on', () => {
+  it.each(['point', 'weld', 'distance'].flatMap((kind) => [1, 3, 8].map((links) => [kind, links] as const)))(
+    'by %s, %i links',
+    (kind, links) => {
+      for (const density of [1, 20]) {
+        for (const pace of [0.005, 0.05]) {
+          const world = phys2D.createWorld();
+          add(world, staticBody({ shapes: [box(40, 0.2)], position: [0, -0.1] }));
+          const hand = staticBody();
+          const load = hangUp(world, kind, links, density, hand);
+          const start = hand.getPosition()[1];
+          for (let way = 0; way < 4; way += pace) {
+            hand.setPosition([0, start - way]);
+            world.step(1 / 60);
+          }
+          expect(load.getPosition()[1] - 0.5, `density ${density}, ${pace} m a step`).toBeGreaterThan(-DEPTH);
+        }
+      }
+    },
+  );
+});
+
+describe('an arm that is bent down to the ground and on', () => {
+  it.each(['angle', 'weld'])('by %s', (kind) => {
+    for (const pace of [0.002, 0.01, 0.05]) {
+      const world = phys2D.createWorld();
+      add(world, staticBody({ shapes: [box(40, 0.2)], position: [0, 0.1] }));
+      const arm = phys2D.createRigidBody({ shapes: [box(2, 0.1)], position: [1, -1] });
+      add(world, arm);
+      const ends = { bodyA: staticBody({ position: [0, -1] }), bodyB: arm, anchorA: [0, 0], anchorB: [-1, 0] } as const;
+      const bends = phys2D.createAngleConstraint({ ...ends, lowerBound: 0, upperBound: 0 });
+      const weld = phys2D.createWeldConstraint({ ...ends, phase: 0 });
+      tie(world, ...(kind === 'weld' ? [weld] : [phys2D.createPointConstraint(ends), bends]));
+      for (let angle = 0; angle < 1.5; angle += pace) {
+        weld.setPhase(angle);
+        bends.setUpperBound(angle);
+        bends.setLowerBound(angle);
+        world.step(1 / 60);
+      }
+      const [, y] = arm.transformLocalPointToWorld([1, 0.05]);
+      expect(y, `${pace} rad a step`).toBeLessThan(0.03);
+    }
+  });
+});
