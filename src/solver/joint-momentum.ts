@@ -1,25 +1,37 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM } from '../config.js';
+import { findLeastSeparation } from '../collide/manifold.js';
+import { CONTACT_SLOP, HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM } from '../config.js';
+import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, TURN } from './joint-layout.js';
 import { carryAt, impulseAt, numbersOf, steady } from './joint-numbers.js';
-import { INV_MASS } from './layout.js';
+import { BODY_STRIDE, INV_MASS, MEMBER } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
 
+/** What the bodies of a group touch, see `findTouching`. */
+const OTHERS = 1;
+const HEAVIER = 2;
+const ITSELF = 4;
+
+const separation = new Float64Array(1);
+
 /**
  * Of a group that touches something. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
- * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle,
- * and those that bear much under a weight, still make the most of theirs, see TOUCHED_MOMENTUM.
+ * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle, unless what hangs together overlaps
+ * itself, and those that bear much under a weight, still make the most of theirs, see TOUCHED_MOMENTUM.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
-  const isPressed = hasMuchToBear(data, group) && isUnderWeight(joints, group);
+  const hasLoad = hasMuchToBear(data, group);
+  const touching = hasLoad || hasBeams(joints, group) ? findTouching(data, group) : 0;
+  const isPressed = hasLoad && (touching & HEAVIER) !== 0;
+  const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
-    if (holdsAngle(joint) || (isPressed && bearsMuch(data, joint))) {
+    if ((isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
       const numbers = numbersOf(data, joint);
       const carry = carryAt(joint);
       numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
@@ -43,6 +55,15 @@ function holdsAngle({ constraint }: Joint): boolean {
   return constraint.type === 'WELD' || (constraint.type === 'ANGLE' && constraint.lower === constraint.upper);
 }
 
+function hasBeams(joints: readonly Joint[], { start, end }: Group): boolean {
+  for (let k = start; k < end; k += 1) {
+    if (holdsAngle(joints[k]!)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /** Whether it bears as much as a contact that is strained: about a hundred times what its bodies weigh. What turns bears nothing. */
 function bearsMuch(data: SolverData, joint: Joint): boolean {
   const { kernel, first, layout } = joint;
@@ -59,38 +80,58 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
 }
 
 /** Whether something far heavier touches one of its bodies, and is none of them: a wrecking ball that its last link reaches into does not lie on that. */
-export function isUnderWeight(joints: readonly Joint[], group: Group): boolean {
+export function isUnderWeight(data: SolverData, group: Group): boolean {
+  return (findTouching(data, group) & HEAVIER) !== 0;
+}
+
+/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, or each other, so deeply that they are pushed apart. */
+function findTouching(data: SolverData, group: Group): number {
+  const { joints } = data.joints;
+  let found = 0;
+  markMembers(data, group, MEMBER);
   for (let k = group.start; k < group.end; k += 1) {
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {
-      if (touchesHeavy(members[n]!, joints, group)) {
-        return true;
-      }
+      found |= members[n]!.kind === DYNAMIC ? touchingOf(data, members[n]!) : 0;
     }
   }
-  return false;
+  markMembers(data, group, 0);
+  return found;
 }
 
-function hasMember(joints: readonly Joint[], { start, end }: Group, body: RigidBody): boolean {
+/** In the slots of all its bodies that move. */
+function markMembers({ joints: { joints, bodies }, traits }: SolverData, { start, end }: Group, mark: number): void {
   for (let k = start; k < end; k += 1) {
-    if (joints[k]!.constraint.members.includes(body)) {
-      return true;
+    const { first, layout } = joints[k]!;
+    for (let n = first; n < first + layout.members; n += 1) {
+      const slot = bodies[n]! / BODY_STRIDE;
+      traits[slot] = (traits[slot]! & ~MEMBER) | (slot > 0 ? mark : 0);
     }
   }
-  return false;
 }
 
-function touchesHeavy({ shapes, kind, mass }: RigidBody, joints: readonly Joint[], group: Group): boolean {
-  for (let i = 0; i < shapes.length && kind === DYNAMIC; i += 1) {
+function touchingOf({ traits }: SolverData, { shapes, mass }: RigidBody): number {
+  let found = 0;
+  for (let i = 0; i < shapes.length; i += 1) {
     const shape = shapes[i]!;
     for (let k = 0; k < shape.arbiters.length; k += 1) {
       const pair = shape.arbiters[k]!;
-      const other = pair.shapeA === shape ? pair.bodyB : pair.bodyA;
-      const isHeavy = pair.isSolved() && other.kind === DYNAMIC && other.mass > HEAVY * mass;
-      if (isHeavy && !hasMember(joints, group, other)) {
-        return true;
+      const { bodyA, bodyB } = pair;
+      const other = pair.shapeA === shape ? bodyB : bodyA;
+      if (!pair.isSolved()) {
+        continue;
+      }
+      if ((traits[other.slot]! & MEMBER) === 0) {
+        found |= other.kind === DYNAMIC && other.mass > HEAVY * mass ? OTHERS | HEAVIER : OTHERS;
+      } else if (isPushed(pair)) {
+        found |= ITSELF;
       }
     }
   }
-  return false;
+  return found;
+}
+
+function isPushed({ numbers: n, at: o }: Arbiter): boolean {
+  findLeastSeparation(n, o, separation);
+  return separation[0]! < -CONTACT_SLOP;
 }

@@ -53,7 +53,7 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
     weigh(data, group);
   }
   limitMomentum(data, group, isFirst);
-  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && !isUnderWeight(data.joints.joints, group)) {
+  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && !isUnderWeight(data, group)) {
     reachLess(data, group);
   }
   planSweeps(data, group, isFirst && eases);

@@ -34,13 +34,19 @@ function hang(world: World, count: number, length: number, angle: number, free =
   return bodies;
 }
 
-function energyOf(world: World): number {
+/** J. Of motion. */
+function kineticOf(world: World): number {
   return world.rigidBodies.reduce((sum, body) => {
     const [vx, vy] = body.getVelocity();
     const w = body.getAngularVelocity();
-    const kinetic = 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * w * w;
-    return sum + kinetic - 10 * body.getMass() * body.getPosition()[1];
+    return body.isDynamic() ? sum + 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * w * w : sum;
   }, 0);
+}
+
+/** J. With that of height. */
+function energyOf(world: World): number {
+  const heights = world.rigidBodies.reduce((sum, body) => sum - 10 * body.getMass() * body.getPosition()[1], 0);
+  return kineticOf(world) + heights;
 }
 
 function widestGap(world: World): number {
@@ -188,4 +194,54 @@ it('a wrecking ball that its last link reaches into hangs still', () => {
     for (let i = 0; i < 20 * rate; i += 1) world.step(1 / rate);
     expect(fastest(world)).toBeLessThan(0.5);
   }
+});
+
+/** Boxes of 1 m in so many columns and rows, each welded to its neighbours, which it overlaps. */
+function weldTogether(world: World, columns: number, rows: number, overlap: number, [left, top]: Vec2): RigidBody[] {
+  const pitch = 1 - overlap;
+  const modules = Array.from({ length: columns * rows }, (_, i) => {
+    const position: Vec2 = [left + pitch * (i % columns), top + pitch * Math.floor(i / columns)];
+    const free = { linearDrag: 0, angularDrag: 0 };
+    return phys2D.createRigidBody({ shapes: [box(1, 1)], position, ...free });
+  });
+  add(world, ...modules);
+  const weld = (a: number, b: number, half: Vec2) => {
+    const ends = { bodyA: modules[a]!, bodyB: modules[b]!, anchorA: half, anchorB: [-half[0], -half[1]] } as const;
+    tie(world, phys2D.createWeldConstraint(ends));
+  };
+  for (let i = 0; i < modules.length; i += 1) {
+    if (i % columns > 0) weld(i - 1, i, [pitch / 2, 0]);
+    if (i >= columns) weld(i - columns, i, [0, pitch / 2]);
+  }
+  return modules;
+}
+
+describe.each([0.005, 0.02, 0.05, 0.2])('modules that are welded while they overlap by %f m', (overlap) => {
+  it.each([
+    [2, 1],
+    [5, 1],
+    [3, 3],
+  ])('%i × %i drift on with the energy that they were given', (columns, rows) => {
+    const world = phys2D.createWorld({ gravity: [0, 0], allowSleeping: false });
+    const [first] = weldTogether(world, columns, rows, overlap, [0, 0]);
+    first!.setVelocity([0.1, 0]);
+    const start = kineticOf(world);
+    for (let i = 0; i < 600; i += 1) {
+      world.step(1 / 60);
+      expect(kineticOf(world)).toBeLessThanOrEqual(start);
+    }
+  });
+
+  it('lie still on the ground, where something lies on them too', () => {
+    const world = heavy();
+    add(world, staticBody({ shapes: [box(60, 1)], position: [0, 0.5] }));
+    const modules = weldTogether(world, 3, 3, overlap, [0, -2.6]);
+    const crate = phys2D.createRigidBody({ shapes: [box(0.5, 0.5)], position: [1, -4] });
+    add(world, crate);
+    for (let i = 0; i < 600; i += 1) {
+      world.step(1 / 60);
+    }
+    expect(kineticOf(world)).toBeLessThan(1e-6);
+    expect(Math.abs(modules[4]!.getPosition()[0] - (1 - overlap))).toBeLessThan(0.05);
+  });
 });
