@@ -1,17 +1,22 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { CLOSING_ROUNDS, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
+import * as g from '../collide/layout.js';
+import { CLOSING_ROUNDS, CONTACT_SLOP, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
+import type { Shape } from '../shape/shape.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, POINT, TURN } from './joint-layout.js';
 import { forgetImpulse } from './joint-numbers.js';
+import { QX, QY } from './layout.js';
 import { measurePoints, pushPoints } from './point-joints.js';
 import { measureTurns, pushTurns } from './turn-joints.js';
 
 /** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
 const before = new Float64Array(12);
+/** How far one of them was moved. */
+const moved = new Float64Array(2);
 
 /**
  * Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. As contacts are solved last in a position iteration,
@@ -72,7 +77,7 @@ function closePart(data: SolverData, index: number): void {
   const { joints, bodies, left } = data.joints;
   const { motion: q } = data;
   const joint = joints[index]!;
-  const share = 1 - JOINT_OPEN / left[0]!;
+  const wanted = 1 - JOINT_OPEN / left[0]!;
   const { first, layout } = joint;
   for (let k = 0; k < layout.members; k += 1) {
     for (let c = 0; c < 3; c += 1) {
@@ -87,6 +92,7 @@ function closePart(data: SolverData, index: number): void {
     lineariseBlock(data, joint);
     pushBlock(data, joint);
   }
+  const share = goesIntoWall(data, joint) ? 0 : wanted;
   for (let k = 0; k < layout.members; k += 1) {
     const b = bodies[first + k]!;
     for (let c = 0; c < 3; c += 1) {
@@ -94,6 +100,33 @@ function closePart(data: SolverData, index: number): void {
       q[b + c] = start + share * (q[b + c]! - start);
     }
   }
+}
+
+/** Whether what was just moved went on into something immovable that it touches: two things on either side of a wall would be pulled into it, and through. */
+function goesIntoWall({ motion: q, joints: { bodies } }: SolverData, { constraint, first }: Joint): boolean {
+  const { members } = constraint;
+  for (let k = 0; k < members.length; k += 1) {
+    const b = bodies[first + k]!;
+    moved[0] = q[b + QX]! - before[3 * k]!;
+    moved[1] = q[b + QY]! - before[3 * k + 1]!;
+    if (members[k]!.shapes.some(isBlocked)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+function isBlocked(shape: Shape): boolean {
+  for (let i = 0; i < shape.arbiters.length; i += 1) {
+    const pair = shape.arbiters[i]!;
+    const { bodyA, bodyB, numbers: n, at: o } = pair;
+    const isFirst = pair.shapeA === shape;
+    const into = (isFirst ? 1 : -1) * (n[o + g.NX]! * moved[0]! + n[o + g.NY]! * moved[1]!);
+    if (into > CONTACT_SLOP && pair.isSolid() && (isFirst ? bodyB : bodyA).kind !== DYNAMIC) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /**

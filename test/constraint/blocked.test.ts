@@ -106,3 +106,32 @@ describe('an arm that is bent down to the ground and on', () => {
     }
   });
 });
+
+describe('two things on either side of a wall that a rope pulls together', () => {
+  it.each([0.1, 0.2, 1])('stay on their sides of %f m', (wall) => {
+    for (const heavier of [1, 10]) {
+      for (const pace of [0.001, 0.01, 0.1]) {
+        const world = phys2D.createWorld();
+        add(world, staticBody({ shapes: [box(20, 1)], position: [0, 0.5] }));
+        add(world, staticBody({ shapes: [box(wall, 4)], position: [0, -2] }));
+        const ends = [1, heavier].map((density, i) => {
+          const shapes = [box(0.6, 0.6, { material: phys2D.createMaterial({ density }) })];
+          return phys2D.createRigidBody({ shapes, position: [4 * i - 2, -0.3] });
+        });
+        add(world, ...ends);
+        const [bodyA, bodyB] = [ends[0]!, ends[1]!];
+        const middle = { anchorA: [0, 0], anchorB: [0, 0] } as const;
+        const rope = phys2D.createDistanceConstraint({ bodyA, bodyB, ...middle, lowerBound: 0, upperBound: 4 });
+        tie(world, rope);
+        for (let length = 4; length > 0; length -= pace) {
+          rope.setUpperBound(length);
+          world.step(1 / 60);
+        }
+        steps(world, 60);
+        const room = 0.3 + wall / 2 - DEPTH;
+        expect(bodyA.getPosition()[0], `${heavier} : 1, ${pace} m a step`).toBeLessThan(-room);
+        expect(bodyB.getPosition()[0], `${heavier} : 1, ${pace} m a step`).toBeGreaterThan(room);
+      }
+    }
+  });
+});
