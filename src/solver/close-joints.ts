@@ -1,7 +1,8 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { CLOSING_ROUNDS, CONTACT_SLOP, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
+import { findLeastSeparation } from '../collide/manifold.js';
+import { CLOSING_ROUNDS, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
@@ -15,8 +16,12 @@ import { measureTurns, pushTurns } from './turn-joints.js';
 
 /** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
 const before = new Float64Array(12);
-/** How far one of them was moved. */
-const moved = new Float64Array(2);
+/** How one of them was moved, and how far at least that has to be into a wall. */
+const way = new Float64Array(3);
+const separation = new Float64Array(1);
+
+/** The cosine of an angle: what goes into a wall less steeply goes along it. */
+const INTO_WALL = 0.5;
 
 /**
  * Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. As contacts are solved last in a position iteration,
@@ -92,7 +97,7 @@ function closePart(data: SolverData, index: number): void {
     lineariseBlock(data, joint);
     pushBlock(data, joint);
   }
-  const share = goesIntoWall(data, joint) ? 0 : wanted;
+  const share = goesIntoWalls(data, joint) ? 0 : wanted;
   for (let k = 0; k < layout.members; k += 1) {
     const b = bodies[first + k]!;
     for (let c = 0; c < 3; c += 1) {
@@ -102,27 +107,36 @@ function closePart(data: SolverData, index: number): void {
   }
 }
 
-/** Whether what was just moved went on into something immovable that it touches: two things on either side of a wall would be pulled into it, and through. */
-function goesIntoWall({ motion: q, joints: { bodies } }: SolverData, { constraint, first }: Joint): boolean {
+/**
+ * Whether all that was just moved went on into something immovable that it is in already: two things on either side of a wall would be pulled into it, and through. Where one of them is not in front of
+ * a wall it is the one that moves in the end, such as the links of a track that goes over a stone.
+ */
+function goesIntoWalls({ motion: q, joints: { bodies } }: SolverData, { constraint, first }: Joint): boolean {
   const { members } = constraint;
   for (let k = 0; k < members.length; k += 1) {
     const b = bodies[first + k]!;
-    moved[0] = q[b + QX]! - before[3 * k]!;
-    moved[1] = q[b + QY]! - before[3 * k + 1]!;
-    if (members[k]!.shapes.some(isBlocked)) {
-      return true;
+    const x = q[b + QX]! - before[3 * k]!;
+    const y = q[b + QY]! - before[3 * k + 1]!;
+    way[0] = x;
+    way[1] = y;
+    way[2] = INTO_WALL * Math.sqrt(x * x + y * y);
+    if (!members[k]!.shapes.some(isGoneInto)) {
+      return false;
     }
   }
-  return false;
+  return true;
 }
 
-function isBlocked(shape: Shape): boolean {
+/** Whether that way goes deeper into a wall that it is in already. */
+function isGoneInto(shape: Shape): boolean {
   for (let i = 0; i < shape.arbiters.length; i += 1) {
     const pair = shape.arbiters[i]!;
     const { bodyA, bodyB, numbers: n, at: o } = pair;
     const isFirst = pair.shapeA === shape;
-    const into = (isFirst ? 1 : -1) * (n[o + g.NX]! * moved[0]! + n[o + g.NY]! * moved[1]!);
-    if (into > CONTACT_SLOP && pair.isSolid() && (isFirst ? bodyB : bodyA).kind !== DYNAMIC) {
+    const into = (isFirst ? 1 : -1) * (n[o + g.NX]! * way[0]! + n[o + g.NY]! * way[1]!);
+    findLeastSeparation(n, o, separation);
+    const isIn = pair.isSolid() && separation[0]! < -JOINT_OPEN && (isFirst ? bodyB : bodyA).kind !== DYNAMIC;
+    if (isIn && into > way[2]!) {
       return true;
     }
   }
