@@ -1,0 +1,76 @@
+import { describe, expect, it } from 'vitest';
+import { type PointConstraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { box, disc, staticBody, steps } from '../conformance/setting.js';
+import { worstGap } from '../scenes/joint-grid.js';
+
+// A tank: wheels driven by motors, in a track of links that lie on the ground and on the stones that it goes over.
+
+const LINKS = 30;
+/** m. Half of how long the straight parts of the track are, and how far the wheels' axes are from it. */
+const HALF = 2;
+const BEND = 0.58;
+const AXES = -1;
+const LENGTH = 4 * HALF + 2 * Math.PI * BEND;
+
+/** Where the track is after so many metres from the rear lower corner on, and in what direction it goes on there. */
+function along(way: number): { position: Vec2; rotation: number } {
+  const straight = 2 * HALF;
+  const bend = Math.PI * BEND;
+  if (way < straight) return { position: [way - HALF, AXES + BEND], rotation: 0 };
+  if (way < straight + bend) return around(HALF, (way - straight) / BEND);
+  if (way < 2 * straight + bend) return { position: [HALF - (way - straight - bend), AXES - BEND], rotation: -Math.PI };
+  return around(-HALF, Math.PI + (way - 2 * straight - bend) / BEND);
+}
+
+function around(x: number, angle: number): { position: Vec2; rotation: number } {
+  return { position: [x + BEND * Math.sin(angle), AXES + BEND * Math.cos(angle)], rotation: -angle };
+}
+
+function buildTank(world: World): { hull: RigidBody; joints: PointConstraint[] } {
+  const material = phys2D.createMaterial({ staticFriction: 1.5, dynamicFriction: 1.5 });
+  const joints: PointConstraint[] = [];
+  const join = (bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2) => {
+    joints.push(phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB }));
+    world.addConstraint(joints.at(-1)!);
+  };
+  const put = (shape: ReturnType<typeof box | typeof disc>, at: { position: Vec2; rotation?: number }) => {
+    const body = phys2D.createRigidBody({ shapes: [shape], ...at });
+    world.addRigidBody(body);
+    return body;
+  };
+  const hull = put(box(4, 0.6, { group: 2, mask: ~6 >>> 0 }), { position: [0, -1.3] });
+  for (const x of [-2, -0.7, 0.7, 2]) {
+    const wheel = put(disc(0.5, { material, group: 2 }), { position: [x, AXES] });
+    join(hull, [x, 0.3], wheel, [0, 0]);
+    world.addConstraint(phys2D.createMotorConstraint({ bodyA: hull, bodyB: wheel, rate: 8, maxForce: 60 }));
+  }
+  const pitch = LENGTH / LINKS;
+  const links = Array.from({ length: LINKS }, (_, i) =>
+    put(box(0.95 * pitch, 0.12, { material, group: 4, mask: ~4 >>> 0 }), along((i + 0.5) * pitch)),
+  );
+  for (const [i, link] of links.entries()) {
+    join(link, [pitch / 2, 0], links[(i + 1) % LINKS]!, [-pitch / 2, 0]);
+  }
+  return { hull, joints };
+}
+
+describe('a tank on its tracks', () => {
+  it('goes over stones, and its track stays together', () => {
+    const world = phys2D.createWorld();
+    world.addRigidBody(staticBody({ shapes: [box(200, 2)], position: [0, 1] }));
+    for (let i = 0; i < 20; i += 1) {
+      const place = { position: [6 + 2.2 * i, -0.05] as Vec2, rotation: 0.3 * ((i % 3) - 1) };
+      world.addRigidBody(staticBody({ shapes: [box(0.6, 0.3)], ...place }));
+    }
+    const { hull, joints } = buildTank(world);
+    steps(world, 30);
+    const gaps = Array.from({ length: 1200 }, () => {
+      world.step(1 / 60);
+      return worstGap(joints);
+    });
+    expect(hull.getPosition()[0]).toBeGreaterThan(60);
+    expect(Math.abs(hull.getRotation())).toBeLessThan(0.3);
+    expect(Math.max(...gaps)).toBeLessThan(0.06);
+    expect(gaps.filter((gap) => gap > 0.015).length, 'steps with a gap above 15 mm').toBeLessThan(12);
+  });
+});
