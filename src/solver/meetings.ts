@@ -175,14 +175,14 @@ function shorten(world: World, mover: Mover): void {
 /** A meeting with something static that begins in this step, and that no handler is asked about. */
 function stops(world: World, meeting: Meeting): boolean {
   const { a, b } = meeting;
-  return isWithStatic(meeting) && !asks(a, b) && world.pairs.find(a, b)?.active !== true;
+  return isWithStatic(meeting) && !mayBeRefused(a, b) && world.pairs.find(a, b)?.active !== true;
 }
 
 function isWithStatic({ a, b }: Meeting): boolean {
   return a.owner!.kind === STATIC || b.owner!.kind === STATIC;
 }
 
-function asks(a: Shape, b: Shape): boolean {
+function mayBeRefused(a: Shape, b: Shape): boolean {
   return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
 }
 
@@ -382,7 +382,7 @@ function findLeast(a: Shape, b: Shape, isNew: boolean): void {
 
 /** What bounces is not, nor what handlers are asked about. */
 function mayBeForeseen(a: Shape, b: Shape): boolean {
-  return !asks(a, b) && !areElastic(a, b);
+  return !mayBeRefused(a, b) && !areElastic(a, b);
 }
 
 /** Sets what `findLeast` is asked about. Circles do not turn. */
