@@ -227,6 +227,9 @@ export const JOINT_OPEN = 0.01;
 /** Sweeps over these, as what closes one may open another. */
 export const CLOSING_ROUNDS = 4;
 
+/** The cosine of an angle. What is closed into a wall less steeply goes along it, see `goesIntoWalls`. */
+export const INTO_WALL = 0.5;
+
 /**
  * m, rad. Of joints that hang together and touch something, one with a larger error cannot be met, and what they give would grow without end. With 0.01 some in
  * heaps of ragdolls are taken for such. It is also how much of such an error is corrected in a sub-step: contacts take three quarters of that back, so that a third of it is how deep it gets.

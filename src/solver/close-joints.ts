@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation } from '../collide/manifold.js';
-import { CLOSING_ROUNDS, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
+import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
@@ -19,9 +19,6 @@ const before = new Float64Array(12);
 /** How one of them was moved, and how far at least that has to be into a wall. */
 const way = new Float64Array(3);
 const separation = new Float64Array(1);
-
-/** The cosine of an angle: what goes into a wall less steeply goes along it. */
-const INTO_WALL = 0.5;
 
 /**
  * Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. As contacts are solved last in a position iteration,
