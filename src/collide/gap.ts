@@ -1,4 +1,4 @@
-import { IMPACT_SHARE } from '../config.js';
+import { IMPACT_DEPTH, IMPACT_SHARE } from '../config.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
@@ -20,7 +20,7 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   return distance;
 }
 
-/** Writes to `impactDepth` how deep two shapes may get into each other without passing each other, thin as they are. */
+/** Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `IMPACT_DEPTH`, or less if they are thin, so that they cannot pass each other. */
 export function findImpactDepth(a: Shape, b: Shape): void {
-  impactDepth[0] = IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b));
+  impactDepth[0] = Math.min(IMPACT_DEPTH, IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b)));
 }

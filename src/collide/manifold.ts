@@ -11,9 +11,12 @@ export function overlaps(n: Float64Array, o: number): boolean {
   return count === 2 ? n[o + g.S0]! < 0 || n[o + g.S1]! < 0 : count === 1 && n[o + g.S0]! <= 0;
 }
 
-/** Writes to `to` the separation of the point that is deepest, of the one or two that were found; returned it would be boxed. */
-export function findLeastSeparation(n: Float64Array, o: number, to: Float64Array): void {
-  to[0] = n[o + g.COUNT] === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!;
+/** m. What `findLeastSeparation` found; an array, so that it is not boxed. */
+export const leastSeparation = /* @__PURE__ */ new Float64Array(1);
+
+/** Writes to `leastSeparation` the separation of the point that is deepest, of the one or two that were found. */
+export function findLeastSeparation(n: Float64Array, o: number): void {
+  leastSeparation[0] = n[o + g.COUNT] === 2 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : n[o + g.S0]!;
 }
 
 /**

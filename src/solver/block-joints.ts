@@ -308,7 +308,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
     dropTurning(data, joint);
   }
   writeMatrix(data, joint, turned);
-  const share = Math.min(1, r[at + j.REACH]! / error);
+  const share = r[at + j.REACH]! / error;
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
     multiplyRow(data, joint, turned, n, true);

@@ -6,7 +6,6 @@ import {
   BOUNCE_SWEEPS,
   BOUNCE_THRESHOLD,
   FORESIGHT_DEPTH,
-  IMPACT_DEPTH,
   TOUCH_DEPTH,
 } from '../config.js';
 import { type BounceList, recordAt, type SolverData } from './data.js';
@@ -400,7 +399,7 @@ export function releaseBounces(data: SolverData): void {
       if (r[at]! < -FORESIGHT_DEPTH) {
         const { shapeA, shapeB } = arbiters[list.index[k]!]!;
         findImpactDepth(shapeA, shapeB);
-        r[at] = r[at]! + Math.min(IMPACT_DEPTH, impactDepth[0]!);
+        r[at] = r[at]! + impactDepth[0]!;
       } else {
         r[at] = d.NEVER;
       }

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
-import { findLeastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
@@ -18,7 +18,6 @@ import { measureTurns, pushTurns } from './turn-joints.js';
 const before = new Float64Array(12);
 /** How one of them was moved, and how far at least that has to be into a wall. */
 const way = new Float64Array(3);
-const separation = new Float64Array(1);
 
 /**
  * Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. As contacts are solved last in a position iteration,
@@ -131,8 +130,8 @@ function isGoneInto(shape: Shape): boolean {
     const { bodyA, bodyB, numbers: n, at: o } = pair;
     const isFirst = pair.shapeA === shape;
     const into = (isFirst ? 1 : -1) * (n[o + g.NX]! * way[0]! + n[o + g.NY]! * way[1]!);
-    findLeastSeparation(n, o, separation);
-    const isIn = pair.isSolid() && separation[0]! < -JOINT_OPEN && (isFirst ? bodyB : bodyA).kind !== DYNAMIC;
+    findLeastSeparation(n, o);
+    const isIn = pair.isSolid() && leastSeparation[0]! < -JOINT_OPEN && (isFirst ? bodyB : bodyA).kind !== DYNAMIC;
     if (isIn && into > way[2]!) {
       return true;
     }

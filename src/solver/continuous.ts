@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
-import { findLeastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED } from '../contact/bits.js';
@@ -18,7 +18,6 @@ import { findNearby } from './nearby.js';
 import { squareAround } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
-const separation = new Float64Array(1);
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -127,10 +126,10 @@ function slide({ movers }: World, mover: Mover, under: Mover, pair: Arbiter): vo
   const turn = under.turn * rest;
   const far = (nx * vy - ny * vx) * rest * movers.duration;
   findImpactDepth(pair.shapeA, pair.shapeB);
-  const bend = Math.abs(far * turn) / (4 * Math.min(IMPACT_DEPTH, impactDepth[0]!));
+  const bend = Math.abs(far * turn) / (4 * impactDepth[0]!);
   const way = far / Math.max(1, bend);
-  findLeastSeparation(n, o, separation);
-  const out = PUSH_SHARE_STATIC * Math.max(-separation[0]! - CONTACT_SLOP, 0);
+  findLeastSeparation(n, o);
+  const out = PUSH_SHARE_STATIC * Math.max(-leastSeparation[0]! - CONTACT_SLOP, 0);
   const x = out * nx - way * ny;
   const y = out * ny + way * nx;
   mover.dx += cos(turn) * x - sin(turn) * y;

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { STATIC } from '../body-kind.js';
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
-import { findLeastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CLEARANCE, FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { NEAR } from '../contact/bits.js';
@@ -18,8 +18,6 @@ import type { Meeting } from './meeting-queue.js';
 import { findMeetings, isClear, listWays } from './meetings.js';
 import { goesFar, type Mover, type Movers } from './movers.js';
 import { smoothMeeting } from './seams.js';
-
-const separation = new Float64Array(1);
 
 /**
  * Before the step is solved: where a fast body would meet something first, if nothing else happened, is given to the solver as a contact that is
@@ -193,8 +191,8 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   }
   smoothMeeting(world, pair);
   // Turned by that, it would meet a surface that it does not touch.
-  findLeastSeparation(pair.numbers, pair.at, separation);
-  const isLost = isApart && time === 1 && separation[0]! <= 0;
+  findLeastSeparation(pair.numbers, pair.at);
+  const isLost = isApart && time === 1 && leastSeparation[0]! <= 0;
   if (world.events.isHitHeard(pair)) {
     noteApproach(pair);
   }

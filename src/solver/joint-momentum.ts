@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { findLeastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
@@ -15,8 +15,6 @@ import { BODY_STRIDE, INV_MASS, MEMBER } from './layout.js';
 const OTHERS = 1;
 const HEAVIER = 2;
 const ITSELF = 4;
-
-const separation = new Float64Array(1);
 
 /**
  * Of a group that touches something. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
@@ -132,6 +130,6 @@ function touchingOf({ traits }: SolverData, { shapes, mass }: RigidBody): number
 }
 
 function isPushed({ numbers: n, at: o }: Arbiter): boolean {
-  findLeastSeparation(n, o, separation);
-  return separation[0]! < -CONTACT_SLOP;
+  findLeastSeparation(n, o);
+  return leastSeparation[0]! < -CONTACT_SLOP;
 }

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
-import { findLeastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import {
   DEEPER_SHARE,
   IMPACT_DEPTH,
@@ -40,7 +40,6 @@ const around = new Float64Array(4);
 const asked = new Float64Array(2);
 /** m. What `findLeast` found. */
 const least = new Float64Array(1);
-const separation = new Float64Array(1);
 
 export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
@@ -361,8 +360,8 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
 /** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and `findLeast` allows: what is hit hard towards a wall may not stop there. */
 function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boolean {
   const came = n[o + g.NX]! * (a.dx - b.dx) + n[o + g.NY]! * (a.dy - b.dy);
-  findLeastSeparation(n, o, separation);
-  return count === 0 || came - Math.max(separation[0]!, 0) < least[0]!;
+  findLeastSeparation(n, o);
+  return count === 0 || came - Math.max(leastSeparation[0]!, 0) < least[0]!;
 }
 
 function isJointed(a: Shape, b: Shape): boolean {

@@ -2,7 +2,7 @@ import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
-import { findLeastSeparation } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
@@ -40,7 +40,6 @@ const up = new Along();
 /** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
 const point = new Spot();
 const asked = new Float64Array(2);
-const least = new Float64Array(1);
 const bounds = new Float64Array(4);
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. What lies beyond the count is old. */
 const around: Shape[] = [];
@@ -256,10 +255,11 @@ function findOpenFace(shape: Shape, ground: Polygon): boolean {
 /** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */
 function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygon, other: Polygon): boolean {
   const isSecond = bodyA.kind === DYNAMIC;
-  findLeastSeparation(n, o, least);
+  findLeastSeparation(n, o);
+  const least = leastSeparation[0]!;
   for (let at = o; at < o + count * g.POINT; at += g.POINT) {
     const separation = n[g.S0 + at]!;
-    if (separation < 0 || separation === least[0]) {
+    if (separation < 0 || separation === least) {
       const half = (isSecond ? 0.5 : -0.5) * separation;
       point.x = n[g.X0 + at]! + half * n[o + g.NX]! - (isSecond ? n[o + g.DX]! : 0);
       point.y = n[g.Y0 + at]! + half * n[o + g.NY]! - (isSecond ? n[o + g.DY]! : 0);

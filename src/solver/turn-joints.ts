@@ -201,8 +201,7 @@ export function measureTurns({ joints: data, motion: q }: SolverData, start: num
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
 export function finishTurns(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const share = data.joints.share[0]!;
+  const { records: r, bodies, joints, share } = data.joints;
   const { velocity: v } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -210,7 +209,7 @@ export function finishTurns(data: SolverData, start: number, end: number): void 
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     const ratio = r[i + j.TURN_RATIO]!;
-    const pushed = share * r[i + j.CARRY]! * r[i + j.TURN_PUSH]!;
+    const pushed = share[0]! * r[i + j.CARRY]! * r[i + j.TURN_PUSH]!;
     const lambda = r[i + j.TURN_IMPULSE]! + pushed;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * pushed;
     v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * pushed * ratio;
