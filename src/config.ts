@@ -344,6 +344,9 @@ export const JOINT_PATIENCE = 2;
 /** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
 export const DEEPER_SHARE = 0.1;
 
+/** m. … or where one of both is driven by so much, more than rounding: what lies deep on two that go alike is carried on by them, instead of being stopped by one on the way that the other gives it. */
+export const DEEPER_CARRIED = 1e-5;
+
 /** m. Static shapes whose faces differ by no more than this are one surface for what slides over them; less catches on real tiles. */
 export const FLUSH_TOLERANCE = 5e-4;
 

@@ -4,6 +4,7 @@ import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import {
+  DEEPER_CARRIED,
   DEEPER_SHARE,
   IMPACT_DEPTH,
   IMPACT_SHARE_THIN,
@@ -17,6 +18,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import { crossing, REACHED } from '../geometry/crossing.js';
+import { Middle } from '../geometry/middle.js';
 import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
 import { PRE_SOLVE } from '../listeners.js';
 import { materials, mixElasticity } from '../material.js';
@@ -34,6 +36,7 @@ sweep.patience = 1000;
 sweep.cautious = true;
 sweep.tolerance = SWEEP_TOLERANCE;
 sweep.most = 1;
+const middle = new Middle();
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
 /** What `findLeast` is asked about: how far two shapes turn against each other, rad, and how deep they may get, m. Here, as arguments they would be boxed. */
@@ -364,6 +367,19 @@ function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boole
   return count === 0 || came - Math.max(leastSeparation[0]!, 0) < least[0]!;
 }
 
+/**
+ * Sweeps the middle of the thinner of two shapes from a time on. What turns fast may get deep with its corners again and again, but where it could slip into the joint of two tiles, of which it is
+ * not deep in either, its middle gets there too.
+ */
+function middleMeets(a: Shape, b: Shape, time: number): boolean {
+  const isA = halfWidthOf(a) < halfWidthOf(b);
+  middle.shape = isA ? a : b;
+  (isA ? sweep.a : sweep.b).shape = middle;
+  sweep.time = time;
+  sweep.target = 0;
+  return findImpact(sweep) && sweep.time > time;
+}
+
 function isJointed(a: Shape, b: Shape): boolean {
   return isTied(a.owner!) || isTied(b.owner!);
 }
@@ -418,8 +434,9 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   }
   const { time } = sweep;
   const isCarried = carries(one) || carries(two);
-  sweep.target = Math.min(-least[0]!, sweep.distance.value - (isCarried ? 0 : DEEPER_SHARE * least[0]!));
-  const isDeep = findNext(sweep);
+  const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * least[0]!;
+  sweep.target = Math.min(-least[0]!, sweep.distance.value - more);
+  const isDeep = findNext(sweep) || (asked[0]! >= IMPACT_TURN && middleMeets(a, b, time));
   meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;
   return isDeep;
 }

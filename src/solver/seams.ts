@@ -4,7 +4,7 @@ import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
-import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
+import { FACE_ALIGNMENT, FLUSH_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { NEAR } from '../contact/bits.js';
 import { touch, touchAlong } from '../contact/touch.js';
@@ -219,7 +219,7 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
     return false;
   }
   const shape = dynamicOf(pair);
-  point.depth = Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
+  point.depth = Math.min(halfWidthOf(ground), halfWidthOf(other));
   const { x, y } = point;
   const { numbers: n, at: o } = pair;
   const nx = signOf(pair) * n[o + g.NX]!;
@@ -235,21 +235,28 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
   return findOpenFace(shape, ground) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
 }
 
-/** Finds a face of a ground that a shape reaches no deeper below than `point` says, and that near that is not within another ground. */
+/** Finds the face of a ground that a shape reaches the least below, and no deeper than `point` says, of those that near that are not within another ground. */
 function findOpenFace(shape: Shape, ground: Polygon): boolean {
   const { numbers: edges, at } = ground;
   const end = endOfEdges(ground);
   up.dx = shape.owner!.x - ground.owner!.x;
   up.dy = shape.owner!.y - ground.owner!.y;
+  let face = -1;
+  let separation = -point.depth;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
     separationAlong(ground, shape, up);
-    if (up.found > -point.depth && up.found < SPECULATIVE_MARGIN && isOpen(ground, k)) {
-      return true;
+    if (up.found > separation && up.found < SPECULATIVE_MARGIN && isOpen(ground, k)) {
+      face = k;
+      separation = up.found;
     }
   }
-  return false;
+  if (face >= 0) {
+    up.x = edges[face + 2]!;
+    up.y = edges[face + 3]!;
+  }
+  return face >= 0;
 }
 
 /** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */

@@ -1,0 +1,20 @@
+import { EDGE_STRIDE } from './layout.js';
+import type { Outline } from './outline.js';
+import type { Swept } from './sweep.js';
+
+/** The point amid the corners of a shape, to be swept. */
+export class Middle implements Swept {
+  shape: Swept | null = null;
+
+  outline(into: Outline): void {
+    this.shape!.outline(into);
+    const { corners, count } = into;
+    let x = 0;
+    let y = 0;
+    for (let i = 0; i < count * EDGE_STRIDE; i += EDGE_STRIDE) {
+      x += corners[i]!;
+      y += corners[i + 1]!;
+    }
+    into.setCircle(x / count, y / count, 0);
+  }
+}
