@@ -6,6 +6,7 @@ import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import {
   DEEPER_CARRIED,
   DEEPER_SHARE,
+  FORESIGHT_DEPTH,
   IMPACT_DEPTH,
   IMPACT_SHARE_THIN,
   IMPACT_TURN,
@@ -395,6 +396,21 @@ function findLeast(a: Shape, b: Shape, isNew: boolean): void {
   least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(asked[1]!, impactDepth[0]!, thinner);
 }
 
+/**
+ * Lessens `least` for what comes from outside and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
+ * corners that turn.
+ */
+function findGraze(a: Shape, b: Shape, one: Mover, two: Mover): void {
+  if (!mayBeForeseen(a, b)) {
+    least[0] = Math.min(least[0]!, FORESIGHT_DEPTH + dip(a, one) + dip(b, two));
+  }
+}
+
+/** m. How much deeper the corners of a shape may get than its sides, as far as it turns. */
+function dip(shape: Shape, { body, spin }: Mover): number {
+  return shape.isRound() ? 0 : Math.min(spin * body.radius, body.radius - halfWidthOf(shape));
+}
+
 /** What bounces is not, nor what handlers are asked about. */
 function mayBeForeseen(a: Shape, b: Shape): boolean {
   return !mayBeRefused(a, b) && !areElastic(a, b);
@@ -433,6 +449,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     return false;
   }
   const { time } = sweep;
+  if (time > from) findGraze(a, b, one, two);
   const isCarried = carries(one) || carries(two);
   const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * least[0]!;
   sweep.target = Math.min(-least[0]!, sweep.distance.value - more);

@@ -4,7 +4,7 @@ import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
-import { FACE_ALIGNMENT, FLUSH_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
+import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { NEAR } from '../contact/bits.js';
 import { touch, touchAlong } from '../contact/touch.js';
@@ -235,7 +235,9 @@ function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
   return findOpenFace(shape, ground) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
 }
 
-/** Finds the face of a ground that a shape reaches the least below, and no deeper than `point` says, of those that near that are not within another ground. */
+/**
+ * Finds a face of a ground that a shape lies on, or else the one that it reaches the least below, no deeper than `point` says, of those that near that are not within another ground.
+ */
 function findOpenFace(shape: Shape, ground: Polygon): boolean {
   const { numbers: edges, at } = ground;
   const end = endOfEdges(ground);
@@ -243,7 +245,8 @@ function findOpenFace(shape: Shape, ground: Polygon): boolean {
   up.dy = shape.owner!.y - ground.owner!.y;
   let face = -1;
   let separation = -point.depth;
-  for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
+  const lies = -Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
+  for (let k = at + EDGES; k < end && separation <= lies; k += EDGE_STRIDE) {
     up.x = edges[k + 2]!;
     up.y = edges[k + 3]!;
     separationAlong(ground, shape, up);
