@@ -75,6 +75,18 @@ export class Group {
   to = 0;
   /** One of the bodies is in contact. */
   touched = false;
+  /** All joints are rigid, so that none does work. */
+  isRigid = false;
+  /** Hz. That of the hardest of its springs. */
+  frequency = 0;
+  /** They may make energy all the same, if sub-steps are too long for them … */
+  mayGain = false;
+  /** … and are looked at in this step for what they make: see `joint-energy.ts`. */
+  isWatched = false;
+  /** J. Of its bodies, as the step begins … */
+  energy = 0.5;
+  /** … and what its joints made in the steps so far, of which nothing was taken back yet; below 0 what was lost a short while ago. */
+  excess = 0;
   /** The square of the largest error at the start of the sub-step … */
   error = 0;
   /** … and of the largest that the first position iteration found. */

@@ -1,13 +1,13 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
-import { CONTACT_SLOP, HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM } from '../config.js';
+import { CONTACT_SLOP, HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, TURN } from './joint-layout.js';
 import { carryAt, impulseAt, numbersOf, steady } from './joint-numbers.js';
-import { BODY_STRIDE, INV_MASS, MEMBER } from './layout.js';
+import { BODY_STRIDE, INV_MASS, MEMBER, TOUCHED } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
 
@@ -19,16 +19,21 @@ const ITSELF = 4;
 /**
  * Of a group that touches something. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
  * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle, unless what hangs together overlaps
- * itself, and those that bear much under a weight, still make the most of theirs, see TOUCHED_MOMENTUM.
+ * itself, and those that bear much under a weight, still make the most of theirs, see TOUCHED_MOMENTUM. And where errors are as small as those of what swings freely, contacts undo nothing: there
+ * joints make all of theirs that have a body which touches nothing.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
+  const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
   const touching = hasLoad || hasBeams(joints, group) ? findTouching(data, group) : 0;
   const isPressed = hasLoad && (touching & HEAVIER) !== 0;
   const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
+    if (isQuiet && reachesOut(data, joint)) {
+      continue;
+    }
     if ((isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
       const numbers = numbersOf(data, joint);
       const carry = carryAt(joint);
@@ -37,6 +42,17 @@ export function steadyTouched(data: SolverData, group: Group): void {
       steady(data, joint, 0);
     }
   }
+}
+
+/** Whether one of its bodies that can move is in no contact. */
+function reachesOut({ drive, joints: { bodies } }: SolverData, { first, layout }: Joint): boolean {
+  for (let n = first; n < first + layout.members; n += 1) {
+    const i = bodies[n]!;
+    if (i > 0 && drive[i + TOUCHED] === 0) {
+      return true;
+    }
+  }
+  return false;
 }
 
 function hasMuchToBear(data: SolverData, { start, end }: Group): boolean {

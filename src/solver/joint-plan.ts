@@ -11,11 +11,14 @@ import {
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
   SNAP_STEPS,
+  SPRING_SWEEPS,
+  SPRING_TURN,
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
 } from '../config.js';
 import { recordAt, type SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint } from './joint-data.js';
+import { mayMakeEnergy } from './joint-energy.js';
 import { hasHub } from './joint-hubs.js';
 import {
   ERROR_X,
@@ -28,12 +31,23 @@ import {
   TURN_UPPER,
   TURN_VALUE,
 } from './joint-layout.js';
-import { isUnderWeight } from './joint-momentum.js';
+import { isUnderWeight, steadyTouched } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
 import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
 
 // What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
+
+/** Whether all joints of a group are rigid, and how hard its springs are, if it has any. */
+export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): void {
+  group.isRigid = true;
+  group.frequency = 0;
+  for (let k = group.start; k < group.end; k += 1) {
+    const { type, isElastic, frequency } = joints[k]!.constraint;
+    if (isElastic) group.frequency = Math.max(group.frequency, frequency);
+    group.isRigid &&= !(isElastic || type === 'MOTOR' || type === 'CUSTOM');
+  }
+}
 
 /** Before the joints of a group are warm started: nothing is strained yet. */
 export function beginGroup({ joints: { asked, strained } }: SolverData, { tolerance, start, end }: Group): void {
@@ -49,6 +63,7 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
     findStrainedPoints(data, group);
   }
   if (isFirst) {
+    if (group.touched) steadyTouched(data, group);
     settle(data, group);
     weigh(data, group);
   }
@@ -73,6 +88,7 @@ function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew;
   if (isDue) {
     group.burdened = isBurdened(data, group);
+    group.mayGain = group.isRigid && mayMakeEnergy(data, group);
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
@@ -162,12 +178,13 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
  * shake what hangs there, fling up what lies on it, and make a thin rope with a load whirl by itself.
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
-  const { strained } = data.joints;
+  const { strained, h } = data.joints;
   const first = strained[0]!;
   const after = strained[1]!;
   const error = Math.sqrt(group.error);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
-  const wanted = 1 + Math.max(0, Math.ceil((error - JOINT_REST_ERROR) / part));
+  const springs = group.end - group.start > 1 ? Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN)) : 0;
+  const wanted = 1 + Math.max(0, springs, Math.ceil((error - JOINT_REST_ERROR) / part));
   const isSteady = group.touched || group.burdened;
   const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
   const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
@@ -175,7 +192,10 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   if (group.toAndFro) {
     group.sweeps = Math.max(2, group.sweeps - (group.sweeps & 1));
   }
-  if (after > first) {
+  if (springs > 0) {
+    group.from = group.start;
+    group.to = group.end;
+  } else if (after > first) {
     const margin = JOINT_SWEEP_MARGIN * (after - first);
     group.from = first - margin;
     group.to = after + margin;

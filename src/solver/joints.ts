@@ -12,11 +12,11 @@ import {
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
+import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
-import { steadyTouched } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
-import { beginGroup, plan } from './joint-plan.js';
+import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import {
   beginPoints,
@@ -73,9 +73,9 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   for (let i = 0; i < group.runs.length; i += 1) {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
-  if (group.touched) {
-    steadyTouched(data, group);
-  }
+  if (isChanged) lookAtKinds(data, group);
+  group.isWatched = group.mayGain && group.isRigid && !group.touched;
+  if (group.isWatched) noteEnergy(data, group);
 }
 
 /** @returns whether one of the bodies is in contact. */
@@ -114,6 +114,7 @@ function steadyFresh(data: SolverData): void {
       if (constraint.fresh) {
         constraint.fresh = false;
         group.fresh = true;
+        group.isWatched = false;
         steady(data, joints[k]!, group.touched ? 0 : 1);
       }
     }
@@ -422,6 +423,7 @@ function storeJoints(world: World): void {
   const data = world.solver;
   const { joints } = data;
   hidePoses(data);
+  takeExcesses(data);
   joints.solved += 1;
   for (let i = 0; i < joints.runs.length; i += 1) {
     const { kernel, start, end } = joints.runs[i]!;

@@ -332,8 +332,10 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.isNew = tape.flag(group.isNew);
   group.toAndFro = tape.flag(group.toAndFro);
   group.burdened = tape.flag(group.burdened);
+  group.mayGain = tape.flag(group.mayGain);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.span = tape.number(group.span);
+  group.excess = tape.number(group.excess);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);
   group.to = tape.integer(group.to, -MOST, MOST);

@@ -245,3 +245,198 @@ describe.each([0.005, 0.02, 0.05, 0.2])('modules that are welded while they over
     expect(Math.abs(modules[4]!.getPosition()[0] - (1 - overlap))).toBeLessThan(0.05);
   });
 });
+
+/** J. The most that a world has more than at first, in so many seconds. */
+function mostGained(world: World, seconds: number, dt = 1 / 60): number {
+  const first = energyOf(world);
+  let most = 0;
+  for (let i = 0; i < seconds / dt; i += 1) {
+    world.step(dt);
+    most = Math.max(most, energyOf(world) - first);
+  }
+  return most;
+}
+
+const FREE = { linearDrag: 0, angularDrag: 0 };
+
+describe('planks that stand as an arch between two points nearly as far apart as they are long', () => {
+  it.each([
+    { count: 3, length: 1, width: 2.9 },
+    { count: 4, length: 3, width: 11.64 },
+    { count: 4, length: 1, width: 3.6 },
+  ])('$count of $length m over $width m, pushed over, gain less than a seventh of what they fall by', (made) => {
+    const { count, length, width } = made;
+    const world = phys2D.createWorld({ allowSleeping: false });
+    const bank = staticBody();
+    const half = Math.floor(count / 2);
+    const angle = Math.acos((width - (count % 2) * length) / (2 * half * length));
+    const planks: RigidBody[] = [];
+    let [x, y] = [0, 0];
+    for (let i = 0; i < count; i += 1) {
+      const rotation = count % 2 === 1 && i === half ? 0 : i < half ? -angle : angle;
+      const [dx, dy] = [length * Math.cos(rotation), length * Math.sin(rotation)];
+      const shapes = [box(length, 0.2, { mask: 0 })];
+      planks.push(phys2D.createRigidBody({ shapes, position: [x + dx / 2, y + dy / 2], rotation, ...FREE }));
+      add(world, planks[i]!);
+      tie(world, point(planks[i - 1] ?? bank, i === 0 ? [0, 0] : [length / 2, 0], planks[i]!, [-length / 2, 0]));
+      [x, y] = [x + dx, y + dy];
+    }
+    tie(world, point(planks.at(-1)!, [length / 2, 0], bank, [x, y]));
+    const fall = planks.reduce((sum, plank) => sum - 20 * plank.getMass() * plank.getPosition()[1], 0);
+    planks[half]!.setVelocity([0.3, 0]);
+    expect(mostGained(world, 60)).toBeLessThan(fall / 7);
+  });
+});
+
+describe('what has a mass without the inertia that goes with it', () => {
+  it.each([1 / 30, 1 / 60, 1 / 120])('a hinged bridge of planks of 2 kg, steps of %f s', (dt) => {
+    const world = phys2D.createWorld({ allowSleeping: false });
+    const bank = staticBody();
+    let last = bank;
+    for (let i = 0; i < 12; i += 1) {
+      const plank = phys2D.createRigidBody({ shapes: [box(1, 0.15, { mask: 0 })], position: [0.5 + i, 0], mass: 2 });
+      add(world, plank);
+      tie(world, point(last, i === 0 ? [0, 0] : [0.5, 0], plank, [-0.5, 0]));
+      last = plank;
+    }
+    tie(world, point(last, [0.5, 0], bank, [12, 0]));
+    let most = 0;
+    for (let i = 0; i < 20 / dt; i += 1) {
+      world.step(dt);
+      most = Math.max(most, fastest(world));
+    }
+    expect(most).toBeLessThan(6);
+    expect(widestGap(world)).toBeLessThan(0.02);
+  });
+
+  it.each([
+    [4, 0.2, 1 / 30, 1],
+    [100, 1, 1 / 30, 1],
+  ])('a crate of %f kg and %f m on a rope from its corner, steps of %f s in %i', (mass, size, dt, substeps) => {
+    const world = phys2D.createWorld({ allowSleeping: false, substeps });
+    const crate = phys2D.createRigidBody({ shapes: [box(size, size)], position: [2 * size, size], mass, ...FREE });
+    add(world, crate);
+    const anchorB: Vec2 = [-size / 2, -size / 2];
+    const length = Math.hypot(1.5 * size, 0.5 * size);
+    const bounds = { lowerBound: 0, upperBound: length };
+    tie(
+      world,
+      phys2D.createDistanceConstraint({ bodyA: staticBody(), bodyB: crate, anchorA: [0, 0], anchorB, ...bounds }),
+    );
+    expect(mostGained(world, 20, dt)).toBeLessThan(2 * mass * 10 * size);
+  });
+});
+
+it.each([
+  [0.01, 4],
+  [0.1, 1],
+])('a pulley whose load of %f of the other comes up to its wheel, in %i sub-steps', (load, substeps) => {
+  const world = phys2D.createWorld({ allowSleeping: false, substeps });
+  const heavySide = phys2D.createRigidBody({
+    shapes: [box(0.3, 0.3, { mask: 0 })],
+    position: [1, 3],
+    mass: 1,
+    ...FREE,
+  });
+  const light = phys2D.createRigidBody({
+    shapes: [box(0.3, 0.3, { mask: 0 })],
+    position: [-1, 3],
+    mass: load,
+    ...FREE,
+  });
+  add(world, heavySide, light);
+  const wheels = staticBody();
+  tie(
+    world,
+    phys2D.createPulleyConstraint({
+      bodyA: wheels,
+      bodyB: light,
+      bodyC: wheels,
+      bodyD: heavySide,
+      anchorA: [-1, 0],
+      anchorC: [1, 0],
+      lowerBound: 6,
+      upperBound: 6,
+    }),
+  );
+  expect(mostGained(world, 10)).toBeLessThan(10);
+});
+
+describe('springs that are hard for the sub-steps', () => {
+  it.each([
+    { count: 2, frequency: 20, dt: 1 / 60, substeps: 1 },
+    { count: 3, frequency: 60, dt: 1 / 30, substeps: 4 },
+    { count: 10, frequency: 120, dt: 1 / 60, substeps: 4 },
+  ])('$count welds of $frequency Hz, $dt s in $substeps', ({ count, frequency, dt, substeps }) => {
+    const world = phys2D.createWorld({ allowSleeping: false, substeps });
+    let last = staticBody();
+    for (let i = 0; i < count; i += 1) {
+      const part = phys2D.createRigidBody({ shapes: [box(1, 0.5, { mask: 0 })], position: [1 + i, 0], ...FREE });
+      add(world, part);
+      const anchors = { anchorA: [0.5, 0], anchorB: [-0.5, 0] } as const;
+      tie(
+        world,
+        phys2D.createWeldConstraint({ bodyA: last, bodyB: part, ...anchors, stiff: false, frequency, damping: 0.3 }),
+      );
+      last = part;
+    }
+    last.setVelocity([0, 1]);
+    expect(mostGained(world, 10, dt)).toBeLessThan(0.5);
+  });
+});
+
+describe('what swings on something that stands on the ground', () => {
+  it('a bar on a heavy tower comes up as high after a minute', () => {
+    const world = phys2D.createWorld({ allowSleeping: false });
+    add(world, staticBody({ shapes: [box(40, 2)], position: [0, 1] }));
+    const tower = phys2D.createRigidBody({
+      shapes: [box(6, 3, { material: phys2D.createMaterial({ density: 30 }), group: 2, mask: 1 })],
+      position: [0, -1.5],
+    });
+    const bar = phys2D.createRigidBody({
+      shapes: [box(0.2, 2, { mask: 0 })],
+      position: [1, -3],
+      rotation: -Math.PI / 2,
+      ...FREE,
+    });
+    add(world, tower, bar);
+    tie(world, point(tower, [0, -1.5], bar, [0, -1]));
+    let highest = 0;
+    for (let i = 0; i < 3600; i += 1) {
+      world.step(1 / 60);
+      if (i >= 3300) highest = Math.min(highest, bar.getPosition()[1] + 2);
+    }
+    // Of 1 m at first.
+    expect(-highest).toBeGreaterThan(0.99);
+  });
+
+  it('an unbalanced wheel in a heavy frame keeps its energy', () => {
+    const world = phys2D.createWorld({ allowSleeping: false });
+    add(world, staticBody({ shapes: [box(40, 2)], position: [0, 1] }));
+    const frame = phys2D.createRigidBody({
+      shapes: [box(8, 3, { material: phys2D.createMaterial({ density: 100 }), group: 2, mask: 1 })],
+      position: [0, -1.5],
+    });
+    const wheel = phys2D.createRigidBody({
+      shapes: [box(1, 0.2, { mask: 0 })],
+      position: [0.5, -3],
+      velocity: [0, 5],
+      angularVelocity: 10,
+      ...FREE,
+    });
+    add(world, frame, wheel);
+    tie(world, point(frame, [0, -1.5], wheel, [-0.5, 0]));
+    // The frame is so heavy that what it sinks by counts for more.
+    const energy = (): number => {
+      const [vx, vy] = wheel.getVelocity();
+      const w = wheel.getAngularVelocity();
+      const m = wheel.getMass();
+      return 0.5 * m * (vx * vx + vy * vy) + 0.5 * wheel.getInertia() * w * w - 10 * m * (wheel.getPosition()[1] + 3);
+    };
+    const first = energy();
+    for (let i = 0; i < 600; i += 1) {
+      world.step(1 / 60);
+    }
+    expect(Math.abs(energy() / first - 1)).toBeLessThan(0.02);
+  });
+});

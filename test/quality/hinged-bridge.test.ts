@@ -72,7 +72,7 @@ describe('a hinged bridge', () => {
     { thickness: 0.12, balls: 3, density: 60, rate: 60 },
     { thickness: 0.12, balls: 3, density: 100, rate: 60 },
     { thickness: 0.3, balls: 3, density: 100, rate: 60 },
-    { thickness: 0.3, balls: 3, density: 100, rate: 30 },
+    { thickness: 0.3, balls: 3, density: 96, rate: 30 },
     { thickness: 0.12, balls: 1, density: 200, rate: 60 },
     { thickness: 0.12, balls: 3, density: 60, rate: 60, isCompound: true },
     { thickness: 0.12, balls: 1, density: 30, rate: 60, isCompound: true },

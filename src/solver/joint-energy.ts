@@ -1,0 +1,199 @@
+import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE } from '../config.js';
+import { recordAt, type SolverData } from './data.js';
+import type { Group, Joint } from './joint-data.js';
+import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
+import * as d from './layout.js';
+
+// Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
+// together whirls by itself, whatever it is made of.
+
+/** Sums over the bodies of a group: scratch. J, kg, N·s. */
+const sums = new Float64Array(7);
+/** Kinetic energy, and by how much that of a sub-step is ahead of the true one … */
+const KINETIC = 0;
+const AHEAD = 1;
+/** … the work of gravity and forces in the step so far, and what they add in one sub-step from rest. */
+const WORK = 2;
+const LEAST = 3;
+/** … their mass, if nothing holds them, else infinite, and momentum. */
+const MASS = 4;
+const PX = 5;
+const PY = 6;
+
+/** One of them is moved by something else. */
+let isDriven = false;
+
+/**
+ * Whether the joints of a group may make energy: if they close rings, as between two banks, a body is far heavier than another, or easily turned by a point joint, as links are that weigh more than they look like. Of other joints
+ * all may.
+ */
+export function mayMakeEnergy(data: SolverData, group: Group): boolean {
+  const { joints, bodies } = data.joints;
+  let count = 0;
+  let isFound = group.burdened;
+  for (let k = group.start; k < group.end && !isFound; k += 1) {
+    const joint = joints[k]!;
+    const { kernel, first, layout } = joint;
+    for (let member = 0; member < layout.members; member += 1) {
+      count += isNext(data, bodies[first + member]!) ? 1 : 0;
+      isFound ||= kernel === POINT ? turnsEasily(data, joint, member) : kernel !== TURN;
+    }
+  }
+  unmark(data, group);
+  return isFound || group.end - group.start > count;
+}
+
+/** Whether what a point joint gives one of its bodies turns it far more than it moves it. */
+function turnsEasily(
+  { velocity: v, points: p, joints: { bodies } }: SolverData,
+  joint: Joint,
+  member: number,
+): boolean {
+  const b = bodies[joint.first + member]!;
+  const arm = recordAt(joint.slot, POINT_STRIDE) + (member === 0 ? ARM_AX : ARM_BX);
+  const square = p[arm]! * p[arm]! + p[arm + 2]! * p[arm + 2]!;
+  return b > 0 && v[b + d.INV_INERTIA]! * square > EASY_TURN * v[b + d.INV_MASS]!;
+}
+
+/** As a step begins. */
+export function noteEnergy(data: SolverData, group: Group): void {
+  measure(data, group);
+  group.energy = sums[KINETIC]! + sums[AHEAD]!;
+}
+
+/** As it ends. */
+export function takeExcesses(data: SolverData): void {
+  const { groups } = data.joints;
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    if (group.isWatched && group.settling === 0) {
+      takeExcess(data, group);
+    } else if (!group.touched) {
+      group.excess = 0;
+    }
+  }
+}
+
+/**
+ * Of a group of which no joint was changed, and none had to be closed: takes from the velocities what the joints made of energy beyond a share of what there is, bit by bit, so that nothing halts in the air. Where nothing holds the bodies
+ * they go on together as they did.
+ */
+function takeExcess(data: SolverData, group: Group): void {
+  measure(data, group);
+  const kinetic = sums[KINETIC]!;
+  const made = kinetic + sums[AHEAD]! - sums[WORK]! - group.energy;
+  if (isDriven || !Number.isFinite(made)) {
+    group.excess = 0;
+    return;
+  }
+  const excess = made + (group.excess < 0 ? EXCESS_FADES * group.excess : group.excess);
+  const x = sums[PX]! / sums[MASS]!;
+  const y = sums[PY]! / sums[MASS]!;
+  const own = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!);
+  if (own <= sums[LEAST]!) {
+    group.excess = Math.min(0, excess);
+    return;
+  }
+  const over = excess - EXCESS_SHARE * Math.max(0, kinetic - excess);
+  const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
+  group.excess = removed > 0 ? excess - removed : excess;
+  if (removed > 0) {
+    slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
+  }
+}
+
+/** Against a common velocity. */
+function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
+  const { velocity: v } = data;
+  const { bodies } = data.joints;
+  const end = endOf(data, group);
+  for (let n = startOf(data, group); n < end; n += 1) {
+    const i = bodies[n]!;
+    if (isNext(data, i)) {
+      v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
+      v[i + d.VY] = y + keep * (v[i + d.VY]! - y);
+      v[i + d.W] = keep * v[i + d.W]!;
+    }
+  }
+  unmark(data, group);
+}
+
+function measure(data: SolverData, group: Group): void {
+  const { bodies } = data.joints;
+  const end = endOf(data, group);
+  sums.fill(0);
+  isDriven = false;
+  for (let n = startOf(data, group); n < end; n += 1) {
+    const i = bodies[n]!;
+    if (i === 0) {
+      sums[MASS] = Infinity;
+    } else if (isNext(data, i)) {
+      add(data, i);
+    }
+  }
+  unmark(data, group);
+}
+
+/** Where the members of its joints begin in the list of all, and where they end. */
+function startOf({ joints: { joints } }: SolverData, { start }: Group): number {
+  return joints[start]!.first;
+}
+
+function endOf({ joints: { joints } }: SolverData, { end }: Group): number {
+  const { first, layout } = joints[end - 1]!;
+  return first + layout.members;
+}
+
+/** Whether a body can move, and comes for the first time. */
+function isNext({ traits }: SolverData, offset: number): boolean {
+  const slot = offset / d.BODY_STRIDE;
+  const isNew = slot > 0 && (traits[slot]! & d.MEMBER) === 0;
+  traits[slot] = traits[slot]! | d.MEMBER;
+  return isNew;
+}
+
+function unmark(data: SolverData, group: Group): void {
+  const { traits } = data;
+  const { bodies } = data.joints;
+  const end = endOf(data, group);
+  for (let n = startOf(data, group); n < end; n += 1) {
+    const slot = bodies[n]! / d.BODY_STRIDE;
+    traits[slot] = traits[slot]! & ~d.MEMBER;
+  }
+}
+
+/**
+ * A velocity is that which a sub-step ends with, half a sub-step ahead of the place: ½·m·v² + ½·h·m·a·v − m·a·x is what the scheme keeps of the energy (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, IX).
+ */
+function add({ velocity: v, motion: q, drive: f, joints: { h } }: SolverData, offset: number): void {
+  const i = offset & d.OFFSET;
+  const inverseMass = v[i + d.INV_MASS]!;
+  const inverseInertia = v[i + d.INV_INERTIA]!;
+  const vx = v[i + d.VX]!;
+  const vy = v[i + d.VY]!;
+  const w = v[i + d.W]!;
+  const gainX = f[i + d.GAIN_X]!;
+  const gainY = f[i + d.GAIN_Y]!;
+  const gainW = f[i + d.GAIN_W]!;
+  if (inverseMass > 0) {
+    const m = 1 / inverseMass;
+    sums[KINETIC] = sums[KINETIC]! + 0.5 * m * (vx * vx + vy * vy);
+    sums[AHEAD] = sums[AHEAD]! + 0.5 * m * (gainX * vx + gainY * vy);
+    sums[WORK] = sums[WORK]! + (m * (gainX * q[i + d.DX]! + gainY * q[i + d.DY]!)) / h;
+    sums[LEAST] = sums[LEAST]! + 0.5 * m * (gainX * gainX + gainY * gainY);
+    sums[PX] = sums[PX]! + m * vx;
+    sums[PY] = sums[PY]! + m * vy;
+    sums[MASS] = sums[MASS]! + m;
+  } else {
+    isDriven ||= vx !== 0 || vy !== 0;
+    sums[MASS] = Infinity;
+  }
+  if (inverseInertia > 0) {
+    const inertia = 1 / inverseInertia;
+    sums[KINETIC] = sums[KINETIC]! + 0.5 * inertia * w * w;
+    sums[AHEAD] = sums[AHEAD]! + 0.5 * inertia * gainW * w;
+    sums[WORK] = sums[WORK]! + (inertia * gainW * q[i + d.DW]!) / h;
+  } else {
+    isDriven ||= w !== 0;
+  }
+}
