@@ -335,6 +335,9 @@ export const STILL_LOOKS = 256;
 /** m. Shapes that are swept have met when the gap to the depth wanted is no larger. */
 export const SWEEP_TOLERANCE = 1e-6;
 
+/** Looks. For so long what would bounce is followed to see whether it passes; if that is not clear by then, it bounces. */
+export const PASS_PATIENCE = 100;
+
 /**
  * m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that
  * the joints of a tiled floor stop nothing. Larger lets fast things enter surfaces farther.

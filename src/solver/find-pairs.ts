@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { type BroadphaseHandle, letsMeet } from '../broadphase/broadphase.js';
-import { SOLVED_TURN } from '../config.js';
+import { PASS_PATIENCE, SOLVED_TURN, SWEEP_TOLERANCE } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
@@ -9,6 +9,7 @@ import * as c from '../contact/layout.js';
 import { overlap, touch } from '../contact/touch.js';
 import { IN_STEP } from '../events/events.js';
 import { asksFirst, preSolve } from '../events/pre-solve.js';
+import { findImpact, Sweep } from '../geometry/sweep.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
@@ -17,6 +18,11 @@ import { goesFar } from './movers.js';
 import { noteGround, smoothSeams } from './seams.js';
 import { sleepPair, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
+
+/** Scratch of `passes`. */
+const way = /* @__PURE__ */ new Sweep();
+way.patience = PASS_PATIENCE;
+way.cautious = true;
 
 /** Filters, and what makes an interaction possible at all. */
 export function mayInteract(a: Shape, b: Shape): boolean {
@@ -182,7 +188,7 @@ function approach(world: World, pair: Arbiter, dt: number): void {
     pair.mixMaterials();
     if (isForeseen(pair, dt)) {
       world.closing.add(pair);
-    } else {
+    } else if (!passes(pair, dt)) {
       pair.mark(NEAR);
     }
     noteGround(world, pair);
@@ -202,6 +208,22 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
     ((shapeA.isRound() ? 0 : Math.abs(a.w)) + (shapeB.isRound() ? 0 : Math.abs(b.w))) * dt <= SOLVED_TURN &&
     (goesFar(a, dt) || goesFar(b, dt))
   );
+}
+
+/** Whether what would bounce goes past instead, as the bodies move now: a contact keeps its direction for the whole step, along which they come near each other all the same. */
+function passes({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boolean {
+  const a = shapeA.owner!;
+  const b = shapeB.owner!;
+  if (numbers[at + c.ELASTICITY]! <= 0 || !(goesFar(a, dt) || goesFar(b, dt))) {
+    return false;
+  }
+  way.a.start(shapeA, a, a);
+  way.b.start(shapeB, b, a);
+  way.target = 0;
+  way.tolerance = SWEEP_TOLERANCE;
+  way.time = 0;
+  way.most = dt;
+  return !findImpact(way);
 }
 
 /** It is no dynamic body that sleeps: the solver would not move that. */

@@ -87,3 +87,53 @@ it.each([4, 10, 60])('a ball of 5 cm that bounces at %f m/s gets no more than 1 
   }
   expect(deepest).toBeLessThan(0.01);
 });
+
+describe('what bounces, and passes by without touching, flies on', () => {
+  it.each([
+    [0.25, 3, 0.001],
+    [0.25, 10, 0.01],
+    [0.03, 3, 0.005],
+    [0.03, 10, 0.01],
+  ])('balls of %f m at %f m/s, %f m from a ball, or the edge of a wall', (radius, speed, gap) => {
+    const material = elastic(0.5);
+    const edge = () => phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.04, 2 * radius), material });
+    for (const make of [() => disc(radius, { material }), edge]) {
+      const world = weightless();
+      const shots: RigidBody[] = [];
+      for (let k = 0; k < PHASES; k += 1) {
+        add(world, staticBody({ shapes: [make()], position: [0, 5 * k] }));
+        const position: Vec2 = [-speed * (0.3 + k / (60 * PHASES)), 5 * k - 2 * radius - gap];
+        shots.push(shoot(disc(radius, { material }), position, speed));
+        add(world, shots[k]!);
+      }
+      steps(world, 36);
+      const off = shots.filter(
+        (shot) => Math.hypot(shot.getVelocity()[0] - speed, shot.getVelocity()[1]) > 1e-9 * speed,
+      );
+      expect(off).toHaveLength(0);
+    }
+  });
+});
+
+it.each([
+  [0.03, 8, 0.1],
+  [0.25, 5, 0.03],
+  [0.25, 15, 0.012],
+])('a ball of %f m that is cut thin at %f m/s leaves along the line of centres, within %f', (radius, speed, most) => {
+  const material = elastic(1);
+  let sum = 0;
+  const world = weightless();
+  const balls: RigidBody[] = [];
+  for (let k = 0; k < PHASES; k += 1) {
+    balls.push(phys2D.createRigidBody({ shapes: [disc(radius, { material })], position: [0, 5 * k], ...FREE }));
+    const position: Vec2 = [-speed * (0.3 + k / (60 * PHASES)), 5 * k + 1.8 * radius];
+    add(world, balls[k]!, shoot(disc(radius, { material }), position, speed, { bullet: true }));
+  }
+  steps(world, 40);
+  for (const ball of balls) {
+    const [vx, vy] = ball.getVelocity();
+    sum += Math.abs(Math.atan2(vy, vx) + Math.asin(0.9));
+  }
+  // rad.
+  expect(sum / PHASES).toBeLessThan(most);
+});
