@@ -1,7 +1,4 @@
-/**
- * Every tolerance of the engine: unit, reason, and what breaks if it moves. Lengths are for things between a centimetre
- * and tens of metres.
- */
+/** Every tolerance of the engine: unit, reason, and what breaks if it moves. Lengths are for things between a centimetre and tens of metres. */
 
 /** m. Overlap that is left alone at a contact. Below 1.5 mm towers start to sway (pushes that never stop feed it). */
 export const CONTACT_SLOP = 0.002;
@@ -198,8 +195,7 @@ export const TOUCHED_MOMENTUM = 0.8;
 export const TOUCHED_QUIET = 2e-4;
 
 /**
- * Share of the kinetic energy of what hangs together that joints may make before it is taken back; and what gravity adds in a sub-step from rest. Chains that crack make and lose a hundredth
- * by turns. Without it a tight bridge between two banks, and planks whose inertia is less than their mass asks for, whirl for ever.
+ * Share of the kinetic energy of what hangs together that joints may make; what is more is taken back. Chains that crack make and lose a hundredth by turns. Without it tight bridges, and planks lighter to turn than they look, whirl for ever.
  */
 export const EXCESS_SHARE = 0.1;
 
@@ -466,10 +462,7 @@ export const ROCK_LEAST = 0.04;
  */
 export const STRAIN_SHARE = 0.075;
 
-/**
- * m/s. A contact is strained if its impulse would give its bodies as much in a sub-step: if it carries about a hundred times their weight. With 20 towers of
- * 12 under heavy tops buckle.
- */
+/** m/s. A contact is strained if its impulse would give its bodies as much in a sub-step: if it carries about a hundred times their weight. With 20 towers of 12 under heavy tops buckle. */
 export const STRAIN_SPEED = 8;
 
 /**
@@ -502,8 +495,5 @@ export const MAX_GROWTH = 4;
 /** Default of `World.substeps`: the fewest with which tall towers, heavy tops and ramps are all right. */
 export const DEFAULT_SUBSTEPS = 4;
 
-/**
- * m/s, rad/s. In a world with constraints faster motion is cut in each sub-step, so that what cannot be solved, such as a stiff spring
- * stretched by miles, stays finite.
- */
+/** m/s, rad/s. In a world with constraints faster motion is cut in each sub-step, so that what cannot be solved, such as a stiff spring stretched by miles, stays finite. */
 export const MAX_SPEED = 1e6;

@@ -397,11 +397,11 @@ function findLeast(a: Shape, b: Shape, isNew: boolean): void {
 }
 
 /**
- * Lessens `least` for what comes from outside and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
+ * Lessens `least` for what comes from outside, has no joints and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
  * corners that turn.
  */
 function findGraze(a: Shape, b: Shape, one: Mover, two: Mover): void {
-  if (!mayBeForeseen(a, b)) {
+  if (!mayBeForeseen(a, b) && !isJointed(a, b)) {
     least[0] = Math.min(least[0]!, FORESIGHT_DEPTH + dip(a, one) + dip(b, two));
   }
 }
