@@ -147,12 +147,19 @@ describe.each(BROADPHASES)('looking, with %s,', (_, create) => {
     steps(world, 30);
     let looked = 0;
     let before: unknown[] = [];
-    world.rigidBodies[6]!.shapes[0]!.addEventListener('preSolve', () => {
+    const body = world.rigidBodies[6]!;
+    let place = '';
+    body.shapes[0]!.addEventListener('preSolve', () => {
+      // Of an impact in the course of a step the handler is asked where that is.
+      if (body.getPosition().join() !== place) {
+        return;
+      }
       looked += 1;
       expect(JSON.stringify(lookAround(world, world.rigidBodies[9]!)[1])).toBe(JSON.stringify(before[1]));
     });
     for (let i = 0; i < 60; i += 1) {
       before = lookAround(world, world.rigidBodies[9]!);
+      place = body.getPosition().join();
       world.step(1 / 60);
     }
     expect(looked).toBeGreaterThan(10);

@@ -20,7 +20,10 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   // Only whether it has failed in this step; where the solver has its numbers.
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['foreseen'],
-  group: ['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches'],
+  group: [
+    ...['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches'],
+    ...['isRigid', 'frequency', 'isWatched', 'energy'],
+  ],
   record: [LOCAL_X, LOCAL_Y, APPROACH].map(String),
 };
 
