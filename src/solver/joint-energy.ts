@@ -2,6 +2,7 @@ import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE } from '../config
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
+import { endOfMembers, firstMember, markMembers } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
@@ -39,7 +40,7 @@ export function mayMakeEnergy(data: SolverData, group: Group): boolean {
       isFound ||= kernel === POINT ? turnsEasily(data, joint, member) : kernel !== TURN;
     }
   }
-  unmark(data, group);
+  markMembers(data, group, 0);
   return isFound || group.end - group.start > count;
 }
 
@@ -106,8 +107,8 @@ function takeExcess(data: SolverData, group: Group): void {
 function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
   const { velocity: v } = data;
   const { bodies } = data.joints;
-  const end = endOf(data, group);
-  for (let n = startOf(data, group); n < end; n += 1) {
+  const end = endOfMembers(data, group);
+  for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
     if (isNext(data, i)) {
       v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
@@ -115,15 +116,15 @@ function slowDown(data: SolverData, group: Group, keep: number, x: number, y: nu
       v[i + d.W] = keep * v[i + d.W]!;
     }
   }
-  unmark(data, group);
+  markMembers(data, group, 0);
 }
 
 function measure(data: SolverData, group: Group): void {
   const { bodies } = data.joints;
-  const end = endOf(data, group);
+  const end = endOfMembers(data, group);
   sums.fill(0);
   isDriven = false;
-  for (let n = startOf(data, group); n < end; n += 1) {
+  for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
     if (i === 0) {
       sums[MASS] = Infinity;
@@ -131,17 +132,7 @@ function measure(data: SolverData, group: Group): void {
       add(data, i);
     }
   }
-  unmark(data, group);
-}
-
-/** Where the members of its joints begin in the list of all, and where they end. */
-function startOf({ joints: { joints } }: SolverData, { start }: Group): number {
-  return joints[start]!.first;
-}
-
-function endOf({ joints: { joints } }: SolverData, { end }: Group): number {
-  const { first, layout } = joints[end - 1]!;
-  return first + layout.members;
+  markMembers(data, group, 0);
 }
 
 /** Whether a body can move, and comes for the first time. */
@@ -150,16 +141,6 @@ function isNext({ traits }: SolverData, offset: number): boolean {
   const isNew = slot > 0 && (traits[slot]! & d.MEMBER) === 0;
   traits[slot] = traits[slot]! | d.MEMBER;
   return isNew;
-}
-
-function unmark(data: SolverData, group: Group): void {
-  const { traits } = data;
-  const { bodies } = data.joints;
-  const end = endOf(data, group);
-  for (let n = startOf(data, group); n < end; n += 1) {
-    const slot = bodies[n]! / d.BODY_STRIDE;
-    traits[slot] = traits[slot]! & ~d.MEMBER;
-  }
 }
 
 /**

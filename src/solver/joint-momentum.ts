@@ -6,8 +6,8 @@ import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, TURN } from './joint-layout.js';
-import { carryAt, impulseAt, numbersOf, steady } from './joint-numbers.js';
-import { BODY_STRIDE, INV_MASS, MEMBER, TOUCHED } from './layout.js';
+import { carryAt, impulseAt, markMembers, numbersOf, steady } from './joint-numbers.js';
+import { INV_MASS, MEMBER, TOUCHED } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
 
@@ -111,17 +111,6 @@ function findTouching(data: SolverData, group: Group): number {
   }
   markMembers(data, group, 0);
   return found;
-}
-
-/** In the slots of all its bodies that move. */
-function markMembers({ joints: { joints, bodies }, traits }: SolverData, { start, end }: Group, mark: number): void {
-  for (let k = start; k < end; k += 1) {
-    const { first, layout } = joints[k]!;
-    for (let n = first; n < first + layout.members; n += 1) {
-      const slot = bodies[n]! / BODY_STRIDE;
-      traits[slot] = (traits[slot]! & ~MEMBER) | (slot > 0 ? mark : 0);
-    }
-  }
 }
 
 function touchingOf({ traits }: SolverData, { shapes, mass }: RigidBody): number {

@@ -1,5 +1,5 @@
 import { recordAt, type SolverData } from './data.js';
-import type { Joint } from './joint-data.js';
+import type { Group, Joint } from './joint-data.js';
 import {
   CARRY,
   IMPULSE_X,
@@ -11,6 +11,7 @@ import {
   TURN,
   TURN_IMPULSE,
 } from './joint-layout.js';
+import { BODY_STRIDE, MEMBER } from './layout.js';
 
 // Where the numbers of a joint are in a step, whatever kernel it has.
 
@@ -45,5 +46,27 @@ export function forgetImpulse(data: SolverData, joint: Joint, share: number): vo
     const n = impulseAt(joint, row);
     // What is not finite goes, too.
     numbers[n] = share === 0 ? 0 : numbers[n]! * share;
+  }
+}
+
+/** Where the members of the joints of a group begin in the list of all, … */
+export function firstMember({ joints: { joints } }: SolverData, { start }: Group): number {
+  return joints[start]!.first;
+}
+
+/** … and where they end. */
+export function endOfMembers({ joints: { joints } }: SolverData, { end }: Group): number {
+  const { first, layout } = joints[end - 1]!;
+  return first + layout.members;
+}
+
+/** Sets or clears MEMBER in the slots of all bodies of a group that can move. */
+export function markMembers(data: SolverData, group: Group, mark: number): void {
+  const { traits } = data;
+  const { bodies } = data.joints;
+  const end = endOfMembers(data, group);
+  for (let n = firstMember(data, group); n < end; n += 1) {
+    const slot = bodies[n]! / BODY_STRIDE;
+    traits[slot] = (traits[slot]! & ~MEMBER) | (slot > 0 ? mark : 0);
   }
 }
