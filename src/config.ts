@@ -121,8 +121,8 @@ export const JOINT_REST_ERROR = 0.002;
  */
 export const SPRING_SWEEPS = 16;
 
-/** Parts of a turn. Below it, as at 10 Hz, 1/60 s and four sub-steps, one sweep is enough. */
-export const SPRING_TURN = 0.05;
+/** Parts of a turn. Below it, as up to 24 Hz at 1/60 s and four sub-steps, one sweep is enough. */
+export const SPRING_TURN = 0.1;
 
 /** So many joints that hang together are few; for more it grows in proportion. */
 export const FEW_JOINTS = 64;
@@ -205,8 +205,8 @@ export const EASY_TURN = 4;
 /** So much of the kinetic energy is taken back in one step at most, and what was made in that step: all at once would halt things in the air. */
 export const EXCESS_REMOVED = 0.1;
 
-/** What joints lose is kept in mind by so much from step to step: what sags under a load and is lifted again makes nothing. */
-export const EXCESS_FADES = 0.95;
+/** What joints lose is kept in mind by so much from step to step, over several swings: under a heavy load they take energy up and give it back with each. With 0.95 a ball on a chain was stopped within 9 s. */
+export const EXCESS_FADES = 0.999;
 
 /**
  * s⁻¹. Times the length of the sub-step, the share of the momentum of corrections that is not made where joints are swept over once: 3 % at steps of 1/60 s. With all of it pendulums of four to six rods without

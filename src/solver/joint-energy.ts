@@ -1,4 +1,4 @@
-import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE } from '../config.js';
+import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY } from '../config.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
@@ -9,7 +9,7 @@ import * as d from './layout.js';
 // together whirls by itself, whatever it is made of.
 
 /** Sums over the bodies of a group: scratch. J, kg, N·s. */
-const sums = new Float64Array(7);
+const sums = new Float64Array(8);
 /** Kinetic energy, and by how much that of a sub-step is ahead of the true one … */
 const KINETIC = 0;
 const AHEAD = 1;
@@ -20,6 +20,8 @@ const LEAST = 3;
 const MASS = 4;
 const PX = 5;
 const PY = 6;
+/** 1/kg. … and the inverse mass of the lightest. */
+const LIGHTEST = 7;
 
 /** One of them is moved by something else. */
 let isDriven = false;
@@ -76,7 +78,7 @@ export function takeExcesses(data: SolverData): void {
 }
 
 /**
- * Of a group of which no joint was changed, and none had to be closed: takes from the velocities what the joints made of energy beyond a share of what there is, bit by bit, so that nothing halts in the air. Where nothing holds the bodies
+ * Of a group of which no joint was changed, and none had to be closed: takes from the velocities of the light bodies what the joints made of energy beyond a share of what there is, bit by bit, so that nothing halts in the air. Where nothing holds the bodies
  * they go on together as they did.
  */
 function takeExcess(data: SolverData, group: Group): void {
@@ -90,27 +92,55 @@ function takeExcess(data: SolverData, group: Group): void {
   const excess = made + (group.excess < 0 ? EXCESS_FADES * group.excess : group.excess);
   const x = sums[PX]! / sums[MASS]!;
   const y = sums[PY]! / sums[MASS]!;
-  const own = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!);
-  if (own <= sums[LEAST]!) {
+  if (kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!) {
     group.excess = Math.min(0, excess);
     return;
   }
+  group.excess = excess;
   const over = excess - EXCESS_SHARE * Math.max(0, kinetic - excess);
-  const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
-  group.excess = removed > 0 ? excess - removed : excess;
-  if (removed > 0) {
-    slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
+  if (over > 0) {
+    const own = energyOfLight(data, group, x, y);
+    const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
+    if (removed > 0) {
+      group.excess = excess - removed;
+      slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
+    }
   }
 }
 
-/** Against a common velocity. */
+/** It is the light bodies that whirl: of a ball on a thin chain the links, not the ball. */
+function isLight({ velocity: v }: SolverData, offset: number): boolean {
+  return v[offset + d.INV_MASS]! * HEAVY >= sums[LIGHTEST]!;
+}
+
+/** J. Kinetic energy of the light bodies against a common velocity. */
+function energyOfLight(data: SolverData, group: Group, x: number, y: number): number {
+  const { velocity: v } = data;
+  const { bodies } = data.joints;
+  const end = endOfMembers(data, group);
+  let twice = 0;
+  for (let n = firstMember(data, group); n < end; n += 1) {
+    const i = bodies[n]!;
+    if (isNext(data, i) && isLight(data, i)) {
+      const vx = v[i + d.VX]! - x;
+      const vy = v[i + d.VY]! - y;
+      const w = v[i + d.W]!;
+      twice += (vx * vx + vy * vy) / v[i + d.INV_MASS]!;
+      twice += v[i + d.INV_INERTIA]! > 0 ? (w * w) / v[i + d.INV_INERTIA]! : 0;
+    }
+  }
+  markMembers(data, group, 0);
+  return twice / 2;
+}
+
+/** The light bodies, against a common velocity. */
 function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
   const { velocity: v } = data;
   const { bodies } = data.joints;
   const end = endOfMembers(data, group);
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (isNext(data, i)) {
+    if (isNext(data, i) && isLight(data, i)) {
       v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
       v[i + d.VY] = y + keep * (v[i + d.VY]! - y);
       v[i + d.W] = keep * v[i + d.W]!;
@@ -165,6 +195,7 @@ function add({ velocity: v, motion: q, drive: f, joints: { h } }: SolverData, of
     sums[PX] = sums[PX]! + m * vx;
     sums[PY] = sums[PY]! + m * vy;
     sums[MASS] = sums[MASS]! + m;
+    sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, inverseMass);
   } else {
     isDriven ||= vx !== 0 || vy !== 0;
     sums[MASS] = Infinity;
