@@ -206,7 +206,7 @@ export const EASY_TURN = 4;
 export const EXCESS_REMOVED = 0.1;
 
 /** What joints lose is kept in mind by so much from step to step, over several swings: under a heavy load they take energy up and give it back with each. With 0.95 a ball on a chain was stopped within 9 s. */
-export const EXCESS_FADES = 0.999;
+export const EXCESS_FADES = 0.998;
 
 /**
  * s⁻¹. Times the length of the sub-step, the share of the momentum of corrections that is not made where joints are swept over once: 3 % at steps of 1/60 s. With all of it pendulums of four to six rods without
