@@ -40,10 +40,7 @@ export const PUSH_SHARE_STATIC = 0.75;
 /** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. */
 export const PUSH_SHARE_CIRCLES = 0.5;
 
-/**
- * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, and either has several shapes or both have constraints.
- * They are known by it: it is like no other.
- */
+/** The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, and either has several shapes or both have constraints. They are known by it: it is like no other. */
 export const PUSH_SHARE_HOOKED = 0.2;
 
 /** m. Of overlap deeper than this a larger share is removed: stacks never have it, and what was created overlapping comes apart twice as fast. */
@@ -58,10 +55,7 @@ export const DEEP_OVERLAP_CIRCLES = 0.001;
 /** … and the share. More would part two that are alone. */
 export const PUSH_SHARE_DEEP_CIRCLES = 0.98;
 
-/**
- * Most further position iterations of a sub-step while circles are deeper than DEEP_OVERLAP: 625 of them, created overlapping, come apart within 2 s.
- * Not for polygons: where some are wedged, a heap would not rest.
- */
+/** Most further position iterations of a sub-step while circles are deeper than DEEP_OVERLAP: 625 of them, created overlapping, come apart within 2 s. Not for polygons: where some are wedged, a heap would not rest. */
 export const CROWD_SWEEPS = 4;
 
 /** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
@@ -73,10 +67,7 @@ export const MAX_PUSH = 0.2;
  */
 export const MAX_PUSH_HOOKED = 0.003;
 
-/**
- * m/s², rad/s². If no contact changed a velocity by more than this times the sub-step in a sweep, that needs no further one. A tower that sways changes them by
- * little in each: with 5e-3 one of 25 boxes sways at 4 mm/s.
- */
+/** m/s², rad/s². If no contact changed a velocity by more than this times the sub-step in a sweep, that needs no further one. A tower that sways changes them by little in each: with 5e-3 one of 25 boxes sways at 4 mm/s. */
 export const CALM_ACCELERATION = 1e-5;
 
 /** m. A remaining error below this ends the position iterations of the sub-step: it is far below what the next one adds. */
@@ -333,6 +324,9 @@ export const SWEEP_TOLERANCE = 1e-6;
 
 /** Looks. For so long what would bounce is followed to see whether it passes; if that is not clear by then, it bounces. */
 export const PASS_PATIENCE = 100;
+
+/** … if it goes along the other by more than this share of half the width of the thinner one in a step. */
+export const PASS_SHARE = 0.1;
 
 /**
  * m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that

@@ -1,7 +1,8 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { type BroadphaseHandle, letsMeet } from '../broadphase/broadphase.js';
-import { PASS_PATIENCE, SOLVED_TURN, SWEEP_TOLERANCE } from '../config.js';
+import * as g from '../collide/layout.js';
+import { PASS_PATIENCE, PASS_SHARE, SOLVED_TURN, SWEEP_TOLERANCE } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
@@ -12,7 +13,7 @@ import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { findImpact, Sweep } from '../geometry/sweep.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
-import type { Shape } from '../shape/shape.js';
+import { halfWidthOf, type Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { goesFar } from './movers.js';
 import { noteGround, smoothSeams } from './seams.js';
@@ -211,10 +212,11 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
 }
 
 /** Whether what would bounce goes past instead, as the bodies move now: a contact keeps its direction for the whole step, along which they come near each other all the same. */
-function passes({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boolean {
+function passes(pair: Arbiter, dt: number): boolean {
+  const { shapeA, shapeB, numbers, at } = pair;
   const a = shapeA.owner!;
   const b = shapeB.owner!;
-  if (numbers[at + c.ELASTICITY]! <= 0 || !(goesFar(a, dt) || goesFar(b, dt))) {
+  if (numbers[at + c.ELASTICITY]! <= 0 || !(goesFar(a, dt) || goesFar(b, dt)) || !slipsBy(pair, a, b, dt)) {
     return false;
   }
   way.a.start(shapeA, a, a);
@@ -224,6 +226,28 @@ function passes({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boolean {
   way.time = 0;
   way.most = dt;
   return !findImpact(way);
+}
+
+/** Whether a contact seems to close in a step in which its surfaces go some way along each other: else it does no harm, or there is no doubt. */
+function slipsBy(
+  { shapeA, shapeB, count, numbers: n, at: o }: Arbiter,
+  a: RigidBody,
+  b: RigidBody,
+  dt: number,
+): boolean {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const least = PASS_SHARE * Math.min(halfWidthOf(shapeA), halfWidthOf(shapeB));
+  for (let p = o; p < o + count * g.POINT; p += g.POINT) {
+    const x = n[p + g.X0]!;
+    const y = n[p + g.Y0]!;
+    const vx = b.vx - b.w * (y - n[o + g.DY]!) - a.vx + a.w * y;
+    const vy = b.vy + b.w * (x - n[o + g.DX]!) - a.vy - a.w * x;
+    if (-(nx * vx + ny * vy) * dt > n[p + g.S0]! && Math.abs(nx * vy - ny * vx) * dt > least) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** It is no dynamic body that sleeps: the solver would not move that. */
