@@ -1,4 +1,5 @@
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
+import { letsMeet } from '../broadphase/broadphase.js';
 import { Along, reachAlong, separationAlong } from '../collide/along.js';
 import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
@@ -6,13 +7,14 @@ import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
 import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { NEAR } from '../contact/bits.js';
+import { ACCEPTED, NEAR } from '../contact/bits.js';
 import { touch, touchAlong } from '../contact/touch.js';
 import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
+import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
 import { findNearby } from './nearby.js';
 
 // What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
@@ -21,22 +23,35 @@ import { findNearby } from './nearby.js';
 /** Normals that differ by less than this cosine are different. */
 const SAME_DIRECTION = 1 - 1e-10;
 
-/** m. How far an edge is followed to see whether it comes into the open. */
-const OPEN_WAY = 4 * FLUSH_TOLERANCE;
+/** Cosine of the angle by which a face may differ from a contact that it is to replace. */
+const LOOKS = -0.2;
 
-/** m. And how far above it: faces that lie in each other carry as one. */
+/** m. What is so near to a corner of a ground is with that. */
+const CORNER = 4 * FLUSH_TOLERANCE;
+
+/** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
 const CLEAR = 2 * FLUSH_TOLERANCE;
+
+/** rad. A gap that is narrower does not open the edges that it is between. */
+const GAP = 0.2;
 
 /** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
 class Spot {
   x = 0.5;
   y = 0.5;
-  /** m. How deep below a face around it may lie. */
-  depth = 0.5;
+}
+
+class Face {
+  separation = 0.5;
 }
 
 /** The direction that was found for a contact, from the ground to the body: scratch. */
 const up = new Along();
+/** The direction that is looked along: scratch. */
+const along = new Along();
+/** How deep a shape is below the face that was found: scratch. */
+const face = new Face();
+const free = new FreeDirections();
 /** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
 const point = new Spot();
 const asked = new Float64Array(2);
@@ -44,6 +59,7 @@ const bounds = new Float64Array(4);
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. What lies beyond the count is old. */
 const around: Shape[] = [];
 let aroundCount = 0;
+let areAllKnown = false;
 
 /** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
 export function noteGround(world: World, pair: Arbiter): void {
@@ -67,39 +83,50 @@ export function smoothSeams(world: World): void {
   for (let i = 0; i < straddling.count; i += 1) {
     const { grounds } = straddling.items[i]!;
     aroundCount = 0;
+    areAllKnown = false;
     for (let pair = grounds; pair !== null; pair = pair.next) {
       around[aroundCount] = groundOf(pair);
       aroundCount += 1;
     }
     for (let pair = grounds; pair !== null; pair = pair.next) {
-      smooth(pair);
+      if (isHidden(world, pair)) smooth(world, pair);
+    }
+    for (let pair = grounds; pair !== null; pair = pair.next) {
+      if (isBelowOther(world, pair)) smooth(world, pair);
     }
   }
   straddling.clear();
 }
 
 /**
- * Turns a contact to the direction in which the other grounds carry its shape, if they hide the face or corner that it is with. What is only near is let go where
- * they carry the shape already: turned, it would meet a surface that it does not touch, and part from it in the next step.
+ * Turns a contact to the direction `up`. What is only near is let go where another ground carries the shape in that direction already: turned, it would meet a surface
+ * that it does not touch, and part from it in the next step.
  */
-function smooth(pair: Arbiter): void {
-  const shape = dynamicOf(pair);
-  const ground = groundOf(pair);
-  for (let other = shape.grounds; other !== null && pair.count > 0; other = other.next) {
-    if (other === pair || other.count === 0) {
-      continue;
-    }
-    const below = isBelow(pair, other);
-    if (below && pair.is(NEAR) && other.isSolved() && moveAlike(ground, groundOf(other))) {
-      pair.unmark(NEAR);
-      return;
-    }
-    if (below || isHidden(pair, ground as Polygon, groundOf(other) as Polygon)) {
-      turn(pair);
-      if (pair.count === 0) pair.unmark(NEAR);
-      return;
+function smooth(world: World, pair: Arbiter): void {
+  const { x, y } = up;
+  for (let other = dynamicOf(pair).grounds; other !== null && pair.is(NEAR); other = other.next) {
+    if (other !== pair && other.count > 0 && other.isSolved() && moveAlike(groundOf(pair), groundOf(other))) {
+      findFace(world, other);
+      if (up.x * x + up.y * y >= SAME_DIRECTION && !standsOut(groundOf(other), groundOf(pair))) {
+        pair.unmark(NEAR);
+        return;
+      }
     }
   }
+  up.x = x;
+  up.y = y;
+  turn(pair);
+  if (pair.count === 0) pair.unmark(NEAR);
+}
+
+/** Whether a ground does not stand out of the face of any other that its shape lies on. */
+function isBelowOther(world: World, pair: Arbiter): boolean {
+  for (let other = dynamicOf(pair).grounds; other !== null && pair.count > 0; other = other.next) {
+    if (other !== pair && other.count > 0 && isBelow(world, pair, other)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** Whether neither moves against the other in this step, as far as is told at once. */
@@ -113,32 +140,51 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   if (ground.kind !== POLYGON || !standsStill(ground)) {
     return;
   }
-  const { numbers: n, at: o } = pair;
-  const x = n[o + g.X0]! + pair.bodyA.x;
-  const y = n[o + g.Y0]! + pair.bodyA.y;
-  bounds[0] = x;
-  bounds[1] = y;
-  bounds[2] = x;
-  bounds[3] = y;
-  const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
   aroundCount = 0;
+  addNearby(world, pair);
+  if (isHidden(world, pair)) {
+    turn(pair);
+    if (pair.count === 0) touch(pair);
+  }
+}
+
+/** What the shape of a contact is near but need not touch: where it has left a face by a corner nothing tells of that. */
+function addNearby(world: World, pair: Arbiter): void {
+  const shape = dynamicOf(pair);
+  const { numbers: n, at } = shape;
+  const reach = SPECULATIVE_MARGIN + halfWidthOf(shape);
+  bounds[0] = n[at]! - reach;
+  bounds[1] = n[at + 1]! - reach;
+  bounds[2] = n[at + 2]! + reach;
+  bounds[3] = n[at + 3]! + reach;
+  const known = aroundCount;
+  const size = findNearby(world, bounds, groundOf(pair).owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;
-    if (standsStill(other)) {
+    if (carries(world, shape, other) && !isKnown(other, known)) {
       around[aroundCount] = other;
       aroundCount += 1;
     }
   }
-  for (let i = 0; i < aroundCount; i += 1) {
-    const other = around[i]!;
-    if (other !== ground && isHidden(pair, ground as Polygon, other as Polygon)) {
-      turn(pair);
-      if (pair.count === 0) {
-        touch(pair);
-      }
-      return;
+  areAllKnown = true;
+}
+
+/** Whether a shape stands still, and what touches it is not let through. */
+function carries(world: World, shape: Shape, other: Shape): boolean {
+  if (!standsStill(other) || other.sensor || !letsMeet(shape, other)) {
+    return false;
+  }
+  const pair = shape.id < other.id ? world.pairs.find(shape, other) : world.pairs.find(other, shape);
+  return !pair?.active || pair.is(ACCEPTED);
+}
+
+function isKnown(shape: Shape, count: number): boolean {
+  for (let i = 0; i < count; i += 1) {
+    if (around[i] === shape) {
+      return true;
     }
   }
+  return false;
 }
 
 /** Whether a shape is where the step began, all the time. */
@@ -169,8 +215,8 @@ function turn(pair: Arbiter): void {
  * Whether a ground does not stand out of the face of another that the same shape lies on. Then it can only carry the shape in the same direction:
  * all that the two overlap by lies beyond that face, and is no deeper.
  */
-function isBelow(pair: Arbiter, other: Arbiter): boolean {
-  findFace(other);
+function isBelow(world: World, pair: Arbiter, other: Arbiter): boolean {
+  findFace(world, other);
   return !carriesUp(pair) && !standsOut(groundOf(other), groundOf(pair));
 }
 
@@ -181,7 +227,7 @@ function carriesUp(pair: Arbiter): boolean {
 }
 
 /** The direction in which a ground carries a shape: that of the face that it lies on, even if not perfectly flat. */
-function findFace(pair: Arbiter): void {
+function findFace(world: World, pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   const sign = signOf(pair);
   const ground = groundOf(pair);
@@ -190,11 +236,21 @@ function findFace(pair: Arbiter): void {
   if (ground.kind === POLYGON && dynamicOf(pair).kind === POLYGON) {
     const { numbers: edges, at } = ground;
     const end = endOfEdges(ground);
+    let nearest = -1;
     for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
-      if (edges[k + 2]! * up.x + edges[k + 3]! * up.y > FACE_ALIGNMENT) {
-        up.x = edges[k + 2]!;
-        up.y = edges[k + 3]!;
+      const cosine = edges[k + 2]! * up.x + edges[k + 3]! * up.y;
+      if (cosine >= SAME_DIRECTION) {
         return;
+      }
+      if (cosine > FACE_ALIGNMENT) {
+        nearest = k;
+      }
+    }
+    if (nearest >= 0) {
+      if (!areAllKnown) addNearby(world, pair);
+      if (isOpen(dynamicOf(pair), ground, nearest)) {
+        up.x = edges[nearest + 2]!;
+        up.y = edges[nearest + 3]!;
       }
     }
   }
@@ -211,111 +267,190 @@ function standsOut(from: Shape, to: Shape): boolean {
 }
 
 /**
- * Whether a contact is with a side or corner of a polygon that lies within another one, and so is no surface. Then what carries the body is
- * the face that goes on from there in the open. Where two such faces meet, all directions between theirs are right.
+ * Whether a contact is not with the surface that grounds which lie side by side have together, but with a side or corner that others hide. Then what carries the body is
+ * a face beside it; or, if all of it lies within others, the face that the shape lies on.
  */
-function isHidden(pair: Arbiter, ground: Polygon, other: Polygon): boolean {
-  if (ground.kind !== POLYGON || other.kind !== POLYGON || !liesWithin(pair, ground, other)) {
+function isHidden(world: World, pair: Arbiter): boolean {
+  const ground = groundOf(pair);
+  if (pair.count === 0 || ground.kind !== POLYGON) {
     return false;
   }
-  const shape = dynamicOf(pair);
-  point.depth = Math.min(halfWidthOf(ground), halfWidthOf(other));
-  const { x, y } = point;
-  const { numbers: n, at: o } = pair;
-  const nx = signOf(pair) * n[o + g.NX]!;
-  const ny = signOf(pair) * n[o + g.NY]!;
-  let side = 0;
-  point.x += ground.owner!.x - other.owner!.x;
-  point.y += ground.owner!.y - other.owner!.y;
-  if (findOpenFace(shape, other)) {
-    side = up.x * ny - up.y * nx;
+  let found = judge(pair, ground);
+  if (found !== RIGHT && !areAllKnown) {
+    addNearby(world, pair);
+    found = judge(pair, ground);
   }
-  point.x = x;
-  point.y = y;
-  return findOpenFace(shape, ground) && !carriesUp(pair) && side * (up.x * ny - up.y * nx) >= 0;
+  return (
+    (found === WRONG ? isInReach(pair, ground) : found === BURIED && findOpenFace(pair, ground)) && !carriesUp(pair)
+  );
 }
 
-/**
- * Finds a face of a ground that a shape lies on, or else the one that it reaches the least below, no deeper than `point` says, of those that near that are not within another ground.
- */
-function findOpenFace(shape: Shape, ground: Polygon): boolean {
-  const { numbers: edges, at } = ground;
-  const end = endOfEdges(ground);
+/** Whether a shape is no deeper in a ground, along `up`, than half of that; or it lies on it. */
+function isInReach(pair: Arbiter, ground: Polygon): boolean {
+  const shape = dynamicOf(pair);
   up.dx = shape.owner!.x - ground.owner!.x;
   up.dy = shape.owner!.y - ground.owner!.y;
-  let face = -1;
-  let separation = -point.depth;
-  const lies = -Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
-  for (let k = at + EDGES; k < end && separation <= lies; k += EDGE_STRIDE) {
-    up.x = edges[k + 2]!;
-    up.y = edges[k + 3]!;
-    separationAlong(ground, shape, up);
-    if (up.found > separation && up.found < SPECULATIVE_MARGIN && isOpen(ground, k)) {
-      face = k;
-      separation = up.found;
-    }
-  }
-  if (face >= 0) {
-    up.x = edges[face + 2]!;
-    up.y = edges[face + 3]!;
-  }
-  return face >= 0;
+  separationAlong(ground, shape, up);
+  return up.found > -Math.max(lyingDepth(shape), halfWidthOf(ground));
 }
 
-/** Whether all points at which the surfaces overlap are within another polygon, or the one that is nearest to it. Leaves the last in `point`. */
-function liesWithin({ count, numbers: n, at: o, bodyA }: Arbiter, ground: Polygon, other: Polygon): boolean {
-  const isSecond = bodyA.kind === DYNAMIC;
+/** m. How deep below a face a shape that lies on it may be. */
+function lyingDepth(shape: Shape): number {
+  return Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
+}
+
+/** What the direction of a contact is, as `FreeDirections.judge` tells: right at one of its points is enough. If it is wrong, `up` is the next right one. */
+function judge(pair: Arbiter, ground: Polygon): number {
+  const { count, numbers: n, at: o } = pair;
+  const sign = signOf(pair);
+  let found = BURIED;
   findLeastSeparation(n, o);
   const least = leastSeparation[0]!;
-  for (let at = o; at < o + count * g.POINT; at += g.POINT) {
+  for (let at = o; at < o + count * g.POINT && found !== RIGHT; at += g.POINT) {
     const separation = n[g.S0 + at]!;
-    if (separation < 0 || separation === least) {
-      const half = (isSecond ? 0.5 : -0.5) * separation;
-      point.x = n[g.X0 + at]! + half * n[o + g.NX]! - (isSecond ? n[o + g.DX]! : 0);
-      point.y = n[g.Y0 + at]! + half * n[o + g.NY]! - (isSecond ? n[o + g.DY]! : 0);
-      asked[0] = point.x;
-      asked[1] = point.y;
-      if (!isWithin(other, ground)) {
-        return false;
+    findPoint(pair, at);
+    if ((separation < 0 || separation === least) && isNear(dynamicOf(pair), ground)) {
+      goToCorner(ground);
+      free.begin(sign * n[o + g.NX]!, sign * n[o + g.NY]!);
+      addAround(ground);
+      const there = free.judge();
+      if (there < found) {
+        found = there;
+        up.x = free.x;
+        up.y = free.y;
       }
     }
   }
-  return true;
+  return found;
 }
 
-/** Whether an edge of a ground, from its end near `point` on, is not within any other polygon. */
-function isOpen(ground: Polygon, edge: number): boolean {
-  const { numbers: edges, at } = ground;
-  const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
-  const isNext = isNearer(edges, next, edge);
-  const from = isNext ? next : edge;
-  const way = (isNext ? -1 : 1) * OPEN_WAY;
-  const x = edges[from]! - way * up.y + CLEAR * up.x;
-  const y = edges[from + 1]! + way * up.x + CLEAR * up.y;
-  for (let i = 0; i < aroundCount; i += 1) {
-    const other = around[i]!;
-    asked[0] = x;
-    asked[1] = y;
-    if (other !== ground && other.kind === POLYGON && isWithin(other, ground)) {
-      return false;
+/** Whether `point` is about where a shape is: a long side that goes into it may be deepest far from it. */
+function isNear({ numbers: n, at }: Shape, { owner }: Shape): boolean {
+  const x = point.x + owner!.x;
+  const y = point.y + owner!.y;
+  return (
+    x > n[at]! - SPECULATIVE_MARGIN &&
+    y > n[at + 1]! - SPECULATIVE_MARGIN &&
+    x < n[at + 2]! + SPECULATIVE_MARGIN &&
+    y < n[at + 3]! + SPECULATIVE_MARGIN
+  );
+}
+
+/** Moves `point` to the corner of a ground that it is near. */
+function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
+  for (let k = at + EDGES + EDGE_STRIDE * (offsets.length - 1); k >= at + EDGES; k -= EDGE_STRIDE) {
+    const dx = edges[k]! - point.x;
+    const dy = edges[k + 1]! - point.y;
+    if (dx * dx + dy * dy < CORNER * CORNER) {
+      point.x = edges[k]!;
+      point.y = edges[k + 1]!;
+      return;
     }
   }
-  return true;
 }
 
-/** Whether one corner is nearer to `point` than another. */
-function isNearer(edges: Float64Array, one: number, other: number): boolean {
-  const oneX = edges[one]! - point.x;
-  const oneY = edges[one + 1]! - point.y;
-  const otherX = edges[other]! - point.x;
-  const otherY = edges[other + 1]! - point.y;
-  return oneX * oneX + oneY * oneY < otherX * otherX + otherY * otherY;
+/** What the grounds around fill at `point`. */
+function addAround(ground: Polygon): void {
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other.kind === POLYGON) {
+      asked[0] = point.x + ground.owner!.x - other.owner!.x;
+      asked[1] = point.y + ground.owner!.y - other.owner!.y;
+      free.add(other, asked);
+    }
+  }
 }
 
-/** Whether a polygon contains the point that is asked for, given relative to the body of a ground, or nearly. */
-function isWithin(polygon: Polygon, ground: Shape): boolean {
-  const { owner } = polygon;
-  asked[0] = asked[0]! + ground.owner!.x - owner!.x;
-  asked[1] = asked[1]! + ground.owner!.y - owner!.y;
-  return polygonContains(polygon, asked, FLUSH_TOLERANCE);
+/**
+ * Finds the face of a ground that a shape reaches the least below, but not deeper than half the ground. If it has none that is open, as what lies below the surface, a
+ * face of those around that the shape lies on, and that a contact with the unit vector that `free` has looks towards.
+ */
+function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
+  const shape = dynamicOf(pair);
+  const lying = lyingDepth(shape);
+  face.separation = -(leastSeparation[0]! > 0 ? lying : halfWidthOf(ground));
+  if (findFaceOf(shape, ground, -1)) {
+    return true;
+  }
+  face.separation = -lying;
+  let isFound = false;
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other !== ground && other.kind === POLYGON) {
+      isFound = findFaceOf(shape, other, LOOKS) || isFound;
+    }
+  }
+  return isFound;
+}
+
+/** Finds where a contact has the surface of its ground, at one of its points: `at` is the record, plus POINT for the second. */
+function findPoint({ numbers: n, at: o, bodyA }: Arbiter, at: number): void {
+  const isSecond = bodyA.kind === DYNAMIC;
+  const half = (isSecond ? 0.5 : -0.5) * n[g.S0 + at]!;
+  point.x = n[g.X0 + at]! + half * n[o + g.NX]! - (isSecond ? n[o + g.DX]! : 0);
+  point.y = n[g.Y0 + at]! + half * n[o + g.NY]! - (isSecond ? n[o + g.DY]! : 0);
+}
+
+/** Takes the face of a ground that a shape lies on, or reaches the least below, if it reaches less below that than below the one before. */
+function findFaceOf(shape: Shape, ground: Polygon, least: number): boolean {
+  const { numbers: edges, at } = ground;
+  const end = endOfEdges(ground);
+  let isFound = false;
+  for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
+    along.x = edges[k + 2]!;
+    along.y = edges[k + 3]!;
+    along.dx = shape.owner!.x - ground.owner!.x;
+    along.dy = shape.owner!.y - ground.owner!.y;
+    separationAlong(ground, shape, along);
+    const { found } = along;
+    const looks = free.x * edges[k + 2]! + free.y * edges[k + 3]!;
+    if (looks >= least && found > face.separation && found < SPECULATIVE_MARGIN && isOpen(shape, ground, k)) {
+      face.separation = found;
+      up.x = edges[k + 2]!;
+      up.y = edges[k + 3]!;
+      isFound = true;
+    }
+  }
+  return isFound;
+}
+
+/** Whether an edge of a ground is not within any other polygon, about where the shape is above or below it. */
+function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
+  const { numbers: edges, at } = ground;
+  const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
+  const nx = edges[edge + 2]!;
+  const ny = edges[edge + 3]!;
+  // From one end of the edge to the other, as far as the shape reaches, but not so near to an end that what hides it is no thicker than the surface there.
+  along.x = -ny;
+  along.y = nx;
+  const from = along.x * edges[edge]! + along.y * edges[edge + 1]!;
+  const length = along.x * edges[next]! + along.y * edges[next + 1]! - from;
+  const middle = along.x * (shape.owner!.x - ground.owner!.x) + along.y * (shape.owner!.y - ground.owner!.y) - from;
+  reachAlong(shape, along, 1);
+  const high = Math.min(middle + along.found, length);
+  reachAlong(shape, along, -1);
+  const low = Math.max(middle - along.found, 0);
+  const margin = Math.min(halfWidthOf(shape), length / 2);
+  const way = Math.max(margin, Math.min((low + high) / 2, length - margin));
+  const x = edges[edge]! - way * ny;
+  const y = edges[edge + 1]! + way * nx;
+  return (
+    !isInAnother(ground, x + CLEAR * nx, y + CLEAR * ny) &&
+    !isInAnother(ground, x + GAP * Math.min(way, length - way) * nx, y + GAP * Math.min(way, length - way) * ny)
+  );
+}
+
+/** Whether a point, given relative to the body of a ground, is within another one. */
+function isInAnother(ground: Polygon, x: number, y: number): boolean {
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other !== ground && other.kind === POLYGON) {
+      asked[0] = x + ground.owner!.x - other.owner!.x;
+      asked[1] = y + ground.owner!.y - other.owner!.y;
+      if (polygonContains(other, asked, FLUSH_TOLERANCE)) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
