@@ -190,6 +190,9 @@ export const TOUCHED_QUIET = 2e-4;
  */
 export const EXCESS_SHARE = 0.1;
 
+/** The same in one step, of what touches something together with all that lies on it, and without regard to what was lost before: loads on hinged bridges, and who sits on a swing, bounce for ever without it. */
+export const TOUCHED_EXCESS = 0.03;
+
 /** By how much more a joint turns a body than it moves it, as energies, where joints are looked at for that: 3 at the end of a rod or the corner of a box whose inertia is that of its mass. */
 export const EASY_TURN = 4;
 

@@ -367,6 +367,11 @@ export abstract class BaseConstraint {
     return this.positional && !this.stiff;
   }
 
+  /** @internal it may give its bodies energy: what is rigid, and what brakes, does not */
+  get doesWork(): boolean {
+    return this.isElastic;
+  }
+
   /** @internal itself: its classes are all that there are, which only the compiler cannot know here */
   private get self(): Constraint {
     return this as unknown as Constraint;

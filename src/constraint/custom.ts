@@ -100,6 +100,11 @@ export class CustomConstraint extends BaseConstraint {
     this.call(name, out, at, this.dimension, true);
   }
 
+  /** @internal nobody knows */
+  override get doesWork(): boolean {
+    return true;
+  }
+
   /** @internal */
   override keep(tape: Tape): void {
     const { state } = this.callbacks;

@@ -55,6 +55,11 @@ export class MotorConstraint extends TwoBodyConstraint {
   }
 
   /** @internal */
+  override get doesWork(): boolean {
+    return this.rate !== 0;
+  }
+
+  /** @internal */
   override keep(tape: Tape): void {
     this.rate = tape.number(this.rate);
     super.keep(tape);

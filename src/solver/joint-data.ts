@@ -3,6 +3,7 @@ import { JOINT_MOMENTUM } from '../config.js';
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
+import { List } from '../math/list.js';
 import {
   type BlockLayout,
   BREAK,
@@ -83,6 +84,8 @@ export class Group {
   mayGain = false;
   /** … and are looked at in this step for what they make: see `joint-energy.ts`. */
   isWatched = false;
+  /** Offsets of the bodies that lie on its own, or on those, then. */
+  readonly guests = new List<number>();
   /** J. Of its bodies, as the step begins … */
   energy = 0.5;
   /** … and what its joints made in the steps so far, of which nothing was taken back yet; below 0 what was lost a short while ago. */

@@ -1,4 +1,4 @@
-import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY } from '../config.js';
+import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../config.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
@@ -89,22 +89,20 @@ function takeExcess(data: SolverData, group: Group): void {
     group.excess = 0;
     return;
   }
-  const excess = made + (group.excess < 0 ? EXCESS_FADES * group.excess : group.excess);
+  const excess = group.touched ? made : made + (group.excess < 0 ? EXCESS_FADES * group.excess : group.excess);
+  const share = group.touched ? TOUCHED_EXCESS : EXCESS_SHARE;
   const x = sums[PX]! / sums[MASS]!;
   const y = sums[PY]! / sums[MASS]!;
-  if (kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!) {
-    group.excess = Math.min(0, excess);
-    return;
-  }
-  group.excess = excess;
-  const over = excess - EXCESS_SHARE * Math.max(0, kinetic - excess);
-  if (over > 0) {
+  const isCalm = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!;
+  const over = excess - share * Math.max(0, kinetic - excess);
+  let removed = 0;
+  if (over > 0 && !isCalm) {
     const own = energyOfLight(data, group, x, y);
-    const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
-    if (removed > 0) {
-      group.excess = excess - removed;
-      slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
-    }
+    removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
+    if (removed > 0) slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
+  }
+  if (!group.touched) {
+    group.excess = isCalm ? Math.min(0, excess) : excess - removed;
   }
 }
 
@@ -160,9 +158,19 @@ function measure(data: SolverData, group: Group): void {
       sums[MASS] = Infinity;
     } else if (isNext(data, i)) {
       add(data, i);
+      sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, data.velocity[i + d.INV_MASS]!);
     }
   }
   markMembers(data, group, 0);
+  const least = sums[LEAST]!;
+  const { items, count } = group.guests;
+  for (let n = 0; n < count; n += 1) {
+    add(data, items[n]!);
+  }
+  sums[LEAST] = least;
+  if (group.touched) {
+    sums[MASS] = Infinity;
+  }
 }
 
 /** Whether a body can move, and comes for the first time. */
@@ -195,7 +203,6 @@ function add({ velocity: v, motion: q, drive: f, joints: { h } }: SolverData, of
     sums[PX] = sums[PX]! + m * vx;
     sums[PY] = sums[PY]! + m * vy;
     sums[MASS] = sums[MASS]! + m;
-    sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, inverseMass);
   } else {
     isDriven ||= vx !== 0 || vy !== 0;
     sums[MASS] = Infinity;

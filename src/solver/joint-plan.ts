@@ -43,9 +43,9 @@ export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): v
   group.isRigid = true;
   group.frequency = 0;
   for (let k = group.start; k < group.end; k += 1) {
-    const { type, isElastic, frequency } = joints[k]!.constraint;
-    if (isElastic) group.frequency = Math.max(group.frequency, frequency);
-    group.isRigid &&= !(isElastic || type === 'MOTOR' || type === 'CUSTOM');
+    const { constraint } = joints[k]!;
+    if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
+    group.isRigid &&= !constraint.doesWork;
   }
 }
 

@@ -11,6 +11,7 @@ import {
 } from './block-joints.js';
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
+import { findCompanies, findGuests } from './joint-company.js';
 import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
@@ -63,6 +64,7 @@ function packJoints(world: World, h: number): void {
   for (let i = 0; i < joints.groups.length; i += 1) {
     packGroup(data, joints.groups[i]!, isChanged);
   }
+  watchTouched(world);
   if (isChanged) {
     steadyFresh(data);
   }
@@ -74,8 +76,25 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
   if (isChanged) lookAtKinds(data, group);
+  group.guests.clear();
   group.isWatched = group.mayGain && group.isRigid && !group.touched;
   if (group.isWatched) noteEnergy(data, group);
+}
+
+/** Of groups that touch something what they are with is watched, too. */
+function watchTouched(world: World): void {
+  const { solver } = world;
+  const { groups } = solver.joints;
+  let isKnown = false;
+  for (let i = 0; i < groups.length; i += 1) {
+    const group = groups[i]!;
+    if (group.mayGain && group.isRigid && group.touched) {
+      if (!isKnown) findCompanies(world);
+      isKnown = true;
+      group.isWatched = findGuests(solver, group);
+      if (group.isWatched) noteEnergy(solver, group);
+    }
+  }
 }
 
 /** @returns whether one of the bodies is in contact. */

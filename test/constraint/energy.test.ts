@@ -440,3 +440,116 @@ describe('what swings on something that stands on the ground', () => {
     expect(Math.abs(energy() / first - 1)).toBeLessThan(0.02);
   });
 });
+
+describe('what lies on a hinged bridge', () => {
+  /** Planks of 1 m between two banks, as long together as `slack` times the way. @returns its planks. */
+  function bridge(world: World, count: number, slack: number): RigidBody[] {
+    const material = phys2D.createMaterial({ staticFriction: 1, dynamicFriction: 1 });
+    const banks = phys2D.createRigidBody({ type: 'static' });
+    add(world, banks);
+    const planks = Array.from({ length: count }, (_, i) => {
+      const plank = phys2D.createRigidBody({ shapes: [box(1, 0.2, { material })], position: [(i + 0.5) / slack, 0] });
+      add(world, plank);
+      return plank;
+    });
+    for (let i = 0; i <= count; i += 1) {
+      const bodyA = planks[i - 1] ?? banks;
+      const bodyB = planks[i] ?? banks;
+      const anchorA: Vec2 = i > 0 ? [0.5, 0] : [0, 0];
+      const anchorB: Vec2 = i < count ? [-0.5, 0] : [count / slack, 0];
+      tie(world, phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB, ignoreInteractions: true }));
+    }
+    for (let i = 0; i < 120; i += 1) {
+      world.step(1 / 60);
+    }
+    return planks;
+  }
+
+  function secondsToRest(world: World, most: number): number {
+    for (let i = 0; i < most * 60; i += 1) {
+      if (world.liveDynamics.length === 0) {
+        return i / 60;
+      }
+      world.step(1 / 60);
+    }
+    return Infinity;
+  }
+
+  /** Rough, of so many kg/m². */
+  const rough = (density: number) => phys2D.createMaterial({ staticFriction: 1, dynamicFriction: 1, density });
+
+  it.each([
+    [8, 1, 20],
+    [8, 1.01, 5],
+    [8, 1.01, 20],
+    [8, 1.05, 50],
+    [16, 1, 5],
+    [16, 1.01, 20],
+    [16, 1.01, 50],
+    [16, 1.05, 20],
+  ])('comes to rest within 40 s: %i planks, %f of the way, a crate of %i times a plank', (count, slack, ratio) => {
+    const world = heavy();
+    const planks = bridge(world, count, slack);
+    const y = planks[count / 2]!.getPosition()[1] - 0.55;
+    const crate = box(0.8, 0.8, { material: rough((0.2 * ratio) / 0.64) });
+    add(world, phys2D.createRigidBody({ shapes: [crate], position: [count / slack / 2, y] }));
+    expect(secondsToRest(world, 40)).toBeLessThan(40);
+  });
+
+  it('comes to rest where it is a cart whose wheels are braked', () => {
+    const world = heavy();
+    const planks = bridge(world, 16, 1.02);
+    const top = planks[8]!.getPosition()[1] - 0.1;
+    const middle = 8 / 1.02;
+    const chassis = phys2D.createRigidBody({
+      shapes: [box(2.4, 0.5, { material: rough(1.7) })],
+      position: [middle, top - 0.8],
+    });
+    add(world, chassis);
+    for (const side of [-0.8, 0.8]) {
+      const tyre = phys2D.createCircleShape({ radius: 0.35, material: rough(1.3) });
+      const wheel = phys2D.createRigidBody({ shapes: [tyre], position: [middle + side, top - 0.36] });
+      add(world, wheel);
+      const bodies = { bodyA: chassis, bodyB: wheel };
+      tie(world, phys2D.createPointConstraint({ ...bodies, anchorA: [side, 0.44], ignoreInteractions: true }));
+      tie(world, phys2D.createMotorConstraint({ ...bodies, maxForce: 30 }));
+    }
+    expect(secondsToRest(world, 60)).toBeLessThan(60);
+  });
+
+  it('on two ropes, a seat of a swing with a child of 200 times a link, hangs still', () => {
+    const world = heavy();
+    const beam = phys2D.createRigidBody({ type: 'static' });
+    const seat = phys2D.createRigidBody({ shapes: [box(0.6, 0.1, { material: rough(8) })], position: [0, 3] });
+    add(world, beam, seat);
+    for (const side of [-0.25, 0.25]) {
+      let last = beam;
+      for (let i = 0; i <= 12; i += 1) {
+        const next =
+          i === 12
+            ? seat
+            : phys2D.createRigidBody({
+                shapes: [box(0.05, 0.25, { material: rough(2) })],
+                position: [side, 0.25 * (i + 0.5)],
+              });
+        if (i < 12) add(world, next);
+        const anchorA: Vec2 = i === 0 ? [side, 0] : [0, 0.125];
+        const anchorB: Vec2 = i === 12 ? [side, 0] : [0, -0.125];
+        const ends = { bodyA: last, bodyB: next, anchorA, anchorB };
+        tie(world, phys2D.createPointConstraint({ ...ends, ignoreInteractions: true }));
+        last = next;
+      }
+    }
+    const child = box(0.4, 0.6, { material: rough(20), group: 2, mask: 2 });
+    seat.shapes[0]!.setGroup(2);
+    seat.shapes[0]!.setMask(2);
+    add(world, phys2D.createRigidBody({ shapes: [child], position: [0, 2.645] }));
+    let farthest = 0;
+    for (let i = 0; i < 1800; i += 1) {
+      world.step(1 / 60);
+      farthest = Math.max(farthest, Math.abs(seat.getPosition()[0]));
+    }
+    expect(farthest).toBeLessThan(0.02);
+    expect(secondsToRest(world, 20)).toBeLessThan(20);
+  });
+});
