@@ -459,6 +459,9 @@ export class World extends WorldState {
         wakeBody(this, body, false);
       }
     }
+    for (const constraint of this.constraints) {
+      if (constraint.asleep) wakeConstraint(this, constraint, false);
+    }
   }
 }
 

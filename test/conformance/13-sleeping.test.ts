@@ -388,4 +388,20 @@ describe('sleeping and waking', () => {
     steps(world, 1);
     expect(body.sleeping).toBe(true);
   });
+
+  it('… constraints between awake bodies too, and those without a body that can move', () => {
+    const world = weightless();
+    const bodyA = phys2D.createRigidBody({ type: 'static' });
+    const body = plainBody();
+    add(world, body);
+    const tied = phys2D.createPointConstraint({ bodyA, bodyB: body });
+    const idle = phys2D.createPointConstraint({ bodyA, bodyB: phys2D.createRigidBody({ type: 'static' }) });
+    tie(world, tied, idle);
+    steps(world, 1);
+    tied.sleep();
+    world.allowSleeping = false;
+    expect([tied.sleeping, idle.sleeping]).toEqual([false, false]);
+    steps(world, 2);
+    expect(world.liveConstraints).toHaveLength(2);
+  });
 });
