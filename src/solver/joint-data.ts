@@ -63,8 +63,8 @@ export class Group {
   readonly runs: Run[] = [];
   /** m, rad. The part of the worst error for which it is swept over once more. */
   tolerance = 0;
-  /** One of the joints was changed before this step. */
-  fresh = false;
+  /** One of the joints was changed before this step, or they hang together in another way: some may have gone. */
+  fresh = true;
   /** For so many steps more large errors are corrected without momentum. */
   settling = 0;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */

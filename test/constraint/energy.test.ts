@@ -441,6 +441,40 @@ describe('what swings on something that stands on the ground', () => {
   });
 });
 
+it.each([
+  [5.5, 45],
+  [6, 75],
+])('a chain of 5 m whose ends were pulled %f m apart and let go cracks with %i m/s at most', (far, most) => {
+  const world = heavy();
+  const wall = staticBody();
+  const hand = phys2D.createRigidBody({ type: 'kinematic', position: [5, 0] });
+  add(world, wall, hand);
+  const links = Array.from({ length: 10 }, (_, i) =>
+    phys2D.createRigidBody({ shapes: [box(0.5, 0.1)], position: [0.5 * i + 0.25, 0] }),
+  );
+  add(world, ...links);
+  for (let i = 0; i <= 10; i += 1) {
+    const bodyA = links[i - 1] ?? wall;
+    const bodyB = links[i] ?? hand;
+    const anchors = { anchorA: [i > 0 ? 0.25 : 0, 0] as Vec2, anchorB: [i < 10 ? -0.25 : 0, 0] as Vec2 };
+    tie(world, phys2D.createPointConstraint({ bodyA, bodyB, ...anchors, ignoreInteractions: true }));
+  }
+  const fastestOf = (steps: number) => {
+    let speed = 0;
+    for (let i = 0; i < steps; i += 1) {
+      world.step(1 / 60);
+      speed = Math.max(speed, ...links.map((link) => Math.hypot(...link.getVelocity())));
+    }
+    return speed;
+  };
+  hand.setVelocity([0.5, 0]);
+  fastestOf(Math.round((far - 5) * 120));
+  hand.setVelocity([0, 0]);
+  expect(fastestOf(240)).toBeLessThan(5);
+  world.removeRigidBody(hand);
+  expect(fastestOf(60)).toBeLessThan(most);
+});
+
 describe('what lies on a hinged bridge', () => {
   /** Planks of 1 m between two banks, as long together as `slack` times the way. @returns its planks. */
   function bridge(world: World, count: number, slack: number): RigidBody[] {
