@@ -19,6 +19,7 @@ const execFileAsync = promisify(execFile);
 const modules = {
   phys2d: 'src/index.ts',
   debug: 'src/debug/index.ts',
+  outline: 'src/outline/index.ts',
   runner: 'src/runner.ts',
   state: 'src/state/index.ts',
   validate: 'src/audit/index.ts',
@@ -31,7 +32,7 @@ const internal = internalNames();
 const { mangleCache } = await buildEsm('phys2d', true);
 await Promise.all([
   buildEsm('phys2d', false),
-  ...['debug', 'runner', 'state', 'validate'].flatMap((name) => [
+  ...['debug', 'outline', 'runner', 'state', 'validate'].flatMap((name) => [
     buildEsm(name, false),
     buildEsm(name, true, mangleCache),
   ]),
@@ -178,7 +179,7 @@ function buildTypes() {
   const command = `node_modules/typescript/bin/tsc ${Object.values(modules).join(' ')} ${options} ${output}`;
   execFileSync(process.execPath, command.split(' '), { cwd: root, stdio: 'inherit' });
 
-  const wanted = new Set(['index.d.ts', 'debug/index.d.ts', 'runner.d.ts', 'state/index.d.ts', 'audit/index.d.ts']);
+  const wanted = new Set(Object.values(modules).map((file) => file.replace('src/', '').replace('.ts', '.d.ts')));
   for (const name of wanted) {
     const text = readFileSync(join(all, name), 'utf8');
     for (const [, target] of text.matchAll(/\b(?:from |import\()'(\.[^']*)\.js'/g)) {
@@ -199,6 +200,7 @@ function umdTypes() {
     ['audit', 'audit/index.d.ts'],
     ['state', 'state/index.d.ts'],
     ['runner', 'runner.d.ts'],
+    ['outline', 'outline/index.d.ts'],
     ['debug', 'debug/index.d.ts'],
     ['names', 'index.d.ts'],
   ]) {
@@ -218,6 +220,7 @@ function umdTypes() {
   const lines = [...members.keys()].sort().flatMap((name) => members.get(name));
   return `import type * as debug from './debug/index.js' with { 'resolution-mode': 'import' };
 import type * as names from './index.js' with { 'resolution-mode': 'import' };
+import type * as outline from './outline/index.js' with { 'resolution-mode': 'import' };
 import type * as runner from './runner.js' with { 'resolution-mode': 'import' };
 import type * as audit from './audit/index.js' with { 'resolution-mode': 'import' };
 import type * as state from './state/index.js' with { 'resolution-mode': 'import' };
@@ -241,6 +244,7 @@ function printSizes() {
   for (const [name, minified] of [
     ['phys2d.js', 'phys2d.min.js'],
     ['debug.js', 'debug.min.js'],
+    ['outline.js', 'outline.min.js'],
     ['runner.js', 'runner.min.js'],
     ['state.js', 'state.min.js'],
     ['validate.js', 'validate.min.js'],

@@ -5,7 +5,7 @@ import ts from 'typescript';
 /** With slashes, as the compiler names files. */
 const dist = join(dirname(fileURLToPath(import.meta.url)), '../dist').replaceAll('\\', '/');
 /** What is imported by name, as it is published. */
-export const modules = ['index', 'debug/index', 'runner', 'state/index', 'audit/index'].map((name) =>
+export const modules = ['index', 'debug/index', 'outline/index', 'runner', 'state/index', 'audit/index'].map((name) =>
   join(dist, `${name}.d.ts`),
 );
 

@@ -4,6 +4,7 @@ import * as audit from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as engine from '../../src/index.js';
 import { phys2D, simdKernels } from '../../src/index.js';
+import * as outline from '../../src/outline/index.js';
 import * as runner from '../../src/runner.js';
 import * as state from '../../src/state/index.js';
 import { type Callable, Declarations, type Parameter } from './declarations.js';
@@ -12,7 +13,7 @@ import { type Callable, Declarations, type Parameter } from './declarations.js';
 // wrong kind. Each is refused with a message that names it, before anything changes, or is legal as documented.
 
 const declared = new Declarations(join(import.meta.dirname, '../../dist'));
-const modules: Readonly<Record<string, unknown>> = { ...engine, ...debug, ...runner, ...state, ...audit };
+const modules: Readonly<Record<string, unknown>> = { ...engine, ...debug, ...outline, ...runner, ...state, ...audit };
 
 /** A world that has everything, and one object of each class. */
 function makeStage() {
@@ -124,6 +125,9 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
   if (type.startsWith('ArrayLike<Vec2Like>')) {
     const corners = (last: unknown) => [[0, 0], [1, 0], last];
     return { good: corners([0, 1]), bad: [...NO_LIST, {}, [], ...NO_VECTOR.map(corners)] };
+  }
+  if (type.startsWith('ArrayLike<ArrayLike<Vec2Like>>')) {
+    return { good: [], bad: [...NO_LIST, {}, [5], [[]], [[[0, 0]]]] };
   }
   const listed = /^(?:readonly |ArrayLike<|Iterable<)(RigidBody|Shape|BoxTree<N>|Vec3Like)/.exec(type)?.[1];
   if (listed !== undefined) {

@@ -38,7 +38,7 @@ describe('checkers', () => {
     );
     const { analysis, problems } = JSON.parse(report) as { analysis: { entrypoints: object }; problems?: object };
     expect(Object.keys(analysis.entrypoints)).toEqual(
-      expect.arrayContaining(['.', './debug', './runner', './state', './validate']),
+      expect.arrayContaining(['.', './debug', './outline', './runner', './state', './validate']),
     );
     expect(problems ?? {}).toEqual({});
   });

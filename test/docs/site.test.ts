@@ -6,6 +6,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import * as audit from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as names from '../../src/index.js';
+import * as outline from '../../src/outline/index.js';
 import * as runner from '../../src/runner.js';
 import * as state from '../../src/state/index.js';
 
@@ -49,7 +50,7 @@ it('has no broken link', () => {
 it('has every public name and every page of the guide, for people and for machines', () => {
   const search = ['classes', 'variables'].flatMap((kind) => readdirSync(join(site, kind))).join(' ');
   const llms = readFileSync(join(site, 'llms.txt'), 'utf8');
-  const public_ = Object.keys({ ...names, ...debug, ...runner, ...state, ...audit }).filter(
+  const public_ = Object.keys({ ...names, ...debug, ...outline, ...runner, ...state, ...audit }).filter(
     (name) => name !== 'default',
   );
   expect(public_.filter((name) => /^[A-Z]/.test(name) && !search.includes(name))).toEqual([]);
@@ -87,7 +88,9 @@ describe('comments', () => {
     const { checked, poor } = report();
     console.log(`${checked - poor.length} of ${checked} public names have a complete comment`);
     expect(poor).toEqual([]);
-    expect(checked).toBeGreaterThan(Object.keys({ ...names, ...debug, ...runner, ...state, ...audit }).length);
+    expect(checked).toBeGreaterThan(
+      Object.keys({ ...names, ...debug, ...outline, ...runner, ...state, ...audit }).length,
+    );
   });
 
   it('a poor one is found', () => {

@@ -19,7 +19,7 @@ const LAYERS: readonly (readonly string[])[] = [
   ['events', 'profile'],
   ['constraint'],
   ['solver'],
-  ['query', 'debug', 'runner', 'audit', 'state'],
+  ['query', 'debug', 'outline', 'runner', 'audit', 'state'],
   ['kernels', 'simd'],
   ['world'],
   ['create'],

@@ -10,6 +10,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import * as validate from '../../src/audit/index.js';
 import * as debug from '../../src/debug/index.js';
 import * as source from '../../src/index.js';
+import * as outline from '../../src/outline/index.js';
 import * as runner from '../../src/runner.js';
 import * as state from '../../src/state/index.js';
 import { buildGallery, GALLERY } from '../scenes/gallery.js';
@@ -27,16 +28,17 @@ const ESM = ['phys2d.js', 'phys2d.min.js'];
 const GZIP_LIMITS = {
   'phys2d.min.js': 92_900,
   'debug.min.js': 9_900,
+  'outline.min.js': 3_550,
   'runner.min.js': 1_150,
   'state.min.js': 4_700,
   'validate.min.js': 3_950,
 };
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */
-const APART = { debug, runner, state, validate };
+const APART = { debug, outline, runner, state, validate };
 
 const { default: _, ...engine }: Record<string, unknown> = source;
-const names: Record<string, unknown> = { ...engine, ...debug, ...runner, ...state, ...validate };
+const names: Record<string, unknown> = { ...engine, ...debug, ...outline, ...runner, ...state, ...validate };
 
 /** Public classes that a script tag user reaches as `phys2D.World` and so on. */
 const CLASSES = Object.entries(names)
@@ -46,6 +48,7 @@ const CLASSES = Object.entries(names)
 type Phys2D = source.Physics2DDevice &
   Omit<typeof source, 'default'> &
   typeof debug &
+  typeof outline &
   typeof runner &
   typeof state &
   typeof validate;
@@ -161,7 +164,7 @@ describe.each(ESM)('%s as a module', (name) => {
   });
 });
 
-describe.each(['debug', 'runner', 'state', 'validate'] as const)('%s as a module', (name) => {
+describe.each(['debug', 'outline', 'runner', 'state', 'validate'] as const)('%s as a module', (name) => {
   it.each(['js', 'min.js'])('exports what the source exports (.%s), and has nothing of the engine', async (ending) => {
     const bundle = (await import(/* @vite-ignore */ pathToFileURL(join(dist, `${name}.${ending}`)).href)) as object;
     expect(Object.keys(bundle).sort()).toEqual(Object.keys(APART[name]).sort());
@@ -169,6 +172,7 @@ describe.each(['debug', 'runner', 'state', 'validate'] as const)('%s as a module
     expect(map.sources).toContain(
       {
         debug: '../src/debug/draw.ts',
+        outline: '../src/outline/index.ts',
         runner: '../src/runner.ts',
         state: '../src/state/serialize.ts',
         validate: '../src/audit/index.ts',
@@ -182,7 +186,7 @@ describe.each(['debug', 'runner', 'state', 'validate'] as const)('%s as a module
 
 it.each(ESM)('%s has debug drawing from its module, and nothing of the runner and validation', async (name) => {
   const { sources } = JSON.parse(read(`${name}.map`)) as { sources: string[] };
-  expect(sources.filter((file) => /debug\/(?!index)|runner|body-pose|audit/.test(file))).toEqual([]);
+  expect(sources.filter((file) => /debug\/(?!index)|outline\/|runner|body-pose|audit/.test(file))).toEqual([]);
   const apart = pathToFileURL(join(dist, name.replace('phys2d', 'debug'))).href;
   const { Physics2DDebugDraw } = (await import(/* @vite-ignore */ apart)) as typeof debug;
   expect((await importBundle(name)).Physics2DDebugDraw).toBe(Physics2DDebugDraw);
@@ -415,7 +419,7 @@ describe('the package, packed and installed', () => {
         'README.md',
         'LICENSE',
         'package.json',
-        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'runner.js', 'state.js'].map(
+        ...[...UMD, ...ESM, ...Object.keys(GZIP_LIMITS), 'debug.js', 'outline.js', 'runner.js', 'state.js'].map(
           (name) => `dist/${name}`,
         ),
       ]),

@@ -1,0 +1,206 @@
+import type { Vec2 } from '../math/vectors.js';
+import { orient } from './orient.js';
+import { bend, LEFT, RIGHT, type Ring, segmentsTouch } from './ring.js';
+
+// A corner that bends inwards, a notch in Chazelle and Dobkin, "Optimal Convex Decompositions", 1985, needs a cut from there to another corner; a short one from notch to notch may serve both. What crosses
+// what is decided by exact signs, so there is always one.
+
+/** The inside of an outline with holes, and cuts through it from corner to corner. */
+export class Cuts {
+  private readonly x: number[];
+  private readonly y: number[];
+  /** By corner, where edges and cuts from there go to: first along the outline, then in the order of their angles, to the side of the y-axis of an edge along the x-axis, and back along the outline at last. */
+  private readonly ways: number[][] = [];
+  private readonly cuts: [number, number][] = [];
+
+  /** An outline that goes around from the x- to the y-axis, and holes that go around the other way. */
+  constructor(outline: Ring, holes: readonly Ring[]) {
+    const rings = [outline, ...holes];
+    this.x = rings.flatMap(({ x }) => x);
+    this.y = rings.flatMap(({ y }) => y);
+    for (const { x } of rings) {
+      const first = this.ways.length;
+      const count = x.length;
+      for (let i = 0; i < count; i += 1) {
+        this.ways.push([first + ((i + 1) % count), first + ((i + count - 1) % count)]);
+      }
+    }
+  }
+
+  /** Cuts until nothing bends inwards, and takes back what is not needed. */
+  cut(): void {
+    const inward = this.ways.map((_, v) => v).filter((v) => this.gapOf(v) >= 0);
+    const pairs = inward.flatMap((v, i) => inward.slice(i + 1).map((w): [number, number] => [v, w]));
+    pairs.sort((a, b) => this.square(a[0], a[1]) - this.square(b[0], b[1]));
+    for (const [v, w] of pairs) {
+      if (this.gapOf(v) >= 0 && this.gapOf(w) >= 0 && this.serves(v, w) && this.serves(w, v) && this.sees(v, w)) {
+        this.add(v, w);
+      }
+    }
+    for (const v of inward) {
+      while (this.gapOf(v) >= 0) {
+        this.add(v, this.next(v));
+      }
+    }
+    const longest = [...this.cuts].sort((a, b) => this.square(b[0], b[1]) - this.square(a[0], a[1]));
+    for (const [v, w] of longest) {
+      if (this.isSpare(v, w) && this.isSpare(w, v)) {
+        this.ways[v]!.splice(this.ways[v]!.indexOf(w), 1);
+        this.ways[w]!.splice(this.ways[w]!.indexOf(v), 1);
+      }
+    }
+  }
+
+  /** The nearest corner to cut to from one that bends inwards: such that it does not any more, if there is one, else one that leaves it less. */
+  private next(v: number): number {
+    const ways = this.ways[v]!;
+    const gap = this.gapOf(v);
+    const others = this.ways.map((_, w) => w).filter((w) => w !== v);
+    others.sort((a, b) => this.square(v, a) - this.square(v, b));
+    const served = others.find((w) => this.serves(v, w) && this.sees(v, w));
+    if (served !== undefined) {
+      return served;
+    }
+    const seen = others.filter((w) => this.placeOf(v, w) === gap + 1 && this.sees(v, w));
+    const parted = seen.filter((w) => this.bendAt(w, v, ways[gap]!) !== LEFT);
+    return (parted.length > 0 ? parted : seen).reduce((a, b) => (this.side(v, a, b) > 0 ? b : a));
+  }
+
+  /** The first of two ways from a corner, beside each other, between which the inside bends inwards there; −1 if it does nowhere. */
+  private gapOf(v: number): number {
+    const ways = this.ways[v]!;
+    for (let k = 0; k + 1 < ways.length; k += 1) {
+      if (this.bendAt(ways[k + 1]!, v, ways[k]!) === LEFT) {
+        return k;
+      }
+    }
+    return -1;
+  }
+
+  /** Where a way to another corner is, or would be, among those from a corner. */
+  private placeOf(v: number, w: number): number {
+    const ways = this.ways[v]!;
+    let place = 1;
+    while (place + 1 < ways.length && this.comesBefore(v, ways[place]!, w)) {
+      place += 1;
+    }
+    return place;
+  }
+
+  private comesBefore(v: number, a: number, b: number): boolean {
+    const isLateA = this.isLate(v, a);
+    const isLateB = this.isLate(v, b);
+    return isLateA === isLateB ? this.side(v, a, b) > 0 : isLateB;
+  }
+
+  /** Whether a way is half a turn or more from that along the outline. */
+  private isLate(v: number, w: number): boolean {
+    const first = this.ways[v]![0]!;
+    const side = this.side(v, first, w);
+    return side < 0 || (side === 0 && this.dot(v, first, w) < 0);
+  }
+
+  /** Whether a cut to another corner would leave nothing that bends inwards beside it. */
+  private serves(v: number, w: number): boolean {
+    const ways = this.ways[v]!;
+    const place = this.placeOf(v, w);
+    return this.bendAt(ways[place]!, v, w) !== LEFT && this.bendAt(w, v, ways[place - 1]!) !== LEFT;
+  }
+
+  /** Whether a cut is not needed at one of its ends. */
+  private isSpare(v: number, w: number): boolean {
+    const ways = this.ways[v]!;
+    const place = ways.indexOf(w);
+    return this.bendAt(ways[place + 1]!, v, ways[place - 1]!) !== LEFT;
+  }
+
+  private add(v: number, w: number): void {
+    this.ways[v]!.splice(this.placeOf(v, w), 0, w);
+    this.ways[w]!.splice(this.placeOf(w, v), 0, v);
+    this.cuts.push([v, w]);
+  }
+
+  /** Whether the straight way between two corners goes through the inside alone. */
+  private sees(v: number, w: number): boolean {
+    return (
+      this.opensTo(v, w) &&
+      this.opensTo(w, v) &&
+      this.ways.every((ways, a) => !this.isBetween(v, w, a, ways[0]!)) &&
+      this.cuts.every(([a, b]) => !this.isBetween(v, w, a, b))
+    );
+  }
+
+  /** Whether the inside is on the way from a corner to a point. */
+  private opensTo(v: number, w: number): boolean {
+    const ways = this.ways[v]!;
+    const after = ways[0]!;
+    const before = ways.at(-1)!;
+    return this.side(before, v, after) > 0
+      ? this.side(v, after, w) > 0 && this.side(v, w, before) > 0
+      : !(this.side(v, before, w) >= 0 && this.side(v, w, after) >= 0);
+  }
+
+  /** Whether an edge touches the way between two corners, other than by having an end in common with it. */
+  private isBetween(v: number, w: number, a: number, b: number): boolean {
+    const { x, y } = this;
+    const isEnd = a === v || a === w;
+    if (isEnd || b === v || b === w) {
+      const other = isEnd ? b : a;
+      return (
+        other === v ||
+        other === w ||
+        segmentsTouch(x[v]!, y[v]!, x[w]!, y[w]!, x[other]!, y[other]!, x[other]!, y[other]!)
+      );
+    }
+    return segmentsTouch(x[v]!, y[v]!, x[w]!, y[w]!, x[a]!, y[a]!, x[b]!, y[b]!);
+  }
+
+  /** The parts that edges and cuts go around. */
+  parts(): Vec2[][] {
+    const isDone = this.ways.map((ways) => ways.map(() => false));
+    const parts: Vec2[][] = [];
+    for (let start = 0; start < this.ways.length; start += 1) {
+      // Of the ways from a corner the last one goes back: beside it is the outside.
+      for (let k = 0; k + 1 < this.ways[start]!.length; k += 1) {
+        const part: number[] = [];
+        let v = start;
+        for (let way = k; !isDone[v]![way]; ) {
+          isDone[v]![way] = true;
+          part.push(v);
+          const to = this.ways[v]![way]!;
+          way = this.ways[to]!.indexOf(v, 1) - 1;
+          v = to;
+        }
+        if (this.isSolid(part)) parts.push(part.map((at): Vec2 => [this.x[at]!, this.y[at]!]));
+      }
+    }
+    return parts;
+  }
+
+  /** Whether a part is more than a line. */
+  private isSolid(part: readonly number[]): boolean {
+    const { length } = part;
+    const isCorner = (v: number, i: number) =>
+      this.bendAt(part[(i + length - 1) % length]!, v, part[(i + 1) % length]!) === RIGHT;
+    return part.filter(isCorner).length >= 3;
+  }
+
+  private side(a: number, b: number, c: number): number {
+    const { x, y } = this;
+    return orient(x[a]!, y[a]!, x[b]!, y[b]!, x[c]!, y[c]!);
+  }
+
+  private bendAt(a: number, b: number, c: number): number {
+    const { x, y } = this;
+    return bend(x[a]!, y[a]!, x[b]!, y[b]!, x[c]!, y[c]!);
+  }
+
+  private dot(at: number, a: number, b: number): number {
+    const { x, y } = this;
+    return (x[a]! - x[at]!) * (x[b]! - x[at]!) + (y[a]! - y[at]!) * (y[b]! - y[at]!);
+  }
+
+  private square(a: number, b: number): number {
+    return this.dot(a, b, b);
+  }
+}

@@ -1,0 +1,180 @@
+import { COLLINEAR_TOLERANCE, MAX_SIZE, VERTEX_TOLERANCE } from '../config.js';
+import type { Vec2Like } from '../math/vectors.js';
+import { typeError, vector } from '../validate.js';
+import { orient } from './orient.js';
+
+/** A closed outline, and which of the given vertices are in it. */
+export interface Ring {
+  readonly name: string;
+  readonly x: number[];
+  readonly y: number[];
+  readonly given: number[];
+}
+
+/** A list, or what is like one. */
+export function listed<T>(where: string, name: string, value: unknown, what: string): ArrayLike<T> {
+  const list = value as ArrayLike<T> | null | undefined;
+  if (typeof list !== 'object' || list === null || typeof list.length !== 'number') {
+    throw typeError(where, name, what, value);
+  }
+  return list;
+}
+
+/** The vertices of an outline, without those that are where the one before them is, nor those within an edge. */
+export function readRing(where: string, name: string, value: unknown): Ring {
+  const vertices = listed<Vec2Like>(where, name, value, 'an array of vertices [x, y]');
+  const all: Ring = { name, x: [], y: [], given: [] };
+  for (let i = 0; i < vertices.length; i += 1) {
+    const point = vector(where, `${name}[${i}]`, vertices[i], 2, MAX_SIZE);
+    all.x.push(point[0]!);
+    all.y.push(point[1]!);
+    all.given.push(i);
+  }
+  const ring = keep(keep(all, isNew), isCorner);
+  if (ring.x.length < 3) {
+    throw new RangeError(`${where}: ${name} must have at least 3 corners, got ${ring.x.length}`);
+  }
+  return ring;
+}
+
+function keep(ring: Ring, wanted: (ring: Ring, i: number) => boolean): Ring {
+  const at = ring.x.map((_, i) => i).filter((i) => wanted(ring, i));
+  return {
+    name: ring.name,
+    x: at.map((i) => ring.x[i]!),
+    y: at.map((i) => ring.y[i]!),
+    given: at.map((i) => ring.given[i]!),
+  };
+}
+
+function isNew({ x, y }: Ring, i: number): boolean {
+  const before = (i + x.length - 1) % x.length;
+  const dx = x[i]! - x[before]!;
+  const dy = y[i]! - y[before]!;
+  return i === before || dx * dx + dy * dy > VERTEX_TOLERANCE * VERTEX_TOLERANCE;
+}
+
+function isCorner({ x, y }: Ring, i: number): boolean {
+  const before = (i + x.length - 1) % x.length;
+  const after = (i + 1) % x.length;
+  return bend(x[before]!, y[before]!, x[i]!, y[i]!, x[after]!, y[after]!) !== STRAIGHT;
+}
+
+/** How a way goes on at the second of three points; straight on as far as a convex polygon may. */
+export const STRAIGHT = 0;
+export const LEFT = -1;
+export const RIGHT = 1;
+
+/** A way that goes back is a turn to the left: no convex polygon has it. */
+export function bend(ax: number, ay: number, bx: number, by: number, cx: number, cy: number): number {
+  const ux = bx - ax;
+  const uy = by - ay;
+  const vx = cx - bx;
+  const vy = cy - by;
+  const turn = ux * vy - uy * vx;
+  const limit = COLLINEAR_TOLERANCE * Math.sqrt((ux * ux + uy * uy) * (vx * vx + vy * vy));
+  if (turn > limit) {
+    return RIGHT;
+  }
+  return turn < -limit || ux * vx + uy * vy < 0 ? LEFT : STRAIGHT;
+}
+
+/** Twice the area, positive if the vertices go around from the x- to the y-axis. */
+export function areaOf({ x, y }: Ring): number {
+  let area = 0;
+  for (let i = x.length - 1, j = 0; j < x.length; i = j, j += 1) {
+    area += (x[i]! - x[0]!) * (y[j]! - y[0]!) - (x[j]! - x[0]!) * (y[i]! - y[0]!);
+  }
+  return area;
+}
+
+export function reversed({ name, x, y, given }: Ring): Ring {
+  return { name, x: [...x].reverse(), y: [...y].reverse(), given: [...given].reverse() };
+}
+
+/** Whether a ring goes around a point that is not on it. */
+export function surrounds({ x, y }: Ring, px: number, py: number): boolean {
+  let inside = false;
+  for (let i = x.length - 1, j = 0; j < x.length; i = j, j += 1) {
+    if (y[i]! > py !== y[j]! > py) {
+      const side = orient(x[i]!, y[i]!, x[j]!, y[j]!, px, py);
+      inside = side > 0 === y[j]! > y[i]! ? !inside : inside;
+    }
+  }
+  return inside;
+}
+
+/** @throws RangeError if two edges cross or touch each other, but at the corner that they share. */
+export function refuseCrossings(where: string, rings: readonly Ring[]): void {
+  for (let a = 0; a < rings.length; a += 1) {
+    for (let b = a; b < rings.length; b += 1) {
+      for (let i = 0; i < rings[a]!.x.length; i += 1) {
+        refuseCrossing(where, rings[a]!, i, rings[b]!, a === b ? i + 1 : 0);
+      }
+    }
+  }
+}
+
+/** Of an edge with those of a ring from one on. */
+function refuseCrossing(where: string, one: Ring, i: number, other: Ring, from: number): void {
+  const next = (i + 1) % one.x.length;
+  const count = other.x.length;
+  for (let k = from; k < count; k += 1) {
+    const after = (k + 1) % count;
+    const touches =
+      one === other && (k === next || after === i)
+        ? goesBack(one, i, k)
+        : segmentsTouch(
+            one.x[i]!,
+            one.y[i]!,
+            one.x[next]!,
+            one.y[next]!,
+            other.x[k]!,
+            other.y[k]!,
+            other.x[after]!,
+            other.y[after]!,
+          );
+    if (touches) {
+      const edge = `the edge from vertex ${one.given[i]} of ${one.name}`;
+      const reached = `that from vertex ${other.given[k]} of ${other.name}`;
+      throw new RangeError(`${where}: edges must neither cross nor touch, got ${edge} meeting ${reached}`);
+    }
+  }
+}
+
+/** Whether of two neighbours one lies on the other. */
+function goesBack({ x, y }: Ring, i: number, k: number): boolean {
+  const count = x.length;
+  const [first, corner] = (i + 1) % count === k ? [i, k] : [k, i];
+  const last = (corner + 1) % count;
+  const side = orient(x[first]!, y[first]!, x[corner]!, y[corner]!, x[last]!, y[last]!);
+  const along = (x[corner]! - x[first]!) * (x[last]! - x[corner]!) + (y[corner]! - y[first]!) * (y[last]! - y[corner]!);
+  return side === 0 && along < 0;
+}
+
+/** Whether two segments have a point in common. */
+export function segmentsTouch(
+  ax: number,
+  ay: number,
+  bx: number,
+  by: number,
+  cx: number,
+  cy: number,
+  dx: number,
+  dy: number,
+): boolean {
+  if (
+    Math.max(ax, bx) < Math.min(cx, dx) ||
+    Math.max(cx, dx) < Math.min(ax, bx) ||
+    Math.max(ay, by) < Math.min(cy, dy) ||
+    Math.max(cy, dy) < Math.min(ay, by)
+  ) {
+    return false;
+  }
+  // Their bounds overlap: on one line that is enough.
+  const c = orient(ax, ay, bx, by, cx, cy);
+  const d = orient(ax, ay, bx, by, dx, dy);
+  const a = orient(cx, cy, dx, dy, ax, ay);
+  const b = orient(cx, cy, dx, dy, bx, by);
+  return !((c > 0 && d > 0) || (c < 0 && d < 0) || (a > 0 && b > 0) || (a < 0 && b < 0));
+}
