@@ -1,8 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { type BroadphaseHandle, letsMeet } from '../broadphase/broadphase.js';
-import * as g from '../collide/layout.js';
-import { PASS_PATIENCE, PASS_SHARE, SOLVED_TURN, SWEEP_TOLERANCE } from '../config.js';
+import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
@@ -10,20 +9,15 @@ import * as c from '../contact/layout.js';
 import { overlap, touch } from '../contact/touch.js';
 import { IN_STEP } from '../events/events.js';
 import { asksFirst, preSolve } from '../events/pre-solve.js';
-import { findImpact, Sweep } from '../geometry/sweep.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
-import { halfWidthOf, type Shape } from '../shape/shape.js';
+import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { goesFar } from './movers.js';
+import { passes } from './passing.js';
 import { noteGround, smoothSeams } from './seams.js';
 import { sleepPair, wakeBody } from './sleep.js';
 import { areKeptApart } from './ties.js';
-
-/** Scratch of `passes`. */
-const way = /* @__PURE__ */ new Sweep();
-way.patience = PASS_PATIENCE;
-way.cautious = true;
 
 /** Filters, and what makes an interaction possible at all. */
 export function mayInteract(a: Shape, b: Shape): boolean {
@@ -209,45 +203,6 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
     ((shapeA.isRound() ? 0 : Math.abs(a.w)) + (shapeB.isRound() ? 0 : Math.abs(b.w))) * dt <= SOLVED_TURN &&
     (goesFar(a, dt) || goesFar(b, dt))
   );
-}
-
-/** Whether what would bounce goes past instead, as the bodies move now: a contact keeps its direction for the whole step, along which they come near each other all the same. */
-function passes(pair: Arbiter, dt: number): boolean {
-  const { shapeA, shapeB, numbers, at } = pair;
-  const a = shapeA.owner!;
-  const b = shapeB.owner!;
-  if (numbers[at + c.ELASTICITY]! <= 0 || !(goesFar(a, dt) || goesFar(b, dt)) || !slipsBy(pair, a, b, dt)) {
-    return false;
-  }
-  way.a.start(shapeA, a, a);
-  way.b.start(shapeB, b, a);
-  way.target = 0;
-  way.tolerance = SWEEP_TOLERANCE;
-  way.time = 0;
-  way.most = dt;
-  return !findImpact(way);
-}
-
-/** Whether a contact seems to close in a step in which its surfaces go some way along each other: else it does no harm, or there is no doubt. */
-function slipsBy(
-  { shapeA, shapeB, count, numbers: n, at: o }: Arbiter,
-  a: RigidBody,
-  b: RigidBody,
-  dt: number,
-): boolean {
-  const nx = n[o + g.NX]!;
-  const ny = n[o + g.NY]!;
-  const least = PASS_SHARE * Math.min(halfWidthOf(shapeA), halfWidthOf(shapeB));
-  for (let p = o; p < o + count * g.POINT; p += g.POINT) {
-    const x = n[p + g.X0]!;
-    const y = n[p + g.Y0]!;
-    const vx = b.vx - b.w * (y - n[o + g.DY]!) - a.vx + a.w * y;
-    const vy = b.vy + b.w * (x - n[o + g.DX]!) - a.vy - a.w * x;
-    if (-(nx * vx + ny * vy) * dt > n[p + g.S0]! && Math.abs(nx * vy - ny * vx) * dt > least) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /** It is no dynamic body that sleeps: the solver would not move that. */

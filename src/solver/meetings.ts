@@ -24,6 +24,7 @@ import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
 import { PRE_SOLVE } from '../listeners.js';
 import { materials, mixElasticity } from '../material.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
+import { CIRCLE } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
 import { mayInteract } from './find-pairs.js';
 import type { Meeting } from './meeting-queue.js';
@@ -398,11 +399,12 @@ function findLeast(a: Shape, b: Shape, isNew: boolean): void {
 
 /**
  * Lessens `least` for what comes from outside, has no joints and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
- * corners that turn.
+ * corners that turn. Two circles cannot slide over each other without being found first.
  */
 function findGraze(a: Shape, b: Shape, one: Mover, two: Mover): void {
   if (!mayBeForeseen(a, b) && !isJointed(a, b)) {
-    least[0] = Math.min(least[0]!, FORESIGHT_DEPTH + dip(a, one) + dip(b, two));
+    const graze = a.kind === CIRCLE && b.kind === CIRCLE ? TOUCH_DEPTH : FORESIGHT_DEPTH;
+    least[0] = Math.min(least[0]!, graze + dip(a, one) + dip(b, two));
   }
 }
 
