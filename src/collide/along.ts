@@ -52,12 +52,14 @@ export function roundness(shape: Shape, separation: number): number {
   return shape.kind === POLYGON ? 0 : shape.radius + 0.5 * separation;
 }
 
-/** Collides two placed shapes along a direction that is known: the unit vector `(nx, ny)` from A to B. */
-export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number, nx: number, ny: number): void {
+/** Collides two placed shapes along a direction that is known: the unit vector from A to B that is the normal in the record. */
+export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    collidePolygonsAlong(a, b, n, o, nx, ny);
+    collidePolygonsAlong(a, b, n, o);
     return;
   }
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
   const dx = n[o + g.DX]!;
   const dy = n[o + g.DY]!;
   between.x = nx;

@@ -164,23 +164,23 @@ export function polygonsIntersect(a: Polygon, b: Polygon, n: Float64Array, o: nu
   return best.separation <= 0;
 }
 
-/** As `collidePolygons`, with the edge for reference that lies most squarely along the direction `(nx, ny)` from A to B, or against it. */
-export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o: number, nx: number, ny: number): void {
+/** As `collidePolygons`, with the edge for reference that lies most squarely along the normal in the record, from A to B, or against it. */
+export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
   n[o + g.COUNT] = 0;
   const edgeA = opposedEdge(a, -nx, -ny);
   const edgeB = opposedEdge(b, nx, ny);
   n[o + g.EDGE_A] = edgeA;
   n[o + g.EDGE_B] = edgeB;
   look(a, n, o);
-  n[o + g.FACE] = alignment(a, edgeA, nx, ny) >= -alignment(b, edgeB, nx, ny) - FACE_TIE ? 0 : 1;
+  const atA = a.at + EDGES + EDGE_STRIDE * edgeA;
+  const atB = b.at + EDGES + EDGE_STRIDE * edgeB;
+  const alongA = a.numbers[atA + 2]! * nx + a.numbers[atA + 3]! * ny;
+  const alongB = b.numbers[atB + 2]! * nx + b.numbers[atB + 3]! * ny;
+  n[o + g.FACE] = alongA >= -alongB - FACE_TIE ? 0 : 1;
   faceChosen(n, o, a.geometryStamp + b.geometryStamp);
   clipToFace(a, b, n, o);
-}
-
-/** Cosine between the normal of edge `i` and a direction. */
-function alignment(p: Polygon, i: number, nx: number, ny: number): number {
-  const at = p.at + EDGES + EDGE_STRIDE * i;
-  return p.numbers[at + 2]! * nx + p.numbers[at + 3]! * ny;
 }
 
 /** The axis that separated the shapes last time does so again. */

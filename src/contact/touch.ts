@@ -43,10 +43,10 @@ export function touch(pair: Arbiter): boolean {
   return overlaps(n, o);
 }
 
-/** As `touch`, along a direction that is known: the unit vector `(nx, ny)` from A to B. */
-export function touchAlong(pair: Arbiter, nx: number, ny: number): void {
+/** As `touch`, along a direction that is known: the unit vector from A to B that is the normal in the record. As arguments its numbers would be boxed. */
+export function touchAlong(pair: Arbiter): void {
   noteFeatures(pair);
-  collideAlong(pair.shapeA, pair.shapeB, pair.numbers, pair.at, nx, ny);
+  collideAlong(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
   keepPoints(pair);
 }
 

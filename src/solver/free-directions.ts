@@ -33,16 +33,9 @@ export class FreeDirections {
   private readonly wedges = new Float64Array(STRIDE * MOST);
   private count = 0;
   private isWithin = false;
-  /** Where the wedge that is made begins and ends. */
-  private fromX = 0.5;
-  private fromY = 0.5;
-  private toX = 0.5;
-  private toY = 0.5;
 
-  /** Starts with a point and a direction. */
-  begin(x: number, y: number): void {
-    this.x = x;
-    this.y = y;
+  /** Starts with a point, and the direction that was set. */
+  begin(): void {
     this.count = 0;
     this.isWithin = false;
   }
@@ -70,51 +63,28 @@ export class FreeDirections {
         const isPast = nx * (py - edges[next + 1]!) - ny * (px - edges[next]!) > FLUSH_TOLERANCE;
         const isBefore = nx * (py - edges[k + 1]!) - ny * (px - edges[k]!) < -FLUSH_TOLERANCE;
         if (!isPast && !isBefore) {
-          this.cut(w, to, nx, ny, isWedge);
+          cut(w, to, edges, k + 2, isWedge);
           isWedge = true;
         }
       }
     }
     if (isWedge) {
-      w[to + FROM] = this.angleOf(this.fromX, this.fromY);
-      w[to + TO] = this.angleOf(this.toX, this.toY);
+      this.measure(w, to + FROM, to + FROM_X, 1);
+      this.measure(w, to + TO, to + TO_X, -1);
       this.count += 1;
     } else if (highest < -FLUSH_TOLERANCE) {
       this.isWithin = true;
     }
   }
 
-  /** Cuts off from a wedge what is beyond a face: the wedge is then a half-plane, or what is left of one. */
-  private cut(w: Float64Array, to: number, nx: number, ny: number, isWedge: boolean): void {
-    const cutsFrom = !isWedge || this.contains(-ny, nx);
-    const cutsTo = !isWedge || this.contains(ny, -nx);
-    if (cutsFrom) {
-      this.fromX = -ny;
-      this.fromY = nx;
-      w[to + FROM_X] = nx;
-      w[to + FROM_Y] = ny;
-    }
-    if (cutsTo) {
-      this.toX = ny;
-      this.toY = -nx;
-      w[to + TO_X] = nx;
-      w[to + TO_Y] = ny;
-    }
-  }
-
-  private contains(x: number, y: number): boolean {
-    return this.fromX * y - this.fromY * x > 0 && x * this.toY - y * this.toX > 0;
-  }
-
-  /** From 0 to 4, one for each right angle from the direction that is asked about; it grows with the angle, which is all that matters. */
-  private angleOf(dx: number, dy: number): number {
+  /** Writes where a wedge begins, or with `sign` −1 ends, beside a face: from 0 to 4, one for each right angle from the direction that is asked about; it grows with the angle, which is all that matters. */
+  private measure(w: Float64Array, to: number, face: number, sign: number): void {
+    const dx = -sign * w[face + 1]!;
+    const dy = sign * w[face]!;
     const along = this.x * dx + this.y * dy;
     const across = this.x * dy - this.y * dx;
     const share = across / (Math.abs(along) + Math.abs(across));
-    if (along < 0) {
-      return 2 - share;
-    }
-    return across < 0 ? 4 + share : share;
+    w[to] = along < 0 ? 2 - share : across < 0 ? 4 + share : share;
   }
 
   /** What the direction is. If it is wrong, `x` and `y` become the normal of the next face that is right. */
@@ -157,14 +127,32 @@ export class FreeDirections {
     if (!isFilled && from >= 1 - ROUNDING && to <= 3 + ROUNDING) {
       return RIGHT;
     }
-    const isBefore = this.along(w, before + TO_X) > this.along(w, after + FROM_X);
-    const face = isBefore ? before + TO_X : after + FROM_X;
+    const alongBefore = this.x * w[before + TO_X]! + this.y * w[before + TO_Y]!;
+    const alongAfter = this.x * w[after + FROM_X]! + this.y * w[after + FROM_Y]!;
+    const face = alongBefore > alongAfter ? before + TO_X : after + FROM_X;
     this.x = w[face]!;
     this.y = w[face + 1]!;
     return WRONG;
   }
+}
 
-  private along(w: Float64Array, at: number): number {
-    return this.x * w[at]! + this.y * w[at + 1]!;
+/** Cuts off from a wedge what is beyond a face, whose normal is at `face` of its numbers: the wedge is then a half-plane, or what is left of one. */
+function cut(w: Float64Array, to: number, edges: Float64Array, face: number, isWedge: boolean): void {
+  const nx = edges[face]!;
+  const ny = edges[face + 1]!;
+  // Where the wedge begins is a quarter turn on from the one normal, where it ends a quarter turn back from the other.
+  const fromX = -w[to + FROM_Y]!;
+  const fromY = w[to + FROM_X]!;
+  const toX = w[to + TO_Y]!;
+  const toY = -w[to + TO_X]!;
+  const cutsFrom = !isWedge || (fromX * nx + fromY * ny > 0 && -ny * toY - nx * toX > 0);
+  const cutsTo = !isWedge || (-fromX * nx - fromY * ny > 0 && ny * toY + nx * toX > 0);
+  if (cutsFrom) {
+    w[to + FROM_X] = nx;
+    w[to + FROM_Y] = ny;
+  }
+  if (cutsTo) {
+    w[to + TO_X] = nx;
+    w[to + TO_Y] = ny;
   }
 }

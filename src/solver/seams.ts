@@ -54,6 +54,7 @@ const face = new Face();
 const free = new FreeDirections();
 /** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
 const point = new Spot();
+const place = new Spot();
 const asked = new Float64Array(2);
 const bounds = new Float64Array(4);
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. What lies beyond the count is old. */
@@ -208,7 +209,10 @@ function signOf(pair: Arbiter): number {
 
 function turn(pair: Arbiter): void {
   const sign = signOf(pair);
-  touchAlong(pair, sign * up.x, sign * up.y);
+  const { numbers: n, at: o } = pair;
+  n[o + g.NX] = sign * up.x;
+  n[o + g.NY] = sign * up.y;
+  touchAlong(pair);
 }
 
 /**
@@ -311,7 +315,9 @@ function judge(pair: Arbiter, ground: Polygon): number {
     findPoint(pair, at);
     if ((separation < 0 || separation === least) && isNear(dynamicOf(pair), ground)) {
       goToCorner(ground);
-      free.begin(sign * n[o + g.NX]!, sign * n[o + g.NY]!);
+      free.x = sign * n[o + g.NX]!;
+      free.y = sign * n[o + g.NY]!;
+      free.begin();
       addAround(ground);
       const there = free.judge();
       if (there < found) {
@@ -432,21 +438,24 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
   const low = Math.max(middle - along.found, 0);
   const margin = Math.min(halfWidthOf(shape), length / 2);
   const way = Math.max(margin, Math.min((low + high) / 2, length - margin));
-  const x = edges[edge]! - way * ny;
-  const y = edges[edge + 1]! + way * nx;
-  return (
-    !isInAnother(ground, x + CLEAR * nx, y + CLEAR * ny) &&
-    !isInAnother(ground, x + GAP * Math.min(way, length - way) * nx, y + GAP * Math.min(way, length - way) * ny)
-  );
+  const gap = GAP * Math.min(way, length - way);
+  place.x = edges[edge]! - way * ny + CLEAR * nx;
+  place.y = edges[edge + 1]! + way * nx + CLEAR * ny;
+  if (isInAnother(ground)) {
+    return false;
+  }
+  place.x = edges[edge]! - way * ny + gap * nx;
+  place.y = edges[edge + 1]! + way * nx + gap * ny;
+  return !isInAnother(ground);
 }
 
-/** Whether a point, given relative to the body of a ground, is within another one. */
-function isInAnother(ground: Polygon, x: number, y: number): boolean {
+/** Whether `place` is within another ground than that to whose body it is relative. */
+function isInAnother(ground: Polygon): boolean {
   for (let i = 0; i < aroundCount; i += 1) {
     const other = around[i]!;
     if (other !== ground && other.kind === POLYGON) {
-      asked[0] = x + ground.owner!.x - other.owner!.x;
-      asked[1] = y + ground.owner!.y - other.owner!.y;
+      asked[0] = place.x + ground.owner!.x - other.owner!.x;
+      asked[1] = place.y + ground.owner!.y - other.owner!.y;
       if (polygonContains(other, asked, FLUSH_TOLERANCE)) {
         return true;
       }

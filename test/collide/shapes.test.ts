@@ -90,10 +90,11 @@ describe('two shapes', () => {
   it('that are apart along a direction and lie beside each other have no points there', () => {
     const [a, b] = [place(box(), 0, 0, 0), place(box(), 0.9, 0.5, 0)];
     const numbers = recordOf(a, b);
-    collideAlong(a.shape, b.shape, numbers, 0, 1, 0);
+    numbers.set([1, 0], g.NX);
+    collideAlong(a.shape, b.shape, numbers, 0);
     expect(numbers[g.COUNT]).toBe(2);
     numbers.set([1.001, 5]);
-    collideAlong(a.shape, b.shape, numbers, 0, 1, 0);
+    collideAlong(a.shape, b.shape, numbers, 0);
     expect(numbers[g.COUNT]).toBe(0);
   });
 
@@ -133,7 +134,8 @@ describe('two shapes', () => {
       }
       const [nx, ny] = directionOf(chance);
       const numbers = recordOf(a, b);
-      collideAlong(a.shape, b.shape, numbers, 0, nx, ny);
+      numbers.set([nx, ny], g.NX);
+      collideAlong(a.shape, b.shape, numbers, 0);
       const point = Float64Array.of(a.x + numbers[g.X0]!, a.y + numbers[g.Y0]!);
       const separation = gapAlong(a.form.corners, b.form.corners, nx, ny) - a.form.radius - b.form.radius;
       expect(numbers[g.COUNT]).toBe(1);
