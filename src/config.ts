@@ -100,10 +100,7 @@ export const JOINT_SWEEP_ERROR = 0.002;
 /** The same for few joints, as in a ragdoll or a chain; at 0.004 a chain under a 100-fold ball gapes 27 mm. */
 export const JOINT_SWEEP_ERROR_OF_FEW = 0.0005;
 
-/**
- * m, rad. Only what exceeds this asks for sweeps. Joints that lie still have errors below it; if these asked, some would never come to rest, nor would a bridge
- * if the number of sweeps jumped here.
- */
+/** m, rad. Only what exceeds this asks for sweeps. Joints that lie still have errors below it; if these asked, some would never come to rest, nor would a bridge if the number of sweeps jumped here. */
 export const JOINT_REST_ERROR = 0.002;
 
 /**
@@ -151,16 +148,10 @@ export const ROW_TURN = 0.9;
 /** Of more sweeps than one, so many of positions for each of velocities. With 3, errors outside of the part that is swept over may grow for ever. */
 export const JOINT_PUSHES = 2;
 
-/**
- * On either side of the joints with errors above the part that asks for a sweep this many times their range takes part. With 0 the error stays
- * there; with 2 it may be pushed to and fro over the border.
- */
+/** On either side of the joints with errors above the part that asks for a sweep this many times their range takes part. With 0 the error stays there; with 2 it may be pushed to and fro over the border. */
 export const JOINT_SWEEP_MARGIN = 5;
 
-/**
- * m. If a position sweep found a larger error than this, the sweeps after it take exact errors and arms of what turned since: a whirling chain would
- * tear, as what is linear in the turn then is not enough.
- */
+/** m. If a position sweep found a larger error than this, the sweeps after it take exact errors and arms of what turned since: a whirling chain would tear, as what is linear in the turn then is not enough. */
 export const JOINT_FAR = 0.016;
 
 /** rad. What turned by more. With 0.005 a chain that whirls at 300 m/s gains energy; with 0 a net of 100 × 100 takes a fifth longer. */
@@ -331,10 +322,7 @@ export const PASS_PATIENCE = 100;
 /** … if it goes along the other by more than this share of half the width of the thinner one in a step. */
 export const PASS_SHARE = 0.1;
 
-/**
- * m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that
- * the joints of a tiled floor stop nothing. Larger lets fast things enter surfaces farther.
- */
+/** m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that the joints of a tiled floor stop nothing. Larger lets fast things enter surfaces farther. */
 export const IMPACT_DEPTH = 0.05;
 
 /** IMPACT_DEPTH is no more than this share of the thickness of both shapes, so that thin ones cannot pass each other. */
@@ -418,6 +406,15 @@ export const CONTACT_SWEEPS = 1.5;
  */
 export const IMPULSE_MEMORY = 0.9;
 
+/** m/s. What comes faster strikes, and is stopped for good, see `shocks.ts`. */
+export const SHOCK_SPEED = 0.3;
+
+/** Most contacts that are solved together for it: more are a heap, where what presses is not over in a step. */
+export const SHOCK_CONTACTS = 32;
+
+/** Most turns of contacts for it, about 0.05 ms: fewer contacts may have more sweeps. With 120 for two a body that falls on a fiftieth of its mass comes up by a sixth. */
+export const SHOCK_TURNS = 2000;
+
 /**
  * Parts of the list of contacts that are hard to solve are swept over this many times as often. With 1 a house of cards slips apart as it is put into
  * the world, and a tower of ten buckles under 100 times its weight; with 3 some such towers still do.
@@ -471,10 +468,7 @@ export const STRAIN_PART = 0.28;
 /** Share of the sum of their inverse masses by which bodies that are alike differ at most. With 0.2 mixed piles overlap deeper: 5.6 mm instead of 5.0 in the mean of 24. */
 export const STRAIN_UNLIKE = 0.05;
 
-/**
- * The same for contacts of one point, where one body has to be three times as heavy: a light wedge between heavy discs, which else swings for ever. With 0.05 a barrel of
- * mixed shapes takes an eighth longer for nothing.
- */
+/** The same for contacts of one point, where one body has to be three times as heavy: a light wedge between heavy discs, which else swings for ever. With 0.05 a barrel of mixed shapes takes an eighth longer for nothing. */
 export const STRAIN_UNLIKE_ONE = 0.5;
 
 /** Steps on end for which it does: an impact is over before. With 20 towers buckle. */

@@ -112,6 +112,43 @@ export class BounceList {
   }
 }
 
+/** What was struck in a step, see `shocks.ts`. A contact is told by twice its index, plus 1 if it is of one point; its ends by twice that, plus 1 for B. */
+export class ShockList {
+  /** Contacts whose surfaces come together fast as the step begins; what lies beyond the count is old. */
+  readonly struck: number[] = [];
+  count = 0;
+  /** Chains of the ends at each body: by slot the first, by end the next. Made once a step at most. */
+  isLinked = false;
+  first = new Int32Array(64);
+  next = new Int32Array(256);
+  /** By slot: whether the body is refused, or the latest round that found it; there is one for each sub-step. */
+  known = new Int32Array(64);
+  round = 0;
+  /** What was found of late. */
+  readonly contacts: number[] = [];
+  readonly slots: number[] = [];
+
+  clear(): void {
+    this.count = 0;
+    this.isLinked = false;
+  }
+
+  add(contact: number): void {
+    this.struck[this.count] = contact;
+    this.count += 1;
+  }
+
+  reserve(bodies: number, ends: number): void {
+    if (bodies > this.first.length) {
+      this.first = new Int32Array(grown(bodies));
+      this.known = new Int32Array(grown(bodies));
+    }
+    if (ends > this.next.length) {
+      this.next = new Int32Array(grown(ends));
+    }
+  }
+}
+
 /** Everything the solver keeps for a world. Of it only the previous sub-step's length and what joints remember survives a step. */
 export class SolverData {
   bodyCount = 0;
@@ -133,6 +170,7 @@ export class SolverData {
   readonly one = new ContactBatch(d.ONE_STRIDE, this);
   readonly two = new ContactBatch(d.TWO_STRIDE, this);
   readonly bounces = new BounceList();
+  readonly shocks = new ShockList();
   /**
    * Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. What lies beyond
    * the count is old: shortening the list would cost its storage.
@@ -164,6 +202,7 @@ export class SolverData {
     this.one.count = 0;
     this.two.count = 0;
     this.bounces.count = 0;
+    this.shocks.clear();
     this.hardCount = 0;
   }
 

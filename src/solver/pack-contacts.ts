@@ -10,6 +10,7 @@ import {
   PUSH_SHARE_HOOKED,
   PUSH_SHARE_STATIC,
   PUSH_SHARE_UNEVEN,
+  SHOCK_SPEED,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
   UNEVEN,
@@ -279,10 +280,23 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   const rtB = r[at + d.RT_B]!;
   const kt = mA + mB + v[a + d.INV_INERTIA]! * rtA * rtA + v[b + d.INV_INERTIA]! * rtB * rtB;
   r[at + d.TANGENT_MASS] = kt > MIN_INVERSE_MASS ? 1 / kt : 0;
-  const slide =
-    nx * (v[b + d.VY]! - v[a + d.VY]!) - ny * (v[b + d.VX]! - v[a + d.VX]!) + rtB * v[b + d.W]! - rtA * v[a + d.W]!;
+  const vx = v[b + d.VX]! - v[a + d.VX]!;
+  const vy = v[b + d.VY]! - v[a + d.VY]!;
+  const wA = v[a + d.W]!;
+  const wB = v[b + d.W]!;
+  const slide = nx * vy - ny * vx + rtB * wB - rtA * wA;
   const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
   r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+
+  const isTwo = stride === d.TWO_STRIDE;
+  const comes = nx * vx + ny * vy;
+  const other = isTwo ? at + d.SECOND : at;
+  if (
+    comes + r[at + d.RN_B1]! * wB - r[at + d.RN_A1]! * wA < -SHOCK_SPEED ||
+    comes + r[other + d.RN_B1]! * wB - r[other + d.RN_A1]! * wA < -SHOCK_SPEED
+  ) {
+    data.shocks.add(2 * index + (isTwo ? 0 : 1));
+  }
 
   const both = traits[bodyA.slot]! & traits[bodyB.slot]!;
   const either = traits[bodyA.slot]! | traits[bodyB.slot]!;

@@ -9,6 +9,7 @@ import { advance, integratePositions, integrateVelocities } from './integrate.js
 import { sleepIslands } from './islands.js';
 import { prepare } from './prepare.js';
 import { refreshMoved } from './refresh.js';
+import { settleShocks } from './shocks.js';
 import { sleepKinematics } from './sleep.js';
 import { store } from './store.js';
 
@@ -63,6 +64,7 @@ function integrate(world: World, h: number): void {
       if (i < turns) jointSolver?.solveVelocities(solver, i, turns);
       changed = solveVelocityContacts(solver, h);
     }
+    settleShocks(solver);
     profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);

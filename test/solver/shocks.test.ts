@@ -1,0 +1,120 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type Shape } from '../../src/index.js';
+import { add, staticBody, steps } from '../conformance/setting.js';
+
+// What falls on something without any elasticity stays on it, and gives it what it had: also where that lies on something else, or is lighter.
+
+const PHASES = 6;
+
+function material(density: number, elasticity: number) {
+  return phys2D.createMaterial({ density, elasticity });
+}
+
+function box(density = 1, elasticity = 0): Shape {
+  return phys2D.createPolygonShape({
+    vertices: phys2D.createBoxVertices(1, 1),
+    material: material(density, elasticity),
+  });
+}
+
+function disc(density = 1, elasticity = 0): Shape {
+  return phys2D.createCircleShape({ radius: 0.5, material: material(density, elasticity) });
+}
+
+interface Fall {
+  readonly lower: () => Shape;
+  readonly upper: () => Shape;
+  readonly count?: number;
+  readonly substeps?: number;
+}
+
+/** m/s. How fast it comes up again at most in a second after it fell on a column at rest, at whatever moment of a step it gets there. */
+function reboundOf({ lower, upper, count = 1, substeps = 4 }: Fall, speed: number): number {
+  let fastest = 0;
+  for (let phase = 0; phase < PHASES; phase += 1) {
+    const world = phys2D.createWorld({ gravity: [0, 10], substeps });
+    const vertices = phys2D.createRectangleVertices(-50, 0, 50, 5);
+    add(world, staticBody({ shapes: [phys2D.createPolygonShape({ vertices })] }));
+    for (let i = 0; i < count; i += 1) {
+      add(world, phys2D.createRigidBody({ shapes: [lower()], position: [0, -0.5 - i] }));
+    }
+    steps(world, 60);
+    const height = count + 0.8 + (phase * speed) / (60 * PHASES);
+    const top: RigidBody = phys2D.createRigidBody({
+      shapes: [upper()],
+      position: [0, -height],
+      velocity: [0, speed],
+    });
+    add(world, top);
+    for (let i = 0; i < 60; i += 1) {
+      world.step(1 / 60);
+      fastest = Math.max(fastest, -top.getVelocity()[1]);
+    }
+  }
+  return fastest;
+}
+
+const falls: Record<string, Fall> = {
+  'a disc on a disc': { lower: disc, upper: disc },
+  'a box on a box': { lower: box, upper: box },
+  'a disc on a box': { lower: box, upper: disc },
+  'a box on one of a tenth of its mass': { lower: box, upper: () => box(10) },
+  'a box on one of a fiftieth of its mass': { lower: box, upper: () => box(50) },
+  'a box on one of ten times its mass': { lower: () => box(10), upper: box },
+  'a box on a tower of five': { lower: box, upper: box, count: 5 },
+  'a disc on a tower of three': { lower: box, upper: disc, count: 3 },
+  'a disc on a disc, one sub-step': { lower: disc, upper: disc, substeps: 1 },
+  'a disc on a disc, eight sub-steps': { lower: disc, upper: disc, substeps: 8 },
+};
+
+describe.each([1, 6, 20])('at %f m/s', (speed) => {
+  it.each(Object.keys(falls))('%s stays there', (name) => {
+    expect(reboundOf(falls[name]!, speed)).toBeLessThan(0.1);
+  });
+
+  it('elasticity is no more than it is where that which is struck lies on something', () => {
+    for (const elasticity of [0.05, 0.1]) {
+      const upper = () => box(10, elasticity);
+      expect(reboundOf({ lower: () => box(1, elasticity), upper }, speed)).toBeLessThan(elasticity * speed + 0.1);
+    }
+  });
+});
+
+it('the impulses that are told are what the bodies were given', () => {
+  const world = phys2D.createWorld({ gravity: [0, 0] });
+  const free = { linearDrag: 0, angularDrag: 0 };
+  const target = phys2D.createRigidBody({ shapes: [box()], ...free });
+  const behind = phys2D.createRigidBody({ shapes: [box()], position: [1, 0], ...free });
+  const shot = phys2D.createRigidBody({ shapes: [box(10)], position: [-2, 0], velocity: [6, 0], ...free });
+  for (const body of [target, behind, shot]) add(world, body);
+  let told = 0;
+  for (let i = 0; i < 60; i += 1) {
+    world.step(1 / 60);
+    for (const arbiter of world.dynamicArbiters) {
+      if (arbiter.bodyA === shot || arbiter.bodyB === shot) {
+        told += Math.abs(arbiter.getImpulseForBody(shot)[0]!);
+      }
+    }
+  }
+  // 10 kg at 6 m/s, then 12 kg together at 5 m/s.
+  for (const body of [target, behind, shot]) expect(body.getVelocity()[0]).toBeCloseTo(5, 1);
+  expect(told).toBeCloseTo(10 * (6 - shot.getVelocity()[0]), 9);
+});
+
+it('a heap, and what joints hold, is left to the sweeps of the step', () => {
+  const world = phys2D.createWorld({ gravity: [0, 10] });
+  add(
+    world,
+    staticBody({ shapes: [phys2D.createPolygonShape({ vertices: phys2D.createRectangleVertices(-50, 0, 50, 5) })] }),
+  );
+  for (let row = 0; row < 10; row += 1) {
+    for (let i = 0; i < 10 - row; i += 1) {
+      add(world, phys2D.createRigidBody({ shapes: [box()], position: [i + row / 2, -0.5 - row] }));
+    }
+  }
+  steps(world, 60);
+  const ball = phys2D.createRigidBody({ shapes: [disc(5)], position: [4.5, -12], velocity: [0, 10] });
+  add(world, ball);
+  steps(world, 240);
+  for (const body of world.rigidBodies) expect(body.getVelocity()[1]).toBeCloseTo(0, 2);
+});
