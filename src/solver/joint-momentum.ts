@@ -93,9 +93,9 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
   return kernel !== TURN && kernel !== CUSTOM && square * mass * mass > STRAIN_SPEED * STRAIN_SPEED;
 }
 
-/** Whether something far heavier touches one of its bodies, and is none of them: a wrecking ball that its last link reaches into does not lie on that. */
-export function isUnderWeight(data: SolverData, group: Group): boolean {
-  return (findTouching(data, group) & HEAVIER) !== 0;
+/** Whether something is in its way that is none of its bodies, and nothing far heavier lies on one: a wrecking ball that its last link reaches into does not lie on that. */
+export function isBlocked(data: SolverData, group: Group): boolean {
+  return (findTouching(data, group) & (OTHERS | HEAVIER)) === OTHERS;
 }
 
 /** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, or each other, so deeply that they are pushed apart. */

@@ -31,7 +31,7 @@ import {
   TURN_UPPER,
   TURN_VALUE,
 } from './joint-layout.js';
-import { isUnderWeight, steadyTouched } from './joint-momentum.js';
+import { isBlocked, steadyTouched } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
 import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
@@ -68,7 +68,7 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
     weigh(data, group);
   }
   limitMomentum(data, group, isFirst);
-  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && !isUnderWeight(data, group)) {
+  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(data, group)) {
     reachLess(data, group);
   }
   planSweeps(data, group, isFirst && eases);

@@ -225,6 +225,17 @@ describe('17 Constraints: kinds', () => {
     near(body.getRotation(), 2 * 0.5 ** 8, 0.01);
   });
 
+  it('C-198 ANGLE: also where the two bodies touch or overlap each other, and nothing else', () => {
+    for (const x of [0, 0.9, 1, 3]) {
+      const world = weightless();
+      const bodyA = addPlain(world);
+      const bodyB = addPlain(world, { position: [x, 0], rotation: 2 });
+      tie(world, phys2D.createAngleConstraint({ bodyA, bodyB }));
+      world.step(DT);
+      near(bodyB.getRotation() - bodyA.getRotation(), 2 * 0.5 ** 8, 0.01);
+    }
+  });
+
   it('C-198 ANGLE: with ratio, and whichever body is A', () => {
     for (const swapped of [false, true]) {
       const world = weightless();
