@@ -409,10 +409,10 @@ export const IMPULSE_MEMORY = 0.9;
 /** m/s. What comes faster strikes, and is stopped for good, see `shocks.ts`. */
 export const SHOCK_SPEED = 0.3;
 
-/** Most contacts that are solved together for it: more are a heap, where what presses is not over in a step. */
+/** Most contacts and joints that are solved together for it: more are a heap, where what presses is not over in a step. */
 export const SHOCK_CONTACTS = 32;
 
-/** Most turns of contacts for it, about 0.05 ms: fewer contacts may have more sweeps. With 120 for two a body that falls on a fiftieth of its mass comes up by a sixth. */
+/** Most turns of contacts and joints for it, about 0.05 ms: fewer may have more sweeps. With 120 for two a body that falls on a fiftieth of its mass comes up by a sixth. */
 export const SHOCK_TURNS = 2000;
 
 /**

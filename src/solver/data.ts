@@ -124,12 +124,23 @@ export class ShockList {
   /** By slot: whether the body is refused, or the latest round that found it; there is one for each sub-step. */
   known = new Int32Array(64);
   round = 0;
-  /** What was found of late. */
+  /** By slot: one more than the index of the group of joints, 0 without, -1 for what cannot be solved. */
+  groupOf = new Int32Array(64);
+  /** What was found of late; and how many more contacts and joints there may be, below 0 if it was too many. */
   readonly contacts: number[] = [];
+  contactCount = 0;
+  readonly groups: number[] = [];
+  groupCount = 0;
   readonly slots: number[] = [];
+  slotCount = 0;
+  room = 0;
+  /** Groups of joints that were struck in the sub-step. */
+  readonly struckGroups: number[] = [];
+  struckGroupCount = 0;
 
   clear(): void {
     this.count = 0;
+    this.struckGroupCount = 0;
     this.isLinked = false;
   }
 
@@ -142,6 +153,7 @@ export class ShockList {
     if (bodies > this.first.length) {
       this.first = new Int32Array(grown(bodies));
       this.known = new Int32Array(grown(bodies));
+      this.groupOf = new Int32Array(grown(bodies));
     }
     if (ends > this.next.length) {
       this.next = new Int32Array(grown(ends));

@@ -19,6 +19,7 @@ import { steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
 import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
+import { forgetShocks, linkShocks } from './joint-shocks.js';
 import {
   beginPoints,
   finishPoints,
@@ -432,6 +433,7 @@ function finishJoints(data: SolverData): void {
       closeOpen(data, group);
     }
   }
+  forgetShocks(data);
   if (runs.length > 0) {
     advancePoses(data);
   }
@@ -464,6 +466,11 @@ function storeJoints(world: World): void {
   joints.broken.length = 0;
 }
 
+/** One more sweep over a group. */
+function sweepShock(data: SolverData, index: number): void {
+  sweepOver(data, data.joints.groups[index]!, 0, true, solveVelocityRun);
+}
+
 /** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */
 export const jointSolver = {
   pack: packJoints,
@@ -472,6 +479,8 @@ export const jointSolver = {
   solvePositions: solvePositionJoints,
   finish: finishJoints,
   store: storeJoints,
+  linkShocks,
+  sweepShock,
 };
 
 export type JointSolver = typeof jointSolver;

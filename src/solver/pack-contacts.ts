@@ -288,18 +288,20 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   const slides = slide * slide > STATIC_FRICTION_SPEED_SQUARED;
   r[at + d.FRICTION] = slides ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
 
+  const both = traits[bodyA.slot]! & traits[bodyB.slot]!;
+  const either = traits[bodyA.slot]! | traits[bodyB.slot]!;
+
   const isTwo = stride === d.TWO_STRIDE;
   const comes = nx * vx + ny * vy;
   const other = isTwo ? at + d.SECOND : at;
   if (
+    (either & d.LINKED) !== 0 ||
     comes + r[at + d.RN_B1]! * wB - r[at + d.RN_A1]! * wA < -SHOCK_SPEED ||
     comes + r[other + d.RN_B1]! * wB - r[other + d.RN_A1]! * wA < -SHOCK_SPEED
   ) {
     data.shocks.add(2 * index + (isTwo ? 0 : 1));
   }
 
-  const both = traits[bodyA.slot]! & traits[bodyB.slot]!;
-  const either = traits[bodyA.slot]! | traits[bodyB.slot]!;
   let share = PUSH_SHARE_STATIC;
   if (mA > 0 && mB > 0) {
     // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.

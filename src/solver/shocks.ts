@@ -1,20 +1,22 @@
-import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../config.js';
+import { JOINT_TORN, SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../config.js';
 import * as c from '../contact/layout.js';
 import { type ContactBatch, recordAt, type ShockList, type SolverData } from './data.js';
+import { endOfMembers, firstMember } from './joint-numbers.js';
+import type { JointSolver } from './joints.js';
 import * as d from './layout.js';
 import { solveVelocityOne } from './one-point.js';
 import { solveVelocityTwo } from './two-point.js';
 
 // What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
-// So where what was struck is no heap its contacts are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
+// So where what was struck is no heap its contacts, and the rigid joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what contacts bore as the step began.
 
-/** The end of a chain of ends. */
+/** The end of a chain of ends; of a body that hangs on what cannot be solved. */
 const NONE = -1;
 /** Of a body that is part of a heap or a mechanism, for the whole step. */
 const REFUSED = 1;
 
 /** Ends the velocity sweeps of a sub-step: solves what was struck in it. */
-export function settleShocks(data: SolverData): void {
+export function settleShocks(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
   shocks.round += 1;
   for (let i = 0; i < shocks.count; i += 1) {
@@ -22,11 +24,14 @@ export function settleShocks(data: SolverData): void {
     if (!isShock(data, contact)) {
       continue;
     }
-    if (!shocks.isLinked) link(data);
+    if (!shocks.isLinked) {
+      link(data);
+      jointSolver?.linkShocks(data);
+    }
     const { bodies } = batchOf(data, contact);
     const a = bodies[contact & -2]! & d.OFFSET;
     const count = gather(data, (canMove(data, a) ? a : bodies[contact | 1]!) / d.BODY_STRIDE);
-    solve(data, shocks.contacts, count);
+    if (count > 0) solve(data, count, jointSolver);
   }
 }
 
@@ -34,6 +39,7 @@ function link({ shocks, one, two, bodyCount }: SolverData): void {
   shocks.reserve(bodyCount, 4 * Math.max(one.count, two.count));
   shocks.first.fill(NONE, 0, bodyCount);
   shocks.known.fill(0, 0, bodyCount);
+  shocks.groupOf.fill(0, 0, bodyCount);
   shocks.round = REFUSED + 1;
   shocks.isLinked = true;
   linkAll(shocks, two, 0);
@@ -49,46 +55,84 @@ function linkAll({ first, next }: ShockList, { count, bodies }: ContactBatch, ki
   }
 }
 
-/** Finds the contacts that bear something and hang together with a body. @returns how many they are; 0 for those of a heap or a mechanism, and those that were found before. */
+/** Finds what hangs together with a body: contacts that bear something, and joints. @returns how many contacts; 0 if it is a heap, or was found before. */
 function gather(data: SolverData, start: number): number {
-  const { known, round, first, next, slots, contacts } = data.shocks;
-  if (known[start] === round || known[start] === REFUSED) {
+  const { shocks } = data;
+  const { known, slots } = shocks;
+  if (known[start] === shocks.round || known[start] === REFUSED) {
     return 0;
   }
-  known[start] = round;
-  slots[0] = start;
-  let bodies = 1;
-  let count = 0;
-  let isRefused = false;
-  for (let i = 0; i < bodies && !isRefused; i += 1) {
-    const here = slots[i]!;
-    isRefused = (data.traits[here]! & d.LINKED) !== 0;
-    for (let end = first[here]!; end !== NONE && !isRefused; end = next[end]!) {
-      const contact = end >> 1;
-      const batch = batchOf(data, contact);
-      if (loadOf(batch, contact) === 0) {
-        continue;
-      }
-      const other = batch.bodies[(contact & -2) + 1 - (end & 1)]! & d.OFFSET;
-      const moves = canMove(data, other);
-      if (!moves || (end & 1) === 0) {
-        contacts[count] = contact;
-        count += 1;
-      }
-      const there = other / d.BODY_STRIDE;
-      isRefused = count > SHOCK_CONTACTS || (moves && known[there] === REFUSED);
-      if (moves && known[there] !== round) {
-        known[there] = round;
-        slots[bodies] = there;
-        bodies += 1;
-      }
+  shocks.slotCount = 0;
+  shocks.contactCount = 0;
+  shocks.groupCount = 0;
+  shocks.room = SHOCK_CONTACTS;
+  visit(shocks, start);
+  for (let i = 0; i < shocks.slotCount && shocks.room >= 0; i += 1) {
+    gatherJoints(data, slots[i]!);
+    gatherContacts(data, slots[i]!);
+  }
+  if (shocks.room < 0) {
+    for (let i = 0; i < shocks.slotCount; i += 1) known[slots[i]!] = REFUSED;
+    return 0;
+  }
+  return shocks.contactCount;
+}
+
+function visit(shocks: ShockList, slot: number): void {
+  const { known, slots, round } = shocks;
+  if (known[slot] === REFUSED) shocks.room = -1;
+  if (known[slot] !== round) {
+    known[slot] = round;
+    slots[shocks.slotCount] = slot;
+    shocks.slotCount += 1;
+  }
+}
+
+/** Joints that do work, have callbacks, or cannot be met cannot be solved once more. */
+function gatherJoints(data: SolverData, slot: number): void {
+  const { shocks, joints } = data;
+  const { groupOf, groups, groupCount } = shocks;
+  const index = groupOf[slot]!;
+  if (index === NONE) {
+    shocks.room = -1;
+  } else if (index > 0 && !isListed(groups, groupCount, index - 1)) {
+    const group = joints.groups[index - 1]!;
+    groups[groupCount] = index - 1;
+    shocks.groupCount = groupCount + 1;
+    shocks.room = group.error > JOINT_TORN * JOINT_TORN ? -1 : shocks.room - (group.end - group.start);
+    const end = shocks.room < 0 ? 0 : endOfMembers(data, group);
+    for (let n = firstMember(data, group); n < end; n += 1) {
+      const member = joints.bodies[n]! / d.BODY_STRIDE;
+      if (member > 0) visit(shocks, member);
     }
   }
-  if (isRefused) {
-    for (let i = 0; i < bodies; i += 1) known[slots[i]!] = REFUSED;
-    return 0;
+}
+
+function isListed(list: readonly number[], count: number, item: number): boolean {
+  let k = 0;
+  while (k < count && list[k] !== item) k += 1;
+  return k < count;
+}
+
+function gatherContacts(data: SolverData, slot: number): void {
+  const { shocks } = data;
+  const { first, next, contacts } = shocks;
+  for (let end = first[slot]!; end !== NONE && shocks.room >= 0; end = next[end]!) {
+    const contact = end >> 1;
+    const batch = batchOf(data, contact);
+    if (loadOf(batch, contact) === 0) {
+      continue;
+    }
+    const other = batch.bodies[(contact & -2) + 1 - (end & 1)]! & d.OFFSET;
+    const moves = canMove(data, other);
+    // Of two that can move, from one of them.
+    if (!moves || (end & 1) === 0) {
+      contacts[shocks.contactCount] = contact;
+      shocks.contactCount += 1;
+      shocks.room -= 1;
+    }
+    if (moves) visit(shocks, other / d.BODY_STRIDE);
   }
-  return count;
 }
 
 function batchOf({ one, two }: SolverData, contact: number): ContactBatch {
@@ -126,11 +170,17 @@ function isShock(data: SolverData, contact: number): boolean {
   return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * least > SHOCK_SPEED;
 }
 
-/** Sweeps over some contacts until none of them changes a velocity by more than is worth it. */
-function solve(data: SolverData, contacts: readonly number[], count: number): void {
-  let changed = count > 0;
-  for (let turns = count; turns <= SHOCK_TURNS && changed; turns += count) {
+/** Sweeps over so many contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */
+function solve(data: SolverData, count: number, jointSolver: JointSolver | null): void {
+  const { shocks } = data;
+  const { contacts, groups, groupCount } = shocks;
+  const size = SHOCK_CONTACTS - shocks.room;
+  let changed = true;
+  for (let turns = size; turns <= SHOCK_TURNS && changed; turns += size) {
     changed = false;
+    for (let i = 0; i < groupCount; i += 1) {
+      jointSolver!.sweepShock(data, groups[i]!);
+    }
     for (let i = 0; i < count; i += 1) {
       const contact = contacts[i]!;
       const k = contact >> 1;
@@ -138,6 +188,10 @@ function solve(data: SolverData, contacts: readonly number[], count: number): vo
       // To be exact in a sub-step of one second is exact enough.
       changed = solveVelocity(data, k, k + 1, 1) || changed;
     }
+  }
+  for (let i = 0; i < groupCount; i += 1) {
+    shocks.struckGroups[shocks.struckGroupCount] = groups[i]!;
+    shocks.struckGroupCount += 1;
   }
   for (let i = 0; i < count; i += 1) {
     forget(data, contacts[i]!);

@@ -64,7 +64,7 @@ function integrate(world: World, h: number): void {
       if (i < turns) jointSolver?.solveVelocities(solver, i, turns);
       changed = solveVelocityContacts(solver, h);
     }
-    settleShocks(solver);
+    settleShocks(solver, jointSolver);
     profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type RigidBody, type Shape } from '../../src/index.js';
-import { add, staticBody, steps } from '../conformance/setting.js';
+import { type Constraint, phys2D, type RigidBody, type Shape } from '../../src/index.js';
+import { add, staticBody, steps, tie } from '../conformance/setting.js';
 
 // What falls on something without any elasticity stays on it, and gives it what it had: also where that lies on something else, or is lighter.
 
@@ -101,7 +101,59 @@ it('the impulses that are told are what the bodies were given', () => {
   expect(told).toBeCloseTo(10 * (6 - shot.getVelocity()[0]), 9);
 });
 
-it('a heap, and what joints hold, is left to the sweeps of the step', () => {
+/** m/s. How fast the whole of what joints hold together comes up again at most after it fell on the ground. */
+function wholeReboundOf(build: () => [RigidBody[], Constraint[]], speed: number): number {
+  let fastest = 0;
+  for (let phase = 0; phase < PHASES; phase += 1) {
+    const world = phys2D.createWorld({ gravity: [0, 10] });
+    const vertices = phys2D.createRectangleVertices(-50, 0, 50, 5);
+    add(world, staticBody({ shapes: [phys2D.createPolygonShape({ vertices })] }));
+    const [bodies, constraints] = build();
+    for (const body of bodies) {
+      const [x, y] = body.getPosition();
+      body.setPosition([x!, y! - 0.3 - (phase * speed) / (60 * PHASES)]);
+      body.setVelocity([0, speed]);
+      add(world, body);
+    }
+    tie(world, ...constraints);
+    const mass = bodies.reduce((sum, body) => sum + body.getMass(), 0);
+    for (let i = 0; i < 60; i += 1) {
+      world.step(1 / 60);
+      const momentum = bodies.reduce((sum, body) => sum - body.getMass() * body.getVelocity()[1]!, 0);
+      fastest = Math.max(fastest, momentum / mass);
+    }
+  }
+  return fastest;
+}
+
+/** A heavy chassis on two light wheels. */
+function cart(): [RigidBody[], Constraint[]] {
+  const plate = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(2, 0.5), material: material(5, 0) });
+  const bodyA = phys2D.createRigidBody({ shapes: [plate], position: [0, -1] });
+  const wheels = [-0.8, 0.8].map((x) => {
+    const shape = phys2D.createCircleShape({ radius: 0.4, material: material(1, 0) });
+    return phys2D.createRigidBody({ shapes: [shape], position: [x, -0.4] });
+  });
+  const axles = wheels.map((bodyB) => {
+    const [x] = bodyB.getPosition();
+    return phys2D.createPointConstraint({ bodyA, bodyB, anchorA: [x!, 0.6], ignoreInteractions: true });
+  });
+  return [[bodyA, ...wheels], axles];
+}
+
+/** Two boxes, one on the other. */
+function welded(): [RigidBody[], Constraint[]] {
+  const [bodyA, bodyB] = [-0.5, -1.5].map((y) => phys2D.createRigidBody({ shapes: [box()], position: [0, y] }));
+  const weld = phys2D.createWeldConstraint({ bodyA: bodyA!, bodyB: bodyB!, anchorA: [0, -0.5], anchorB: [0, 0.5] });
+  return [[bodyA!, bodyB!], [weld]];
+}
+
+it.each([1, 3, 6, 20])('what rigid joints hold together stays where it fell, too, at %f m/s', (speed) => {
+  expect(wholeReboundOf(cart, speed)).toBeLessThan(0.05);
+  expect(wholeReboundOf(welded, speed)).toBeLessThan(0.05);
+});
+
+it('a heap is left to the sweeps of the step', () => {
   const world = phys2D.createWorld({ gravity: [0, 10] });
   add(
     world,

@@ -1,0 +1,37 @@
+import type { SolverData } from './data.js';
+import { hasCallbacks } from './joint-data.js';
+import { endOfMembers, firstMember, forgetImpulse } from './joint-numbers.js';
+import { BODY_STRIDE } from './layout.js';
+
+// What joints have to do with `shocks.ts`.
+
+/** Tells of each body which group of joints it hangs on. Custom constraints hold whatever they like: by themselves they do not count. */
+export function linkShocks(data: SolverData): void {
+  const { groupOf } = data.shocks;
+  const { groups, bodies } = data.joints;
+  for (let index = 0; index < groups.length; index += 1) {
+    const group = groups[index]!;
+    if (group.runs.every(hasCallbacks)) {
+      continue;
+    }
+    const known = group.isRigid && !group.runs.some(hasCallbacks) ? index + 1 : -1;
+    const end = endOfMembers(data, group);
+    for (let n = firstMember(data, group); n < end; n += 1) {
+      const slot = bodies[n]! / BODY_STRIDE;
+      if (slot > 0) groupOf[slot] = known;
+    }
+  }
+}
+
+/** When what joints gave in a sub-step has been added up: what was struck forgets it. */
+export function forgetShocks(data: SolverData): void {
+  const { shocks } = data;
+  const { groups, joints } = data.joints;
+  for (let i = 0; i < shocks.struckGroupCount; i += 1) {
+    const { start, end } = groups[shocks.struckGroups[i]!]!;
+    for (let k = start; k < end; k += 1) {
+      forgetImpulse(data, joints[k]!, 0);
+    }
+  }
+  shocks.struckGroupCount = 0;
+}
