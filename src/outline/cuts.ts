@@ -3,7 +3,7 @@ import { orient } from './orient.js';
 import { bend, LEFT, RIGHT, type Ring, segmentsTouch } from './ring.js';
 
 // A corner that bends inwards, a notch in Chazelle and Dobkin, "Optimal Convex Decompositions", 1985, needs a cut from there to another corner; a short one from notch to notch may serve both. What crosses
-// what is decided by exact signs, so there is always one.
+// what is decided by exact signs, so there is always one, but beside needles that are as thin as rounding.
 
 /** The inside of an outline with holes, and cuts through it from corner to corner. */
 export class Cuts {
@@ -63,6 +63,11 @@ export class Cuts {
     }
     const seen = others.filter((w) => this.placeOf(v, w) === gap + 1 && this.sees(v, w));
     const parted = seen.filter((w) => this.bendAt(w, v, ways[gap]!) !== LEFT);
+    if (seen.length === 0) {
+      throw new RangeError(
+        `decomposeOutline: there must be room for a cut, got none at vertex [${this.x[v]}, ${this.y[v]}]`,
+      );
+    }
     return (parted.length > 0 ? parted : seen).reduce((a, b) => (this.side(v, a, b) > 0 ? b : a));
   }
 

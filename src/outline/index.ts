@@ -18,7 +18,7 @@ import { simplified } from './simplify.js';
  *
  * @param outline Vertices `[x, y]` in order, m, at least three; edges must neither cross nor touch.
  * @param holes Outlines of what is not inside. Default none.
- * @throws TypeError for anything but lists of points; RangeError, which names the vertices, where edges meet, an outline has less than three corners, or a hole is not inside.
+ * @throws TypeError for anything but lists of points; RangeError, which names the vertices, where edges meet, an outline has less than three corners, a hole is not inside, or a needle is thinner than can be cut.
  */
 export function decomposeOutline(outline: ArrayLike<Vec2Like>, holes: ArrayLike<ArrayLike<Vec2Like>> = []): Vec2[][] {
   const where = 'decomposeOutline';

@@ -308,6 +308,9 @@ function judge(pair: Arbiter, ground: Polygon): number {
   const { count, numbers: n, at: o } = pair;
   const sign = signOf(pair);
   let found = BURIED;
+  // Where no point is near it is the contact's own that `findOpenFace` asks about.
+  free.x = sign * n[o + g.NX]!;
+  free.y = sign * n[o + g.NY]!;
   findLeastSeparation(n, o);
   const least = leastSeparation[0]!;
   for (let at = o; at < o + count * g.POINT && found !== RIGHT; at += g.POINT) {

@@ -29,8 +29,8 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const n = batch.numbers[index]!;
   const o = batch.at[index]! & d.OFFSET;
   const scale = data.impulseScale;
-  const p1 = r[i + d.NORMAL1]!;
-  const p2 = r[i + d.NORMAL2]!;
+  const p1 = r[i + d.NORMAL1]! + 0;
+  const p2 = r[i + d.NORMAL2]! + 0;
   const tangent = r[i + d.TANGENT]!;
   const part = r[i + d.PART]!;
   const sum2 = r[i + d.NORMAL_SUM2]!;

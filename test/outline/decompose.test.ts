@@ -345,3 +345,19 @@ function distanceTo([x, y]: Vec2, [ax, ay]: Vec2, [bx, by]: Vec2): number {
   const share = Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)));
   return Math.hypot(x - ax - share * dx, y - ay - share * dy);
 }
+
+it('needles that are as thin as rounding are refused by name', () => {
+  const outline: [number, number][] = [
+    [10, 10],
+    [9.671040643890992, 10.944344080316782],
+    [10.000001888687503, 10.000000657920602],
+    [9.671042532578495, 10.94434473823738],
+    [10.009446270544819, 10.00329058988543],
+    [9.680580404467195, 10.947667237271954],
+    [9.032103241075237, 12.839644342989441],
+    [8.068775347285237, 12.50407095361668],
+  ];
+  expect(() => decomposeOutline(outline)).toThrow(
+    /^decomposeOutline: there must be room for a cut, got none at vertex \[/,
+  );
+});
