@@ -285,17 +285,22 @@ function isHidden(world: World, pair: Arbiter): boolean {
     found = judge(pair, ground);
   }
   return (
-    (found === WRONG ? isInReach(pair, ground) : found === BURIED && findOpenFace(pair, ground)) && !carriesUp(pair)
+    (found === WRONG ? isInReach(dynamicOf(pair), ground, up) : found === BURIED && findOpenFace(pair, ground)) &&
+    !carriesUp(pair)
   );
 }
 
-/** Whether a shape is no deeper in a ground, along `up`, than half of that; or it lies on it. */
-function isInReach(pair: Arbiter, ground: Polygon): boolean {
-  const shape = dynamicOf(pair);
-  up.dx = shape.owner!.x - ground.owner!.x;
-  up.dy = shape.owner!.y - ground.owner!.y;
-  separationAlong(ground, shape, up);
-  return up.found > -Math.max(lyingDepth(shape), halfWidthOf(ground));
+/** Whether a shape is no deeper in a ground along a direction than half of that; or it lies on it. */
+function isInReach(shape: Shape, ground: Polygon, direction: Along): boolean {
+  return separationFrom(ground, shape, direction) > -Math.max(lyingDepth(shape), halfWidthOf(ground));
+}
+
+/** m. How far a shape is from a ground along a direction that points out of the ground. */
+function separationFrom(ground: Polygon, shape: Shape, direction: Along): number {
+  direction.dx = shape.owner!.x - ground.owner!.x;
+  direction.dy = shape.owner!.y - ground.owner!.y;
+  separationAlong(ground, shape, direction);
+  return direction.found;
 }
 
 /** m. How deep below a face a shape that lies on it may be. */
@@ -372,13 +377,14 @@ function addAround(ground: Polygon): void {
 
 /**
  * Finds the face of a ground that a shape reaches the least below, but not deeper than half the ground. If it has none that is open, as what lies below the surface, a
- * face of those around that the shape lies on, and that a contact with the unit vector that `free` has looks towards.
+ * face of those around that the shape lies on, that a contact with the unit vector that `free` has looks towards, and above which this ground does not reach
+ * far: an underside over the shape is no such face.
  */
 function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
   const shape = dynamicOf(pair);
   const lying = lyingDepth(shape);
   face.separation = -(leastSeparation[0]! > 0 ? lying : halfWidthOf(ground));
-  if (findFaceOf(shape, ground, -1)) {
+  if (findFaceOf(shape, ground, ground, -1)) {
     return true;
   }
   face.separation = -lying;
@@ -386,7 +392,7 @@ function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
   for (let i = 0; i < aroundCount; i += 1) {
     const other = around[i]!;
     if (other !== ground && other.kind === POLYGON) {
-      isFound = findFaceOf(shape, other, LOOKS) || isFound;
+      isFound = findFaceOf(shape, other, ground, LOOKS) || isFound;
     }
   }
   return isFound;
@@ -400,20 +406,26 @@ function findPoint({ numbers: n, at: o, bodyA }: Arbiter, at: number): void {
   point.y = n[g.Y0 + at]! + half * n[o + g.NY]! - (isSecond ? n[o + g.DY]! : 0);
 }
 
-/** Takes the face of a ground that a shape lies on, or reaches the least below, if it reaches less below that than below the one before. */
-function findFaceOf(shape: Shape, ground: Polygon, least: number): boolean {
+/**
+ * Takes the face of a ground that a shape lies on, or reaches the least below, if it reaches less below that than below the one before, and is in reach of the
+ * ground that is to carry it there.
+ */
+function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: number): boolean {
   const { numbers: edges, at } = ground;
   const end = endOfEdges(ground);
   let isFound = false;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     along.x = edges[k + 2]!;
     along.y = edges[k + 3]!;
-    along.dx = shape.owner!.x - ground.owner!.x;
-    along.dy = shape.owner!.y - ground.owner!.y;
-    separationAlong(ground, shape, along);
-    const { found } = along;
+    const found = separationFrom(ground, shape, along);
     const looks = free.x * edges[k + 2]! + free.y * edges[k + 3]!;
-    if (looks >= least && found > face.separation && found < SPECULATIVE_MARGIN && isOpen(shape, ground, k)) {
+    if (
+      looks >= least &&
+      found > face.separation &&
+      found < SPECULATIVE_MARGIN &&
+      (carrier === ground || isInReach(shape, carrier, along)) &&
+      isOpen(shape, ground, k)
+    ) {
       face.separation = found;
       up.x = edges[k + 2]!;
       up.y = edges[k + 3]!;

@@ -93,3 +93,37 @@ describe('a room of eight walls that overlap', () => {
     }
   });
 });
+
+describe('a crate in the corner of a room of tiles, a ledge beside it whose underside is about as high as its top', () => {
+  it.each([0.7, 0.9, 0.99, 1])('lies on the floor (%f m)', (size) => {
+    for (const side of [1, -1]) {
+      for (const turn of [1e-12, 1e-6, 1e-3]) {
+        for (const above of [-0.002, 0.002, 0.005, 0.015]) {
+          for (const away of [0.001, 0.3]) {
+            const world = phys2D.createWorld();
+            // Corner, floor and wall, whose face is at 0; and the ledge.
+            for (const [x, y] of [
+              [-1, 0],
+              [0, 0],
+              [-1, -1],
+              [size + away, -size - 1 - above],
+            ] as const) {
+              add(world, tiles(side > 0 ? [x, y, x + 1, y + 1] : [-x - 1, y, -x, y + 1]));
+            }
+            const crate = phys2D.createRigidBody({
+              shapes: [box(size, size)],
+              position: [side * (size / 2 + 0.0005), 0.003 - size / 2],
+              rotation: side * turn,
+            });
+            add(world, crate);
+            steps(world, 10);
+            const [x, y] = crate.getPosition();
+            const where = `side ${side}, turned ${turn}, ledge ${above} above, ${away} away: ${x}, ${y}`;
+            expect(Math.abs(y + size / 2), where).toBeLessThan(0.01);
+            expect(Math.abs(side * x - size / 2), where).toBeLessThan(0.02);
+          }
+        }
+      }
+    }
+  });
+});
