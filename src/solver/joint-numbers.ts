@@ -3,6 +3,7 @@ import type { Group, Joint } from './joint-data.js';
 import {
   CARRY,
   IMPULSE_X,
+  KEPT_IMPULSE_X,
   POINT,
   POINT_CARRY,
   POINT_SNAPS,
@@ -46,6 +47,16 @@ export function forgetImpulse(data: SolverData, joint: Joint, share: number): vo
     const n = impulseAt(joint, row);
     // What is not finite goes, too.
     numbers[n] = share === 0 ? 0 : numbers[n]! * share;
+  }
+}
+
+/** Lets the next sub-step start with what the step started with. Of a joint whose numbers are in one place only that is not known: it goes on. */
+export function startAgain(data: SolverData, joint: Joint): void {
+  const { kernel, at, layout, constraint } = joint;
+  const numbers = numbersOf(data, joint);
+  for (let row = 0; row < layout.rows && kernel !== TURN; row += 1) {
+    const before = kernel === POINT ? data.joints.records[at + KEPT_IMPULSE_X + row]! : constraint.impulse[row]!;
+    numbers[impulseAt(joint, row)] = before * data.impulseScale;
   }
 }
 

@@ -1,6 +1,6 @@
 import type { SolverData } from './data.js';
 import { hasCallbacks } from './joint-data.js';
-import { endOfMembers, firstMember, forgetImpulse } from './joint-numbers.js';
+import { endOfMembers, firstMember, startAgain } from './joint-numbers.js';
 import { BODY_STRIDE } from './layout.js';
 
 // What joints have to do with `shocks.ts`.
@@ -23,14 +23,14 @@ export function linkShocks(data: SolverData): void {
   }
 }
 
-/** When what joints gave in a sub-step has been added up: what was struck forgets it. */
+/** When what joints gave in a sub-step has been added up: what was struck forgets it, but for what it gave as the step began: without that bridges drop for a moment, and kick. */
 export function forgetShocks(data: SolverData): void {
   const { shocks } = data;
   const { groups, joints } = data.joints;
   for (let i = 0; i < shocks.struckGroupCount; i += 1) {
     const { start, end } = groups[shocks.struckGroups[i]!]!;
     for (let k = start; k < end; k += 1) {
-      forgetImpulse(data, joints[k]!, 0);
+      startAgain(data, joints[k]!);
     }
   }
   shocks.struckGroupCount = 0;

@@ -8,7 +8,7 @@ import { solveVelocityOne } from './one-point.js';
 import { solveVelocityTwo } from './two-point.js';
 
 // What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
-// So where what was struck is no heap its contacts, and the rigid joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what contacts bore as the step began.
+// So where what was struck is no heap its contacts, and the rigid joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
 
 /** The end of a chain of ends; of a body that hangs on what cannot be solved. */
 const NONE = -1;
@@ -160,14 +160,22 @@ function loadBefore({ impulseScale }: SolverData, { numbers, at, point }: Contac
     : n[first]! * impulseScale + n[first + c.IMPULSES]! * impulseScale;
 }
 
-/** Whether it bears so much more than as the step began that the heavier of what moves was stopped by it. */
+/**
+ * Whether it bears so much more than as the step began that one of its bodies was stopped by it: the lighter one, as what lies between two heavy ones lets pass only what
+ * stops itself, sub-step by sub-step. With joints the heavier one, else decks that tremble under a load never come to rest.
+ */
 function isShock(data: SolverData, contact: number): boolean {
   const batch = batchOf(data, contact);
-  const { velocity: v } = data;
-  const mA = v[(batch.bodies[contact & -2]! & d.OFFSET) + d.INV_MASS]!;
-  const mB = v[batch.bodies[contact | 1]! + d.INV_MASS]!;
-  const least = mA > 0 && mB > 0 ? Math.min(mA, mB) : mA + mB;
-  return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * least > SHOCK_SPEED;
+  const { velocity: v, traits } = data;
+  const a = batch.bodies[contact & -2]! & d.OFFSET;
+  const b = batch.bodies[contact | 1]! & d.OFFSET;
+  const mA = v[a + d.INV_MASS]!;
+  const mB = v[b + d.INV_MASS]!;
+  let ease = Math.max(mA, mB);
+  if (mA > 0 && mB > 0 && ((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.LINKED) !== 0) {
+    ease = Math.min(mA, mB);
+  }
+  return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
 }
 
 /** Sweeps over so many contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */

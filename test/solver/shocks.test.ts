@@ -170,3 +170,65 @@ it('a heap is left to the sweeps of the step', () => {
   steps(world, 240);
   for (const body of world.rigidBodies) expect(body.getVelocity()[1]).toBeCloseTo(0, 2);
 });
+
+describe('a heavy disc that strikes a light one, which touches another heavy one', () => {
+  it.each([10, 100, 1000])('goes on with them at half its speed, %f times as heavy', (ratio) => {
+    for (const speed of [1, 5, 20]) {
+      const world = phys2D.createWorld({ gravity: [0, 0] });
+      const free = { linearDrag: 0, angularDrag: 0 };
+      const [striker, light, last] = [-1.05, 0, 1].map((x) => {
+        const shapes = [disc(x === 0 ? 1 : ratio)];
+        return phys2D.createRigidBody({ shapes, position: [x, 0], velocity: [x < 0 ? speed : 0, 0], ...free });
+      });
+      for (const body of [striker!, light!, last!]) add(world, body);
+      let energy = Infinity;
+      for (let step = 0; step < 60; step += 1) {
+        world.step(1 / 60);
+        const now = world.rigidBodies.reduce((sum, body) => sum + body.getMass() * body.getVelocity()[0] ** 2, 0);
+        expect(now, `${speed} m/s, step ${step}`).toBeLessThan(1.002 * energy);
+        energy = now;
+      }
+      // All three go on together, of which the light one has its share.
+      const share = ratio / (2 * ratio + 1);
+      for (const body of [striker!, last!]) expect(body.getVelocity()[0] / speed / share).toBeCloseTo(1, 1);
+    }
+  });
+});
+
+describe('a hinged bridge of boards that balls without elasticity fell on', () => {
+  it.each([8, 12, 16])('is given no energy by them, %i boards', (count) => {
+    const material = phys2D.createMaterial({ elasticity: 0 });
+    const world = phys2D.createWorld({ gravity: [0, 10] });
+    const board = (x: number, type: 'static' | 'dynamic') => {
+      const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1, 0.2), material })];
+      const body = phys2D.createRigidBody({ type, shapes, position: [x, 0], mass: 1, linearDrag: 0, angularDrag: 0 });
+      add(world, body);
+      return body;
+    };
+    let bodyA = board(-count / 2 - 0.5, 'static');
+    for (let i = 0; i <= count; i += 1) {
+      const bodyB = board(i - count / 2 + 0.5, i < count ? 'dynamic' : 'static');
+      const anchors = { anchorA: [0.5, 0], anchorB: [-0.5, 0] } as const;
+      tie(world, phys2D.createPointConstraint({ bodyA, bodyB, ...anchors, ignoreInteractions: true }));
+      bodyA = bodyB;
+    }
+    steps(world, 120);
+    for (let i = 0; i < 4; i += 1) {
+      const shapes = [phys2D.createCircleShape({ radius: 0.3, material })];
+      const x = 1 - count / 2 + ((count - 2) * (i + 0.5)) / 4;
+      add(world, phys2D.createRigidBody({ shapes, position: [x, -2 - 0.3 * i], mass: 1 }));
+    }
+    steps(world, 180);
+    let least = Infinity;
+    for (let step = 0; step < 720; step += 1) {
+      world.step(1 / 60);
+      const energy = world.rigidBodies.reduce((sum, body) => {
+        const [x, y] = body.getVelocity();
+        const turning = body.isDynamic() ? body.getInertia() * body.getAngularVelocity() ** 2 : 0;
+        return body.isDynamic() ? sum + (x * x + y * y + turning) / 2 - 10 * body.getPosition()[1] : sum;
+      }, 0);
+      least = Math.min(least, energy);
+      expect(energy, `step ${step}`).toBeLessThan(least + 10);
+    }
+  });
+});
