@@ -13,7 +13,7 @@ export interface RigidBodyParams {
   type?: BodyType | undefined;
   /** Attached in order; one that has a body already is skipped. Default none. */
   shapes?: ArrayLike<Shape> | undefined;
-  /** kg, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
+  /** kg, > 0. With `Infinity` nothing that it meets moves or stops it, walls neither. Default: computed from the shapes, and kept in step with them. */
   mass?: number | undefined;
   /** kg·m² about the body origin, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
   inertia?: number | undefined;
