@@ -423,7 +423,7 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
       looks >= least &&
       found > face.separation &&
       found < SPECULATIVE_MARGIN &&
-      (carrier === ground || isInReach(shape, carrier, along)) &&
+      isInReach(shape, carrier, along) &&
       isOpen(shape, ground, k)
     ) {
       face.separation = found;

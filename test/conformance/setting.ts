@@ -99,3 +99,18 @@ export function arbiterOf(world: World, a: RigidBody, b: RigidBody) {
   const all = [...world.dynamicArbiters, ...world.staticArbiters];
   return all.find((arbiter) => arbiter.active && new Set([arbiter.bodyA, arbiter.bodyB, a, b]).size === 2);
 }
+
+/** J. Of motion. */
+export function kineticOf(world: World): number {
+  return world.rigidBodies.reduce((sum, body) => {
+    const [vx, vy] = body.getVelocity();
+    const w = body.getAngularVelocity();
+    return body.isDynamic() ? sum + 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * w * w : sum;
+  }, 0);
+}
+
+/** J. With that of height, 10 m/s². */
+export function energyOf(world: World): number {
+  const heights = world.rigidBodies.reduce((sum, body) => sum - 10 * body.getMass() * body.getPosition()[1], 0);
+  return kineticOf(world) + heights;
+}

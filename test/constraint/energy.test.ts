@@ -7,7 +7,7 @@ import {
   type Vec2,
   type World,
 } from '../../src/index.js';
-import { add, box, disc, heavy, staticBody, tie } from '../conformance/setting.js';
+import { add, box, disc, energyOf, heavy, kineticOf, staticBody, tie } from '../conformance/setting.js';
 
 // What hangs and swings without anything that drives it has no more energy than before; and what is joined while it is apart comes together without making any.
 
@@ -32,21 +32,6 @@ function hang(world: World, count: number, length: number, angle: number, free =
     bodies.push(body);
   }
   return bodies;
-}
-
-/** J. Of motion. */
-function kineticOf(world: World): number {
-  return world.rigidBodies.reduce((sum, body) => {
-    const [vx, vy] = body.getVelocity();
-    const w = body.getAngularVelocity();
-    return body.isDynamic() ? sum + 0.5 * body.getMass() * (vx * vx + vy * vy) + 0.5 * body.getInertia() * w * w : sum;
-  }, 0);
-}
-
-/** J. With that of height. */
-function energyOf(world: World): number {
-  const heights = world.rigidBodies.reduce((sum, body) => sum - 10 * body.getMass() * body.getPosition()[1], 0);
-  return kineticOf(world) + heights;
 }
 
 function widestGap(world: World): number {

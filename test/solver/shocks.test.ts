@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D, type RigidBody, type Shape } from '../../src/index.js';
-import { add, staticBody, steps, tie } from '../conformance/setting.js';
+import { add, energyOf, kineticOf, staticBody, steps, tie } from '../conformance/setting.js';
 
 // What falls on something without any elasticity stays on it, and gives it what it had: also where that lies on something else, or is lighter.
 
@@ -184,7 +184,7 @@ describe('a heavy disc that strikes a light one, which touches another heavy one
       let energy = Infinity;
       for (let step = 0; step < 60; step += 1) {
         world.step(1 / 60);
-        const now = world.rigidBodies.reduce((sum, body) => sum + body.getMass() * body.getVelocity()[0] ** 2, 0);
+        const now = kineticOf(world);
         expect(now, `${speed} m/s, step ${step}`).toBeLessThan(1.002 * energy);
         energy = now;
       }
@@ -222,11 +222,7 @@ describe('a hinged bridge of boards that balls without elasticity fell on', () =
     let least = Infinity;
     for (let step = 0; step < 720; step += 1) {
       world.step(1 / 60);
-      const energy = world.rigidBodies.reduce((sum, body) => {
-        const [x, y] = body.getVelocity();
-        const turning = body.isDynamic() ? body.getInertia() * body.getAngularVelocity() ** 2 : 0;
-        return body.isDynamic() ? sum + (x * x + y * y + turning) / 2 - 10 * body.getPosition()[1] : sum;
-      }, 0);
+      const energy = energyOf(world);
       least = Math.min(least, energy);
       expect(energy, `step ${step}`).toBeLessThan(least + 10);
     }
