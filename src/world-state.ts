@@ -137,8 +137,8 @@ export abstract class WorldState {
   jointsStale = false;
   /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */
   jointsTouched = false;
-  /** @internal grows with each body, shape and constraint added */
-  nextOrder = 0;
+  /** @internal grows with each body, shape and constraint added, whose `order` it becomes; of what never was in a world that is 0 */
+  nextOrder = 1;
   /** @internal grows where pairs that were kept apart may interact now: a filter changed, or which joints keep their bodies from interacting */
   filters = 1;
   /** @internal */

@@ -150,10 +150,9 @@ export abstract class BaseShape {
     return this.group >>> 0;
   }
 
-  /** Sets the bits that say what this shape is. Wakes the body; if that is static, what rests on it. */
+  /** Sets the bits that say what this shape is. Wakes the body; if that is static, what rests on it; and what sleeps in a sensor. */
   setGroup(group: number): void {
-    this.setFilter(bits('Shape.setGroup', 'group', group) | 0, this.mask);
-    this.owner?.rouse();
+    this.changeFilter(bits('Shape.setGroup', 'group', group) | 0, this.mask);
   }
 
   /** Which groups it meets. */
@@ -163,8 +162,17 @@ export abstract class BaseShape {
 
   /** Sets the bits of the groups that this shape meets. Wakes as `setGroup` does. */
   setMask(mask: number): void {
-    this.setFilter(this.group, bits('Shape.setMask', 'mask', mask) | 0);
+    this.changeFilter(this.group, bits('Shape.setMask', 'mask', mask) | 0);
+  }
+
+  /** What sleeps in a sensor does not rest on it: it wakes, too, so that it is told that this is over. */
+  private changeFilter(group: number, mask: number): void {
+    const isOther = group !== this.group || mask !== this.mask;
+    this.setFilter(group, mask);
     this.owner?.rouse();
+    for (const pair of this.arbiters) {
+      if (isOther && pair.sensor && pair.sleeping) this.owner!.owner!.wakeBoth(pair);
+    }
   }
 
   /** @internal sets both, of 32 bits with a sign; in a world pairs that were left out for them may interact now */

@@ -76,8 +76,8 @@ export class Group {
   to = 0;
   /** One of the bodies is in contact. */
   touched = false;
-  /** All joints are rigid, so that none does work. */
-  isRigid = false;
+  /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
+  isDriven = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
   /** They may make energy all the same, if sub-steps are too long for them … */
@@ -140,6 +140,11 @@ export class JointData implements Keeper {
   eases = false;
   /** … and large groups are looked at for hubs. */
   weighs = false;
+  /** In this step the work of springs is added up, by slot … */
+  addsWork = false;
+  work = new Float64Array(0);
+  /** … for which the velocities are kept with which a sub-step began: three of each body. */
+  begun = new Float64Array(0);
   /** Squares: the worst error of a group so far in this sweep or at the start of the sub-step, of rigid point joints by whether their slots are even or odd … */
   readonly worst = new Float64Array(2);
   /** … and the error from which on a joint is strained … */

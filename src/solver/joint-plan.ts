@@ -38,14 +38,14 @@ import { findStrained } from './point-joints.js';
 
 // What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
 
-/** Whether all joints of a group are rigid, and how hard its springs are, if it has any. */
+/** What drives a group, and how hard its springs are, if it has any. */
 export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): void {
-  group.isRigid = true;
+  group.isDriven = false;
   group.frequency = 0;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
-    group.isRigid &&= !constraint.doesWork;
+    group.isDriven ||= constraint.doesWork && !constraint.isElastic;
   }
 }
 
@@ -88,7 +88,7 @@ function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew;
   if (isDue) {
     group.burdened = isBurdened(data, group);
-    group.mayGain = group.isRigid && mayMakeEnergy(data, group);
+    group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {

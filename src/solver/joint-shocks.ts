@@ -14,7 +14,7 @@ export function linkShocks(data: SolverData): void {
     if (group.runs.every(hasCallbacks)) {
       continue;
     }
-    const known = group.isRigid && !group.runs.some(hasCallbacks) ? index + 1 : -1;
+    const known = group.runs.some(hasCallbacks) ? -1 : index + 1;
     const end = endOfMembers(data, group);
     for (let n = firstMember(data, group); n < end; n += 1) {
       const slot = bodies[n]! / BODY_STRIDE;

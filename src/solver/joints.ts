@@ -20,6 +20,7 @@ import { orderJoints } from './joint-order.js';
 import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import { forgetShocks, linkShocks } from './joint-shocks.js';
+import { addWork, beginWork, noteVelocities } from './joint-work.js';
 import {
   beginPoints,
   finishPoints,
@@ -66,6 +67,7 @@ function packJoints(world: World, h: number): void {
     packGroup(data, joints.groups[i]!, isChanged);
   }
   watchTouched(world);
+  beginWork(data);
   if (isChanged) {
     steadyFresh(data);
   }
@@ -78,7 +80,7 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   }
   if (isChanged) lookAtKinds(data, group);
   group.guests.clear();
-  group.isWatched = group.mayGain && group.isRigid && !group.touched;
+  group.isWatched = group.mayGain && !group.isDriven && !group.touched;
   if (group.isWatched) noteEnergy(data, group);
 }
 
@@ -89,7 +91,7 @@ function watchTouched(world: World): void {
   let isKnown = false;
   for (let i = 0; i < groups.length; i += 1) {
     const group = groups[i]!;
-    if (group.mayGain && group.isRigid && group.touched) {
+    if (group.mayGain && !group.isDriven && group.touched) {
       if (!isKnown) findCompanies(world);
       isKnown = true;
       group.isWatched = findGuests(solver, group);
@@ -144,6 +146,7 @@ function steadyFresh(data: SolverData): void {
 /** Starts a sub-step: finds how often each group has to be swept over. */
 function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { groups, worst } = data.joints;
+  noteVelocities(data);
   for (let i = 0; i < groups.length; i += 1) {
     const group = groups[i]!;
     const { beside } = group;
@@ -433,6 +436,7 @@ function finishJoints(data: SolverData): void {
       closeOpen(data, group);
     }
   }
+  addWork(data);
   forgetShocks(data);
   if (runs.length > 0) {
     advancePoses(data);

@@ -109,9 +109,10 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   data.drive[at + d.LOAD] = 0;
 }
 
-/** What contacts ask of dynamic bodies. A pass of its own: with it the one over all else would be too long to be compiled as a whole, and box numbers. */
+/** What contacts ask of dynamic bodies; kinematic ones have none of it. A pass of its own: with it the one over all else would be too long to be compiled as a whole, and box numbers. */
 function packTraits({ solver, liveDynamics, timeStamp }: World): void {
   solver.unloads = false;
+  solver.traits.fill(0, 1 + liveDynamics.length, solver.bodyCount);
   for (let i = 0; i < liveDynamics.length; i += 1) {
     const body = liveDynamics[i]!;
     solver.unloads ||= body.unloaded === timeStamp;

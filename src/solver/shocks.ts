@@ -8,7 +8,7 @@ import { solveVelocityOne } from './one-point.js';
 import { solveVelocityTwo } from './two-point.js';
 
 // What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
-// So where what was struck is no heap its contacts, and the rigid joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
+// So where what was struck is no heap its contacts, and the joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
 
 /** The end of a chain of ends; of a body that hangs on what cannot be solved. */
 const NONE = -1;
@@ -88,7 +88,7 @@ function visit(shocks: ShockList, slot: number): void {
   }
 }
 
-/** Joints that do work, have callbacks, or cannot be met cannot be solved once more. */
+/** Joints that have callbacks, or cannot be met, cannot be solved once more. */
 function gatherJoints(data: SolverData, slot: number): void {
   const { shocks, joints } = data;
   const { groupOf, groups, groupCount } = shocks;

@@ -198,7 +198,7 @@ class Finder {
     if (object instanceof RigidBody) {
       object.shapes.forEach(this.add, this);
     }
-    if (object instanceof RigidBody || object instanceof Shape || object instanceof Constraint) {
+    if ((object instanceof RigidBody || object instanceof Shape || object instanceof Constraint) && object.order > 0) {
       this.found.set(object.order, object);
     }
   }

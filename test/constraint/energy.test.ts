@@ -461,8 +461,8 @@ it.each([
 });
 
 describe('what lies on a hinged bridge', () => {
-  /** Planks of 1 m between two banks, as long together as `slack` times the way. @returns its planks. */
-  function bridge(world: World, count: number, slack: number): RigidBody[] {
+  /** Planks of 1 m between two banks, as long together as `slack` times the way, straightened by springs of a frequency, if any. @returns its planks. */
+  function bridge(world: World, count: number, slack: number, frequency = 0): RigidBody[] {
     const material = phys2D.createMaterial({ staticFriction: 1, dynamicFriction: 1 });
     const banks = phys2D.createRigidBody({ type: 'static' });
     add(world, banks);
@@ -477,6 +477,9 @@ describe('what lies on a hinged bridge', () => {
       const anchorA: Vec2 = i > 0 ? [0.5, 0] : [0, 0];
       const anchorB: Vec2 = i < count ? [-0.5, 0] : [count / slack, 0];
       tie(world, phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB, ignoreInteractions: true }));
+      if (frequency > 0) {
+        tie(world, phys2D.createAngleConstraint({ bodyA, bodyB, stiff: false, frequency, damping: 0.5 }));
+      }
     }
     for (let i = 0; i < 120; i += 1) {
       world.step(1 / 60);
@@ -514,6 +517,27 @@ describe('what lies on a hinged bridge', () => {
     add(world, phys2D.createRigidBody({ shapes: [crate], position: [count / slack / 2, y] }));
     expect(secondsToRest(world, 40)).toBeLessThan(40);
   });
+
+  it.each([
+    [8, 1, 2, 20],
+    [8, 1.01, 15, 50],
+    [12, 1, 15, 10],
+    [12, 1, 30, 10],
+    [12, 1.01, 15, 10],
+    [12, 1.01, 2, 20],
+    [16, 1, 15, 10],
+    [16, 1.01, 30, 50],
+  ])(
+    'springs at all joints: %i planks, %f of the way, %i Hz, a crate of %i times a plank',
+    (count, slack, frequency, ratio) => {
+      const world = heavy();
+      const planks = bridge(world, count, slack, frequency);
+      const y = planks[count / 2]!.getPosition()[1] - 0.55;
+      const crate = box(0.8, 0.8, { material: rough((0.2 * ratio) / 0.64) });
+      add(world, phys2D.createRigidBody({ shapes: [crate], position: [count / slack / 2, y] }));
+      expect(secondsToRest(world, 40)).toBeLessThan(40);
+    },
+  );
 
   it('comes to rest where it is a cart whose wheels are braked', () => {
     const world = heavy();

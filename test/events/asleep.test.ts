@@ -492,6 +492,27 @@ describe('waking', () => {
     expect(log).toEqual([`wake ${timeStamp}`, `begin ${timeStamp}`]);
   });
 
+  it.each([
+    ['static', (zone: Shape) => zone.setMask(0)],
+    ['static', (zone: Shape) => zone.setGroup(0)],
+    ['kinematic', (zone: Shape) => zone.setMask(0)],
+  ] as const)('in a sensor of a %s body ends in the next step once that is switched off', (type, switchOff) => {
+    const world = heavy();
+    addFloor(world);
+    const zone = disc(3, { sensor: true });
+    const visitor = boxBody(1, 1);
+    add(world, phys2D.createRigidBody({ type, shapes: [zone] }), visitor);
+    const log: string[] = [];
+    for (const type of ['begin', 'end'] as const) {
+      zone.addEventListener(type, (_arbiter, { body }) => body === visitor && log.push(type));
+    }
+    for (let i = 0; i < 600 && !visitor.sleeping; i += 1) steps(world, 1);
+    expect([visitor.sleeping, ...log]).toEqual([true, 'begin']);
+    switchOff(zone);
+    steps(world, 1);
+    expect(log).toEqual(['begin', 'end']);
+  });
+
   it('lists of arbiters keep the others when a body is removed', () => {
     const world = heavy();
     addFloor(world);

@@ -141,6 +141,32 @@ function cart(): [RigidBody[], Constraint[]] {
   return [[bodyA, ...wheels], axles];
 }
 
+/** The same with motors that turn the wheels, … */
+function driven(): [RigidBody[], Constraint[]] {
+  const [bodies, axles] = cart();
+  const [bodyA, ...wheels] = bodies;
+  const motors = wheels.map((bodyB) => phys2D.createMotorConstraint({ bodyA: bodyA!, bodyB, rate: 5, maxForce: 20 }));
+  return [bodies, [...axles, ...motors]];
+}
+
+/** … or with wheels on springs, which are guided; `load` times as heavy. */
+function sprung(load: number): [RigidBody[], Constraint[]] {
+  const [[bodyA, ...wheels]] = cart();
+  bodyA!.setMass(load * bodyA!.getMass());
+  bodyA!.setInertia(load * bodyA!.getInertia());
+  const springs = wheels.flatMap((bodyB) => {
+    const [x] = bodyB.getPosition();
+    const bodies = { bodyA: bodyA!, bodyB };
+    const guide = { anchorA: [x!, 0.6], axis: [0, 1], lowerBound: -0.2, upperBound: 0.2 } as const;
+    const spring = { lowerBound: 0.6, upperBound: 0.6, stiff: false, frequency: 4 };
+    return [
+      phys2D.createLineConstraint({ ...bodies, ...guide, ignoreInteractions: true }),
+      phys2D.createDistanceConstraint({ ...bodies, anchorA: [x!, 0], ...spring }),
+    ];
+  });
+  return [[bodyA!, ...wheels], springs];
+}
+
 /** Two boxes, one on the other. */
 function welded(): [RigidBody[], Constraint[]] {
   const [bodyA, bodyB] = [-0.5, -1.5].map((y) => phys2D.createRigidBody({ shapes: [box()], position: [0, y] }));
@@ -151,6 +177,12 @@ function welded(): [RigidBody[], Constraint[]] {
 it.each([1, 3, 6, 20])('what rigid joints hold together stays where it fell, too, at %f m/s', (speed) => {
   expect(wholeReboundOf(cart, speed)).toBeLessThan(0.05);
   expect(wholeReboundOf(welded, speed)).toBeLessThan(0.05);
+});
+
+it.each([1, 3, 6, 20])('a motor or springs throw nothing up, at %f m/s', (speed) => {
+  expect(wholeReboundOf(driven, speed)).toBeLessThan(0.05);
+  // As heavy as it is it lies on the stops of the guides.
+  expect(wholeReboundOf(() => sprung(4), speed)).toBeLessThan(0.05);
 });
 
 it('a heap is left to the sweeps of the step', () => {

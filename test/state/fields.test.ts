@@ -22,7 +22,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   arbiter: ['foreseen'],
   group: [
     ...['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches'],
-    ...['isRigid', 'frequency', 'isWatched', 'energy'],
+    ...['isDriven', 'frequency', 'isWatched', 'energy'],
   ],
   record: [LOCAL_X, LOCAL_Y, APPROACH].map(String),
 };

@@ -189,6 +189,21 @@ describe('World.restore', () => {
     expect(other.world).toBeNull();
   });
 
+  it('does not mind what is held and never was in a world', () => {
+    const world = phys2D.createWorld();
+    const bodyA = phys2D.createRigidBody({ type: 'static' });
+    const bodyB = phys2D.createRigidBody({ position: [0, 1], shapes: [phys2D.createCircleShape({ radius: 0.3 })] });
+    world.addRigidBody(bodyB);
+    world.addConstraint(phys2D.createPointConstraint({ bodyA, bodyB, anchorB: [0, -1] }));
+    world.step(1 / 60);
+    const hash = world.hash();
+    const copy = new Uint8Array(world.snapshot()).slice();
+    world.step(1 / 60);
+    world.restore(copy, [bodyA, phys2D.createRigidBody()]);
+    expect(world.hash()).toBe(hash);
+    expect(world.rigidBodies).toEqual([bodyB]);
+  });
+
   it('finds the objects of a copy in the world or among those that are held', () => {
     const world = pile(6);
     steps(world, 10);
