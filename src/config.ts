@@ -109,6 +109,12 @@ export const JOINT_REST_ERROR = 0.002;
  */
 export const SPRING_SWEEPS = 16;
 
+/** Of what a spring holds, so much at most counts as given to it, as it is not known to the last digit. */
+export const SPRING_GAIN = 1.02;
+
+/** So many times what a spring holds it may owe. With 1 springs of 5 Hz that are hardly damped still draw energy from how bodies turn, in 2 of 360 arms; more than 4 does not help. */
+export const SPRING_DEBT = 4;
+
 /** Parts of a turn. Below it, as up to 24 Hz at 1/60 s and four sub-steps, one sweep is enough. */
 export const SPRING_TURN = 0.1;
 

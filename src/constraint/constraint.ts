@@ -133,6 +133,8 @@ export abstract class BaseConstraint {
   strainedSteps = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;
+  /** @internal J. What a spring may give; Infinity: what it holds, whatever that is */
+  stored = Infinity;
 
   /** @internal */
   constructor(where: string, dimension: number, members: readonly RigidBody[], params: ConstraintParams) {
@@ -345,6 +347,7 @@ export abstract class BaseConstraint {
     this.enabled = tape.flag(this.enabled);
     this.fresh = tape.flag(this.fresh);
     this.strainedSteps = tape.integer(this.strainedSteps, 0, 0x3fffffff);
+    this.stored = tape.number(this.stored);
     this.frequency = tape.number(this.frequency);
     this.damping = tape.number(this.damping);
     this.maxForce = tape.number(this.maxForce);

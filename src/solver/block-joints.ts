@@ -57,6 +57,11 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
   } else if (isElastic) {
     writeElasticBias(data, joint);
+    if (constraint.stored < 0 && isGiving(data, joint)) {
+      // It only damps: see `joint-springs.ts`.
+      r.fill(0, at + layout.bias, at + layout.bias + rows);
+      r.fill(0, at + layout.impulse, at + layout.impulse + rows);
+    }
   } else {
     const last = rows - 1;
     const distance = r[at + layout.error + last]!;
@@ -126,6 +131,22 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + layout.bias + n] = r[at + layout.error + n]! * scale;
   }
+}
+
+/** Whether the error of a spring becomes less by itself: C · K⁻¹ · J · v < 0. */
+function isGiving(data: SolverData, joint: Joint): boolean {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, work, error, matrix } = layout;
+  r.copyWithin(at + work, at + error, at + error + rows);
+  forward(r, at + matrix, rows, r, at + work);
+  backward(r, at + matrix, rows, r, at + work);
+  let sum = 0;
+  for (let n = 0; n < rows; n += 1) {
+    multiplyRow(data, joint, layout.jacobian, n, false);
+    sum += r[at + work + n]! * product[0]!;
+  }
+  return sum < 0;
 }
 
 /** Of so many numbers of a record, to `length`. */

@@ -140,7 +140,8 @@ export class JointData implements Keeper {
   eases = false;
   /** … and large groups are looked at for hubs. */
   weighs = false;
-  /** In this step the work of springs is added up, by slot … */
+  /** There are springs in this step, and their work is added up, by slot … */
+  hasSprings = false;
   addsWork = false;
   work = new Float64Array(0);
   /** … for which the velocities are kept with which a sub-step began: three of each body. */

@@ -20,7 +20,7 @@ import { orderJoints } from './joint-order.js';
 import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import { forgetShocks, linkShocks } from './joint-shocks.js';
-import { addWork, beginWork, noteVelocities } from './joint-work.js';
+import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
 import {
   beginPoints,
   finishPoints,
@@ -67,7 +67,7 @@ function packJoints(world: World, h: number): void {
     packGroup(data, joints.groups[i]!, isChanged);
   }
   watchTouched(world);
-  beginWork(data);
+  beginSprings(data);
   if (isChanged) {
     steadyFresh(data);
   }
@@ -135,6 +135,7 @@ function steadyFresh(data: SolverData): void {
       const { constraint } = joints[k]!;
       if (constraint.fresh) {
         constraint.fresh = false;
+        constraint.stored = Infinity;
         group.fresh = true;
         group.isWatched = false;
         steady(data, joints[k]!, group.touched ? 0 : 1);
@@ -436,7 +437,7 @@ function finishJoints(data: SolverData): void {
       closeOpen(data, group);
     }
   }
-  addWork(data);
+  enterSprings(data);
   forgetShocks(data);
   if (runs.length > 0) {
     advancePoses(data);

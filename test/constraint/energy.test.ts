@@ -596,3 +596,51 @@ describe('what lies on a hinged bridge', () => {
     expect(secondsToRest(world, 20)).toBeLessThan(20);
   });
 });
+
+describe('a plank that hangs by a spring on a crank that turns freely', () => {
+  /** J. The most that there is more than at rest, as it begins, within 12 s: the spring is not tight then. Both weigh 80 N, so that 10 J in one sub-step are what rigid joints may make. */
+  function gainOf(spring: (bodyA: RigidBody, bodyB: RigidBody) => Constraint, substeps: number): number {
+    const world = phys2D.createWorld({ gravity: [0, 10], substeps, allowSleeping: false });
+    const arm = (mass: number, length: number, rotation: number, [x, y]: Vec2, middle: number) => {
+      const shapes = [box(length, 0.2, { mask: 0 })];
+      const inertia = (mass * (length * length + 0.04)) / 12;
+      const position: Vec2 = [x + middle * Math.cos(rotation), y + middle * Math.sin(rotation)];
+      return phys2D.createRigidBody({ shapes, mass, inertia, rotation, position });
+    };
+    const crank = arm(2, 0.8, 3.1, [0, 0], 0.4);
+    const plank = arm(6, 0.9, 2.7, crank.transformLocalPointToWorld([0.4, 0.2]), 0.3);
+    add(world, crank, plank);
+    tie(world, point(staticBody(), [0, 0], crank, [-0.4, 0]), spring(crank, plank));
+    const before = energyOf(world);
+    let most = 0;
+    for (let i = 0; i < 720; i += 1) {
+      world.step(1 / 60);
+      most = Math.max(most, energyOf(world) - before);
+    }
+    return most;
+  }
+
+  const soft = { stiff: false, damping: 0.1, anchorA: [0.4, 0.2], anchorB: [-0.3, 0] } as const;
+  const springs: Record<string, (bodyA: RigidBody, bodyB: RigidBody, frequency: number) => Constraint> = {
+    point: (bodyA, bodyB, frequency) => phys2D.createPointConstraint({ bodyA, bodyB, frequency, ...soft }),
+    weld: (bodyA, bodyB, frequency) => phys2D.createWeldConstraint({ bodyA, bodyB, frequency, phase: -0.4, ...soft }),
+    distance: (bodyA, bodyB, frequency) => {
+      const [ax, ay] = bodyA.transformLocalPointToWorld([-0.4, 0.8]);
+      const [bx, by] = bodyB.transformLocalPointToWorld([-0.3, 0]);
+      const length = Math.hypot(bx - ax, by - ay);
+      const bounds = { lowerBound: length, upperBound: length };
+      return phys2D.createDistanceConstraint({ bodyA, bodyB, frequency, ...soft, anchorA: [-0.4, 0.8], ...bounds });
+    },
+    line: (bodyA, bodyB, frequency) =>
+      phys2D.createLineConstraint({ bodyA, bodyB, frequency, ...soft, axis: [1, 1], lowerBound: 0, upperBound: 0 }),
+  };
+
+  it.each(Object.keys(springs))('is given no energy: %s', (name) => {
+    for (const frequency of [1, 2, 5]) {
+      for (const substeps of [1, 4, 8]) {
+        const gain = gainOf((bodyA, bodyB) => springs[name]!(bodyA, bodyB, frequency), substeps);
+        expect(gain, `${frequency} Hz, ${substeps} sub-steps`).toBeLessThan(substeps > 1 ? 2 : 10);
+      }
+    }
+  });
+});
