@@ -30,14 +30,20 @@ it('type-checks', () => {
   const tsc = join(root, 'node_modules/typescript/bin/tsc');
   const strict = '--noEmit --strict --noUnusedLocals --noUncheckedIndexedAccess --exactOptionalPropertyTypes';
   const options = `${strict} --ignoreConfig --target es2022 --lib es2022,dom --module nodenext --skipDefaultLibCheck`;
-  const files = snippets.map(({ name }) => `${name}.ts`);
-  let errors = '';
-  try {
-    execFileSync(process.execPath, [tsc, ...options.split(' '), ...files], { cwd: folder, encoding: 'utf8' });
-  } catch (error) {
-    errors = (error as { stdout: string }).stdout;
-  }
-  expect(errors).toBe('');
+  const errorsOf = (names: string[]) => {
+    const files = names.map((name) => `${name}.ts`);
+    try {
+      return execFileSync(process.execPath, [tsc, ...options.split(' '), ...files], { cwd: folder, encoding: 'utf8' });
+    } catch (error) {
+      return (error as { stdout: string }).stdout;
+    }
+  };
+  // One that tells the compiler what `userData` is would tell all that are compiled with it.
+  const [telling, others] = [true, false].map((tells) =>
+    snippets.filter(({ code }) => code.includes('declare module') === tells).map(({ name }) => name),
+  );
+  expect(telling).not.toEqual([]);
+  for (const names of [others!, ...telling!.map((name) => [name])]) expect(errorsOf(names)).toBe('');
 });
 
 it.each(snippets)('$name prints what the guide says', async ({ name, code, output }) => {
