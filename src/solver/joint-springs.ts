@@ -62,7 +62,8 @@ function enter(data: SolverData, joint: Joint, given: number): void {
   findTension(data, joint);
   // Within a sub-step it is ahead or behind by half of what it gives. More debt than some times that is forgotten: it would be slack for long.
   const most = SPRING_GAIN * found[0]! + Math.abs(given);
-  constraint.stored = Math.max(-SPRING_DEBT * most, Math.min(constraint.stored, most) - given);
+  // Where numbers run wild nothing is entered.
+  if (most < Infinity) constraint.stored = Math.max(-SPRING_DEBT * most, Math.min(constraint.stored, most) - given);
 }
 
 /** J, to `found`: λ · J · v of the mean of the velocities before and after the sub-step is what an impulse adds to the kinetic energy. @returns the slot of the first member that can move. */
