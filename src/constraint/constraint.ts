@@ -370,9 +370,9 @@ export abstract class BaseConstraint {
     return this.positional && !this.stiff;
   }
 
-  /** @internal it may give its bodies energy: what is rigid, and what brakes, does not */
-  get doesWork(): boolean {
-    return this.isElastic;
+  /** @internal it may give its bodies energy that nobody can reckon: what is rigid, what brakes, and springs do not */
+  get drives(): boolean {
+    return false;
   }
 
   /** @internal itself: its classes are all that there are, which only the compiler cannot know here */

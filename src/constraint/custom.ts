@@ -101,8 +101,8 @@ export class CustomConstraint extends BaseConstraint {
   }
 
   /** @internal nobody knows */
-  override get doesWork(): boolean {
-    return true;
+  override get drives(): boolean {
+    return !this.isElastic;
   }
 
   /** @internal */

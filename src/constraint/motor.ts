@@ -55,7 +55,7 @@ export class MotorConstraint extends TwoBodyConstraint {
   }
 
   /** @internal */
-  override get doesWork(): boolean {
+  override get drives(): boolean {
     return this.rate !== 0;
   }
 

@@ -133,14 +133,20 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Whether the error of a spring becomes less by itself: C · K⁻¹ · J · v < 0. */
-function isGiving(data: SolverData, joint: Joint): boolean {
-  const { records: r } = data.joints;
-  const { at, layout } = joint;
+/** K⁻¹ · C, to the numbers at `work`. */
+export function weighError({ joints: { records: r } }: SolverData, { at, layout }: Joint): void {
   const { rows, work, error, matrix } = layout;
   r.copyWithin(at + work, at + error, at + error + rows);
   forward(r, at + matrix, rows, r, at + work);
   backward(r, at + matrix, rows, r, at + work);
+}
+
+/** Whether the error of a spring becomes less by itself: C · K⁻¹ · J · v < 0. */
+function isGiving(data: SolverData, joint: Joint): boolean {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, work } = layout;
+  weighError(data, joint);
   let sum = 0;
   for (let n = 0; n < rows; n += 1) {
     multiplyRow(data, joint, layout.jacobian, n, false);

@@ -108,7 +108,7 @@ function joinTied({ joints: { joints, bodies } }: SolverData, dynamics: number):
     for (let n = from; n < from + layout.members; n += 1) {
       const slot = bodies[n]! / d.BODY_STRIDE;
       join(bodies[from]! / d.BODY_STRIDE, slot, dynamics);
-      if (constraint.doesWork && !constraint.isElastic) driven[slot] = 1;
+      if (constraint.drives) driven[slot] = 1;
     }
   }
   driven[0] = 0;

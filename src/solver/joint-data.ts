@@ -140,9 +140,8 @@ export class JointData implements Keeper {
   eases = false;
   /** … and large groups are looked at for hubs. */
   weighs = false;
-  /** There are springs in this step, and their work is added up, by slot … */
+  /** There are springs in this step. Their work is added up, by slot … */
   hasSprings = false;
-  addsWork = false;
   work = new Float64Array(0);
   /** … for which the velocities are kept with which a sub-step began: three of each body. */
   begun = new Float64Array(0);

@@ -184,9 +184,9 @@ function isNext({ traits }: SolverData, offset: number): boolean {
 /**
  * A velocity is that which a sub-step ends with, half a sub-step ahead of the place: ½·m·v² + ½·h·m·a·v − m·a·x is what the scheme keeps of the energy (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, IX).
  */
-function add({ velocity: v, motion: q, drive: f, joints: { h, addsWork, work } }: SolverData, offset: number): void {
+function add({ velocity: v, motion: q, drive: f, joints: { h, hasSprings, work } }: SolverData, offset: number): void {
   const i = offset & d.OFFSET;
-  if (addsWork) sums[WORK] = sums[WORK]! + work[i / d.BODY_STRIDE]!;
+  if (hasSprings) sums[WORK] = sums[WORK]! + work[i / d.BODY_STRIDE]!;
   const inverseMass = v[i + d.INV_MASS]!;
   const inverseInertia = v[i + d.INV_INERTIA]!;
   const vx = v[i + d.VX]!;

@@ -50,11 +50,12 @@ export function forgetImpulse(data: SolverData, joint: Joint, share: number): vo
   }
 }
 
-/** Lets the next sub-step start with what the step started with. What does work goes on, and a joint whose numbers are in one place only, of which that is not known. */
+/** Lets the next sub-step start with what the step started with. What is elastic or drives goes on, and a joint whose numbers are in one place only, of which that is not known. */
 export function startAgain(data: SolverData, joint: Joint): void {
   const { kernel, at, layout, constraint } = joint;
   const numbers = numbersOf(data, joint);
-  for (let row = 0; row < layout.rows && kernel !== TURN && !constraint.doesWork; row += 1) {
+  const goesOn = kernel === TURN || constraint.isElastic || constraint.drives;
+  for (let row = 0; row < layout.rows && !goesOn; row += 1) {
     const before = kernel === POINT ? data.joints.records[at + KEPT_IMPULSE_X + row]! : constraint.impulse[row]!;
     numbers[impulseAt(joint, row)] = before * data.impulseScale;
   }

@@ -45,7 +45,7 @@ export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): v
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
-    group.isDriven ||= constraint.doesWork && !constraint.isElastic;
+    group.isDriven ||= constraint.drives;
   }
 }
 

@@ -1,6 +1,6 @@
 import { SPRING_DEBT, SPRING_GAIN } from '../config.js';
 import { grown } from '../math/doubles.js';
-import { backward, forward } from '../math/solve.js';
+import { weighError } from './block-joints.js';
 import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import { BLOCK, ROW, TURN, TURN_RATIO } from './joint-layout.js';
@@ -10,25 +10,21 @@ import * as d from './layout.js';
 // The books of springs. One that has its frequency whatever the masses is harder in one pose of its bodies than in another, and bodies that hang on each other could draw energy from it in
 // every turn. So a spring gives what it was given: beyond that it only damps. And what it gives no rigid joint has made.
 
-/** Scratch for a solution, and for what was found. */
-const scaled = new Float64Array(3);
+/** What was found: results would be boxed. */
 const found = new Float64Array(1);
 
-/** As a step begins: whether there are any, and whether their work is to be added up. */
+/** As a step begins: whether there are any. */
 export function beginSprings({ joints: data, bodyCount }: SolverData): void {
   const { groups } = data;
-  let isWatched = false;
   data.hasSprings = false;
   for (let i = 0; i < groups.length; i += 1) {
-    isWatched ||= groups[i]!.isWatched;
     data.hasSprings ||= groups[i]!.frequency > 0;
   }
-  data.addsWork = isWatched && data.hasSprings;
   if (data.hasSprings && data.work.length < bodyCount) {
     data.work = new Float64Array(grown(bodyCount));
     data.begun = new Float64Array(3 * data.work.length);
   }
-  if (data.addsWork) data.work.fill(0, 0, bodyCount);
+  if (data.hasSprings) data.work.fill(0, 0, bodyCount);
 }
 
 /** As a sub-step begins, after forces and drag: the velocities, less what these added. */
@@ -93,17 +89,15 @@ function findGiven(data: SolverData, joint: Joint): number {
 }
 
 /** J, to `found`: what a spring as hard as it is now holds at the error with which the sub-step began, ½ · (2π · frequency)² · C · K⁻¹ · C. */
-function findTension({ joints: { records: r } }: SolverData, { at, layout, constraint }: Joint): void {
-  const { rows, error, matrix } = layout;
+function findTension(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, error, work } = layout;
   const w = 2 * Math.PI * constraint.frequency;
   let sum = 0;
+  weighError(data, joint);
   for (let row = 0; row < rows; row += 1) {
-    scaled[row] = r[at + error + row]!;
-  }
-  forward(r, at + matrix, rows, scaled, 0);
-  backward(r, at + matrix, rows, scaled, 0);
-  for (let row = 0; row < rows; row += 1) {
-    sum += scaled[row]! * r[at + error + row]!;
+    sum += r[at + work + row]! * r[at + error + row]!;
   }
   found[0] = 0.5 * w * w * sum;
 }
