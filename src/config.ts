@@ -115,6 +115,9 @@ export const SPRING_GAIN = 1.02;
 /** So many times what a spring holds it may owe. With 1 springs of 5 Hz that are hardly damped still draw energy from how bodies turn, in 2 of 360 arms; more than 4 does not help. */
 export const SPRING_DEBT = 4;
 
+/** rad/s. For each such part by which a motor misses its rate all that hangs together is swept over once more: in one sweep light wheels hand heavy ones so little that both swing for ever. */
+export const MOTOR_LAG = 0.02;
+
 /** Parts of a turn. Below it, as up to 24 Hz at 1/60 s and four sub-steps, one sweep is enough. */
 export const SPRING_TURN = 0.1;
 

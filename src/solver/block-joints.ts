@@ -7,6 +7,7 @@ import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { measure, showPoses } from './joint-pose.js';
 import * as d from './layout.js';
+import { noteLag } from './turn-joints.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
@@ -55,6 +56,10 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   writeMatrix(data, joint, layout.jacobian);
   if (!constraint.positional) {
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
+    if (!isCustom(constraint)) {
+      multiplyRow(data, joint, layout.jacobian, 0, false);
+      noteLag(data, at, layout.impulse, product[0]! + r[at + layout.bias]!);
+    }
   } else if (isElastic) {
     writeElasticBias(data, joint);
     if (constraint.stored < 0 && isGiving(data, joint)) {

@@ -151,6 +151,8 @@ export class JointData implements Keeper {
   readonly asked = new Float64Array(1);
   /** … and which are strained: the first, and the one after the last. */
   readonly strained = new Int32Array(2);
+  /** rad/s. … and by how much the motor that is farthest from its rate misses it. */
+  readonly lag = new Float64Array(1);
   /** What share of the momentum of the corrections of a group is made, at the end of a sub-step. As the others no number of its own, which would be boxed where it is handed on. */
   readonly share = new Float64Array(1);
   /** m, rad. The largest error that is left. */

@@ -8,6 +8,7 @@ import {
   JOINT_SWEEP_MARGIN,
   JOINT_TORN,
   MAX_JOINT_SWEEPS,
+  MOTOR_LAG,
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
   SNAP_STEPS,
@@ -50,7 +51,8 @@ export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): v
 }
 
 /** Before the joints of a group are warm started: nothing is strained yet. */
-export function beginGroup({ joints: { asked, strained } }: SolverData, { tolerance, start, end }: Group): void {
+export function beginGroup({ joints: { asked, strained, lag } }: SolverData, { tolerance, start, end }: Group): void {
+  lag[0] = 0;
   asked[0] = tolerance * tolerance;
   strained[0] = end;
   strained[1] = start;
@@ -178,13 +180,15 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
  * shake what hangs there, fling up what lies on it, and make a thin rope with a load whirl by itself.
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
-  const { strained, h } = data.joints;
+  const { strained, lag, h } = data.joints;
   const first = strained[0]!;
   const after = strained[1]!;
   const error = Math.sqrt(group.error);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
-  const springs = group.end - group.start > 1 ? Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN)) : 0;
-  const wanted = 1 + Math.max(0, springs, Math.ceil((error - JOINT_REST_ERROR) / part));
+  const springs = Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN));
+  const motors = Math.floor(lag[0]! / MOTOR_LAG);
+  const ofAll = group.end - group.start > 1 ? Math.max(springs, motors) : 0;
+  const wanted = 1 + Math.max(0, ofAll, Math.ceil((error - JOINT_REST_ERROR) / part));
   const isSteady = group.touched || group.burdened;
   const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
   const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
@@ -192,7 +196,7 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   if (group.toAndFro) {
     group.sweeps = Math.max(2, group.sweeps - (group.sweeps & 1));
   }
-  if (springs > 0) {
+  if (ofAll > 0) {
     group.from = group.start;
     group.to = group.end;
   } else if (after > first) {

@@ -76,10 +76,20 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
     r[i + j.TURN_PUSH] = 0;
     if (r[i + j.TURN_BOUNDED] !== 0) {
       aim(data, k, i);
+    } else {
+      noteLag(data, i, j.TURN_IMPULSE, ratio * v[b + d.W]! - v[a + d.W]! + r[i + j.TURN_BIAS]!);
     }
     const lambda = r[i + j.TURN_IMPULSE]!;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * lambda;
     v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * lambda * ratio;
+  }
+}
+
+/** By what speed a motor misses its rate, if it gives less than it may; its impulse is at that offset of its record. */
+export function noteLag({ joints: { records: r, lag } }: SolverData, i: number, impulse: number, speed: number): void {
+  const miss = Math.abs(speed);
+  if (miss > lag[0]! && Math.abs(r[i + impulse]!) < r[i + j.LIMIT]!) {
+    lag[0] = miss;
   }
 }
 

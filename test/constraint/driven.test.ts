@@ -1,0 +1,93 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { add, box, heavy, staticBody, steps, tie } from '../conformance/setting.js';
+import { generator } from '../scenes/mixed.js';
+
+// What a motor drives turns as fast as it is asked to, however light that is, and however heavy what hangs on it: a sweep hands on little of what a motor gives.
+
+/** The least and the greatest angular velocity of a body in so many steps. */
+function rangeOf(world: World, body: RigidBody, count: number): [least: number, most: number] {
+  const speeds = Array.from({ length: count }, () => {
+    steps(world, 1);
+    return body.getAngularVelocity();
+  });
+  return [Math.min(...speeds), Math.max(...speeds)];
+}
+
+function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): void {
+  tie(world, phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true }));
+}
+
+describe('a train of two to six gears of 0.1 to 100 kg', () => {
+  /** The angular velocity of the first, which a motor without a limit turns at 5 rad/s, from 25 s on. */
+  function firstOf(seed: number, breaks: boolean): [number, number] {
+    const random = generator(seed);
+    const world = heavy({ allowSleeping: false });
+    const frame = staticBody();
+    const wheels: RigidBody[] = [];
+    const count = 2 + Math.floor(5 * random());
+    for (let i = 0; i < count; i += 1) {
+      const radius = 0.2 + 0.8 * random();
+      const mass = 0.1 * 1000 ** random();
+      const inertia = (mass * radius * radius) / 2;
+      const wheel = phys2D.createRigidBody({ mass, inertia, position: [2 * i, 0], linearDrag: 0, angularDrag: 0 });
+      add(world, wheel);
+      pin(world, frame, [2 * i, 0], wheel, [0, 0]);
+      const ratio = -0.3 * 10 ** random();
+      const before = wheels.at(-1);
+      if (before !== undefined) {
+        const bounds = { lowerBound: 0, upperBound: 0 };
+        tie(world, phys2D.createAngleConstraint({ bodyA: before, bodyB: wheel, ratio, ...bounds }));
+      }
+      wheels.push(wheel);
+    }
+    const breaking = breaks ? { breakUnderForce: true, maxForce: 1e9 } : {};
+    tie(world, phys2D.createMotorConstraint({ bodyA: frame, bodyB: wheels[0]!, rate: 5, ...breaking }));
+    steps(world, 1500);
+    return rangeOf(world, wheels[0]!, 300);
+  }
+
+  /** Of the first sixty those that swung for ever between 2 and 8 rad/s, or the like, when a motor asked for no sweeps. */
+  const seeds = [22, 27, 37, 50, 57, 59];
+
+  it.each([false, true])('turns at the rate of its motor, one that may break: %s', (breaks) => {
+    const off = seeds.filter((seed) => firstOf(seed, breaks).some((speed) => Math.abs(speed - 5) > 0.25));
+    expect(off).toEqual([]);
+  });
+});
+
+describe('the motor of a slider crank', () => {
+  it.each([
+    { crank: 2, rod: 0.5, slider: 4, maxForce: 30, within: [5.8, 6.4] },
+    { crank: 5, rod: 5, slider: 50, maxForce: 300, within: [5.4, 9] },
+    { crank: 10, rod: 1, slider: 20, maxForce: 200, within: [5.8, 6.3] },
+  ])(
+    'does not whip it at its dead points: $crank, $rod and $slider kg/m²',
+    ({ crank, rod, slider, maxForce, within }) => {
+      const world = heavy({ gravity: [0, 10] });
+      const frame = staticBody();
+      const [turning, pushing, sliding] = (
+        [
+          [crank, 0.5, 1, 0.1],
+          [rod, 2.25, 2.5, 0.1],
+          [slider, 3.5, 0.5, 0.5],
+        ] as const
+      ).map(([density, x, width, height]) => {
+        const shapes = [box(width, height, { material: phys2D.createMaterial({ density, elasticity: 0 }) })];
+        return phys2D.createRigidBody({ position: [x, 0], shapes, linearDrag: 0, angularDrag: 0 });
+      }) as [RigidBody, RigidBody, RigidBody];
+      add(world, turning, pushing, sliding);
+      pin(world, frame, [0, 0], turning, [-0.5, 0]);
+      pin(world, turning, [0.5, 0], pushing, [-1.25, 0]);
+      pin(world, pushing, [1.25, 0], sliding, [0, 0]);
+      const rail = { bodyA: frame, bodyB: sliding };
+      tie(world, phys2D.createLineConstraint({ ...rail, axis: [1, 0], lowerBound: -50, upperBound: 50 }));
+      tie(world, phys2D.createAngleConstraint(rail));
+      tie(world, phys2D.createMotorConstraint({ bodyA: frame, bodyB: turning, rate: 6, maxForce }));
+      steps(world, 120);
+      const [least, most] = rangeOf(world, turning, 480);
+      expect(least).toBeGreaterThan(within[0]!);
+      expect(most).toBeLessThan(within[1]!);
+    },
+  );
+});
