@@ -75,10 +75,25 @@ export function quietenConstraint(world: World, constraint: Constraint): void {
 /** Wakes a body and what must wake with it. `silent`: no `wake` event for this very body. */
 export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
   if (body.kind !== STATIC && !body.asleep) {
-    body.wakeTime = wakeStamp(world);
+    stir(world, body);
     return;
   }
   spreadWake(world, body, silent);
+}
+
+/** An awake body stays so, and what touches it: it may be without support from now on, of which nothing tells if that is lowered so slowly that what lies on it rests in between. */
+function stir(world: World, body: RigidBody): void {
+  const stamp = wakeStamp(world);
+  body.wakeTime = stamp;
+  const { shapes } = body;
+  for (let i = 0; i < shapes.length; i += 1) {
+    const { arbiters } = shapes[i]!;
+    for (let k = 0; k < arbiters.length; k += 1) {
+      const pair = arbiters[k]!;
+      const other = pair.bodyA === body ? pair.bodyB : pair.bodyA;
+      if (pair.active && other.kind === DYNAMIC && !other.asleep && pair.is(ACCEPTED)) other.wakeTime = stamp;
+    }
+  }
 }
 
 /** Wakes the bodies of an arbiter, without events for either. */
@@ -124,6 +139,8 @@ function spreadFromBody(world: World, body: RigidBody, found: (RigidBody | Const
   for (const other of neighboursOf(body)) {
     if (other.asleep) {
       found.push(other);
+    } else {
+      other.wakeTime = wakeStamp(world);
     }
   }
   if (body.kind !== STATIC) {
