@@ -1,4 +1,5 @@
-import { BOUND_SLOP, BREAK_STEPS, JOINT_SNAP, MIN_INVERSE_MASS, ROW_TURN } from '../config.js';
+import { MIN_INVERSE_MASS } from '../config.js';
+import { BOUND_SLOP, BREAK_STEPS, JOINT_SNAP, ROW_TURN } from '../config-joints.js';
 import { isCustom } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, factor, forward } from '../math/solve.js';

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
-import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config.js';
+import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config-joints.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';

@@ -1,5 +1,5 @@
 import type { RigidBody } from '../body.js';
-import { JOINT_MOMENTUM } from '../config.js';
+import { FIRM_STEPS, JOINT_MOMENTUM } from '../config-joints.js';
 import type { Constraint, Keeper, Numbers } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { writeSoftness } from '../constraint/softness.js';
@@ -98,6 +98,12 @@ export class Group {
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */
   burdened = false;
+  /** They are few, so that they may be solved to their end, see `joint-gradients.ts`: … */
+  mayBeFirm = false;
+  /** … not before they touched nothing for so many steps, … */
+  untouched = FIRM_STEPS;
+  /** … and in this sub-step they are. */
+  isFirm = false;
   /** Some body has three joints of it or more … */
   branches = false;
   /** … and is a hub, so that all are swept over to and fro: see `joint-hubs.ts`. */

@@ -1,4 +1,4 @@
-import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../config.js';
+import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../config-joints.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';

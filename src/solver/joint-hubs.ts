@@ -1,4 +1,4 @@
-import { HUB_SHARE } from '../config.js';
+import { HUB_SHARE } from '../config-joints.js';
 import { backward, forward } from '../math/solve.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';

@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
-import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEEPS } from '../config.js';
+import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEEPS } from '../config-joints.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { type Group, type JointData, keepsNumbers, type Run } from './joint-data.js';

@@ -1,7 +1,8 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
-import { CONTACT_SLOP, HEAVY, STRAIN_SPEED, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config.js';
+import { CONTACT_SLOP, STRAIN_SPEED } from '../config.js';
+import { HEAVY, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';

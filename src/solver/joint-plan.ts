@@ -1,5 +1,9 @@
 import {
   FEW_JOINTS,
+  FIRM_ERROR,
+  FIRM_JOINTS,
+  FIRM_STEPS,
+  FIRM_SWEEPS,
   HEAVY,
   JOINT_CALM,
   JOINT_REST_ERROR,
@@ -16,12 +20,13 @@ import {
   SPRING_TURN,
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
-} from '../config.js';
+} from '../config-joints.js';
 import { recordAt, type SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint } from './joint-data.js';
 import { mayMakeEnergy } from './joint-energy.js';
 import { hasHub } from './joint-hubs.js';
 import {
+  CUSTOM,
   ERROR_X,
   ERROR_Y,
   POINT,
@@ -90,12 +95,30 @@ function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew;
   if (isDue) {
     group.burdened = isBurdened(data, group);
-    group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
+    const isTight = mayMakeEnergy(data, group);
+    group.mayGain = !group.isDriven && isTight;
+    group.mayBeFirm = mayBeFirm(data, group, isTight);
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
     group.toAndFro = hasHub(data, group);
   }
+}
+
+/** What hangs on something that does not move, and bears its load: what flies freely bears none. Where impulses break joints sweeps are not to try any. */
+function mayBeFirm({ joints: data, velocity: v }: SolverData, group: Group, isTight: boolean): boolean {
+  const { start, end, frequency } = group;
+  const count = end - start;
+  let may = count > 1 && count <= (isTight ? FEW_JOINTS : FIRM_JOINTS) && frequency === 0;
+  let isHeld = false;
+  for (let k = start; k < end && may; k += 1) {
+    const { constraint, kernel, first, layout } = data.joints[k]!;
+    may = kernel !== CUSTOM && !constraint.breakUnderForce;
+    for (let m = first; m < first + layout.members; m += 1) {
+      isHeld ||= v[data.bodies[m]! + INV_MASS] === 0;
+    }
+  }
+  return may && isHeld;
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
@@ -193,10 +216,15 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
   const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+  const isNear = group.error < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
+  group.isFirm = group.mayBeFirm && group.untouched === FIRM_STEPS && isNear;
+  if (group.isFirm) {
+    group.sweeps = Math.max(group.sweeps, FIRM_SWEEPS);
+  }
   if (group.toAndFro) {
     group.sweeps = Math.max(2, group.sweeps - (group.sweeps & 1));
   }
-  if (ofAll > 0) {
+  if (ofAll > 0 || group.isFirm) {
     group.from = group.start;
     group.to = group.end;
   } else if (after > first) {

@@ -1,4 +1,4 @@
-import { SPRING_DEBT, SPRING_GAIN } from '../config.js';
+import { SPRING_DEBT, SPRING_GAIN } from '../config-joints.js';
 import { grown } from '../math/doubles.js';
 import { weighError } from './block-joints.js';
 import type { SolverData } from './data.js';

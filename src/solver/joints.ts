@@ -1,4 +1,12 @@
-import { EASE_STEPS, JOINT_FAR, JOINT_PUSHES, SWEPT_ONCE, WEIGH_STEPS } from '../config.js';
+import {
+  EASE_STEPS,
+  FIRM_ERROR,
+  FIRM_STEPS,
+  JOINT_FAR,
+  JOINT_PUSHES,
+  SWEPT_ONCE,
+  WEIGH_STEPS,
+} from '../config-joints.js';
 import type { World } from '../world.js';
 import {
   finishBlock,
@@ -14,27 +22,26 @@ import type { SolverData } from './data.js';
 import { findCompanies, findGuests } from './joint-company.js';
 import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { noteEnergy, takeExcesses } from './joint-energy.js';
-import { BLOCK, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import { beginGradients, goOn, noteStart } from './joint-gradients.js';
+import { CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
 import { steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
 import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import { forgetShocks, linkShocks } from './joint-shocks.js';
 import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
+import { linearise, pushFarRun, pushRun, pushRunFurther, solveVelocityRun, sweepOver } from './joint-sweeps.js';
 import {
   beginPoints,
   finishPoints,
   keepPoints,
   packPoint,
-  pushFarPoints,
   pushPoints,
-  pushPointsFurther,
   solveVelocityPoints,
   warmStartPoints,
 } from './point-joints.js';
-import { pushRows, solveVelocityRows } from './row-joints.js';
 import { breakOff } from './ties.js';
-import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turn-joints.js';
+import { beginTurns, finishTurns, packTurn, warmStartTurns } from './turn-joints.js';
 
 /** Whether custom constraints have something left for another position iteration. */
 const left = { found: false };
@@ -78,6 +85,7 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   for (let i = 0; i < group.runs.length; i += 1) {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
+  group.untouched = group.touched ? 0 : Math.min(FIRM_STEPS, group.untouched + 1);
   if (isChanged) lookAtKinds(data, group);
   group.guests.clear();
   group.isWatched = group.mayGain && !group.isDriven && !group.touched;
@@ -200,39 +208,6 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
   }
 }
 
-/** Solves a part of a run. @returns whether it was worth another sweep. */
-type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
-
-/** The sweep of that number: over all joints of a group, or over those that are strained and near that; to and fro it is over all. */
-function sweepOver(data: SolverData, group: Group, sweep: number, isWhole: boolean, solve: Solve): boolean {
-  const { runs, toAndFro } = group;
-  if (toAndFro && sweep % 2 === 1) {
-    return sweepBack(data, runs, solve);
-  }
-  const from = isWhole || toAndFro ? group.start : group.from;
-  const to = isWhole || toAndFro ? group.end : group.to;
-  let found = false;
-  for (let k = 0; k < runs.length; k += 1) {
-    const { kernel, start, end } = runs[k]!;
-    if (start < to && end > from) {
-      found = solve(data, kernel, start > from ? start : from, end < to ? end : to) || found;
-    }
-  }
-  return found;
-}
-
-/** From the last joint to the first. */
-function sweepBack(data: SolverData, runs: readonly Run[], solve: Solve): boolean {
-  let found = false;
-  for (let n = runs.length - 1; n >= 0; n -= 1) {
-    const { kernel, start, end } = runs[n]!;
-    for (let k = end - 1; k >= start; k -= 1) {
-      found = solve(data, kernel, k, k + 1) || found;
-    }
-  }
-  return found;
-}
-
 /** Velocity iteration `i` of `count`. */
 function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   const { groups } = data.joints;
@@ -240,38 +215,40 @@ function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const { beside } = group;
-    solveVelocityGroup(data, group, i, count);
-    if (beside !== null) {
-      solveVelocityGroup(data, beside, i, count);
+    const areTwo = beside !== null && !group.isFirm && !beside.isFirm;
+    solveVelocityGroup(data, group, i, count, areTwo);
+    if (areTwo) {
+      solveVelocityGroup(data, beside, i, count, true);
       if (i === count - 1) solveVelocityPoints(data, group.start, beside.end);
       k += 1;
     }
   }
 }
 
-/** Of groups side by side the last sweep is left out: it is over both at once. */
-function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number): void {
-  const { sweeps, isBeside } = group;
+/** Of two groups side by side the last sweep is left out: it is over both at once. */
+function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number, isOfTwo: boolean): void {
+  const { sweeps } = group;
   const last = sweeps - 1;
+  if (group.isFirm) {
+    if (i === count - 1) solveFirmly(data, group);
+    return;
+  }
   const after = Math.floor(((i + 1) * sweeps) / count);
-  for (let sweep = Math.floor((i * sweeps) / count); sweep < after && !(isBeside && sweep === last); sweep += 1) {
+  for (let sweep = Math.floor((i * sweeps) / count); sweep < after && !(isOfTwo && sweep === last); sweep += 1) {
     sweepOver(data, group, sweep, sweep === last, solveVelocityRun);
   }
 }
 
-function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): boolean {
-  if (kernel === POINT) {
-    solveVelocityPoints(data, start, end);
-  } else if (kernel === TURN) {
-    solveVelocityTurns(data, start, end);
-  } else if (kernel === ROW) {
-    solveVelocityRows(data, start, end);
-  } else if (kernel === BLOCK) {
-    for (let k = start; k < end; k += 1) {
-      solveVelocityBlock(data, data.joints.joints[k]!);
+/** Sweeps over what touches nothing, so that iterations are none of its business. */
+function solveFirmly(data: SolverData, group: Group): void {
+  beginGradients(data, group);
+  for (let sweep = 0; sweep < group.sweeps; sweep += 1) {
+    noteStart(data, group, false);
+    sweepOver(data, group, sweep, true, solveVelocityRun);
+    if (sweep < group.sweeps - 1 && !goOn(data, group, false)) {
+      return;
     }
   }
-  return false;
 }
 
 /** Custom constraints, whose callbacks are called once in each iteration: in iteration `i`, which those to and fro begin with the last if it is odd. */
@@ -328,6 +305,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   const { worst } = data.joints;
   linearise(data, group);
   const isBegun = before === 0 && group.isBeside;
+  if (group.isFirm) beginGradients(data, group);
   if (isBegun && group.pushed === 0) {
     return false;
   }
@@ -337,6 +315,8 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
     worst[0] = 0;
     worst[1] = 0;
+    const goesOn = group.isFirm && isLinear && group.pushed < FIRM_ERROR * FIRM_ERROR;
+    if (goesOn) noteStart(data, group, true);
     const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushFurther : pushRun);
     if (!isLinear) {
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
@@ -345,44 +325,9 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     if (!isOff && !(group.toAndFro && sweep % 2 === 0)) {
       return false;
     }
+    if (goesOn && sweep < after - 1) goOn(data, group, true);
   }
   return true;
-}
-
-/** What is left of the errors of rows and blocks is not known. */
-function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
-  if (kernel === POINT) {
-    return pushPoints(data, start, end);
-  }
-  if (kernel === TURN) {
-    return pushTurns(data, start, end);
-  }
-  if (kernel === ROW) {
-    pushRows(data, start, end);
-  } else if (kernel === BLOCK) {
-    for (let k = start; k < end; k += 1) {
-      pushBlock(data, data.joints.joints[k]!);
-    }
-  }
-  return kernel !== CUSTOM;
-}
-
-function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
-}
-
-function pushFarRun(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushFarPoints(data, start, end) : pushRun(data, kernel, start, end);
-}
-
-function linearise(data: SolverData, { runs }: Group): void {
-  const { joints } = data.joints;
-  for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
-    for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
-      lineariseBlock(data, joints[k]!);
-    }
-  }
 }
 
 function pushCustom(data: SolverData, joint: Joint): void {

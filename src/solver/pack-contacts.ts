@@ -2,7 +2,6 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import {
-  HEAVY,
   MAX_CONDITION,
   MIN_INVERSE_MASS,
   PUSH_SHARE_CIRCLES,
@@ -15,6 +14,7 @@ import {
   STATIC_FRICTION_SPEED_SQUARED,
   UNEVEN,
 } from '../config.js';
+import { HEAVY } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { AWAKE, LISTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';

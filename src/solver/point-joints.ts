@@ -1,4 +1,4 @@
-import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../config.js';
+import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../config-joints.js';
 import type { PointConstraint } from '../constraint/point.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Joint } from './joint-data.js';

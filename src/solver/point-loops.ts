@@ -1,4 +1,5 @@
-import { JOINT_SNAP, JOINT_TOLERANCE, MIN_INVERSE_MASS, SINGULAR } from '../config.js';
+import { MIN_INVERSE_MASS } from '../config.js';
+import { JOINT_SNAP, JOINT_TOLERANCE, SINGULAR } from '../config-joints.js';
 import { COS, SIN, X, Y } from '../constraint/layout.js';
 import { cosSin } from '../math/trig.js';
 import type { SolverData } from './data.js';

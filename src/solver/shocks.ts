@@ -1,4 +1,5 @@
-import { JOINT_TORN, SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../config.js';
+import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../config.js';
+import { JOINT_TORN } from '../config-joints.js';
 import * as c from '../contact/layout.js';
 import { type ContactBatch, recordAt, type ShockList, type SolverData } from './data.js';
 import { endOfMembers, firstMember } from './joint-numbers.js';

@@ -1,4 +1,5 @@
-import { BOUND_SLOP, JOINT_MOMENTUM, JOINT_TOLERANCE, MIN_INVERSE_MASS } from '../config.js';
+import { MIN_INVERSE_MASS } from '../config.js';
+import { BOUND_SLOP, JOINT_MOMENTUM, JOINT_TOLERANCE } from '../config-joints.js';
 import type { AngleConstraint } from '../constraint/angle.js';
 import { ANGLE } from '../constraint/layout.js';
 import type { MotorConstraint } from '../constraint/motor.js';

@@ -1,7 +1,8 @@
 import type { RigidBody } from '../body.js';
 import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
-import { FAR, MAX_JOINT_SWEEPS, MAX_SIZE, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config.js';
+import { FAR, MAX_SIZE } from '../config.js';
+import { FIRM_STEPS, MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { DEAD, KEPT, LISTED, SHOWN } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
@@ -333,6 +334,8 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.toAndFro = tape.flag(group.toAndFro);
   group.burdened = tape.flag(group.burdened);
   group.mayGain = tape.flag(group.mayGain);
+  group.mayBeFirm = tape.flag(group.mayBeFirm);
+  group.untouched = tape.integer(group.untouched, 0, FIRM_STEPS);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.span = tape.number(group.span);
   group.excess = tape.number(group.excess);

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { JOINT_FAR } from '../../src/config.js';
+import { JOINT_FAR } from '../../src/config-joints.js';
 import { phys2D, type RigidBody } from '../../src/index.js';
 import { DT, heavy } from '../conformance/setting.js';
 import { buildChains, worstGap } from '../scenes/joint-grid.js';

@@ -1,0 +1,93 @@
+import { lineariseBlock, pushBlock, solveVelocityBlock } from './block-joints.js';
+import type { SolverData } from './data.js';
+import type { Group, Run } from './joint-data.js';
+import { BLOCK, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
+import { pushFarPoints, pushPoints, pushPointsFurther, solveVelocityPoints } from './point-joints.js';
+import { pushRows, solveVelocityRows } from './row-joints.js';
+import { pushTurns, solveVelocityTurns } from './turn-joints.js';
+
+// Sweeps over the runs of a group, each by its kernel.
+
+/** Solves a part of a run. @returns whether it was worth another sweep. */
+type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
+
+/** The sweep of that number: over all joints of a group, or over those that are strained and near that; to and fro it is over all. */
+export function sweepOver(data: SolverData, group: Group, sweep: number, isWhole: boolean, solve: Solve): boolean {
+  const { runs, toAndFro } = group;
+  if (toAndFro && sweep % 2 === 1) {
+    return sweepBack(data, runs, solve);
+  }
+  const from = isWhole || toAndFro ? group.start : group.from;
+  const to = isWhole || toAndFro ? group.end : group.to;
+  let found = false;
+  for (let k = 0; k < runs.length; k += 1) {
+    const { kernel, start, end } = runs[k]!;
+    if (start < to && end > from) {
+      found = solve(data, kernel, start > from ? start : from, end < to ? end : to) || found;
+    }
+  }
+  return found;
+}
+
+/** From the last joint to the first. */
+function sweepBack(data: SolverData, runs: readonly Run[], solve: Solve): boolean {
+  let found = false;
+  for (let n = runs.length - 1; n >= 0; n -= 1) {
+    const { kernel, start, end } = runs[n]!;
+    for (let k = end - 1; k >= start; k -= 1) {
+      found = solve(data, kernel, k, k + 1) || found;
+    }
+  }
+  return found;
+}
+
+export function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  if (kernel === POINT) {
+    solveVelocityPoints(data, start, end);
+  } else if (kernel === TURN) {
+    solveVelocityTurns(data, start, end);
+  } else if (kernel === ROW) {
+    solveVelocityRows(data, start, end);
+  } else if (kernel === BLOCK) {
+    for (let k = start; k < end; k += 1) {
+      solveVelocityBlock(data, data.joints.joints[k]!);
+    }
+  }
+  return false;
+}
+
+/** What is left of the errors of rows and blocks is not known. */
+export function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  if (kernel === POINT) {
+    return pushPoints(data, start, end);
+  }
+  if (kernel === TURN) {
+    return pushTurns(data, start, end);
+  }
+  if (kernel === ROW) {
+    pushRows(data, start, end);
+  } else if (kernel === BLOCK) {
+    for (let k = start; k < end; k += 1) {
+      pushBlock(data, data.joints.joints[k]!);
+    }
+  }
+  return kernel !== CUSTOM;
+}
+
+export function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
+}
+
+export function pushFarRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushFarPoints(data, start, end) : pushRun(data, kernel, start, end);
+}
+
+export function linearise(data: SolverData, { runs }: Group): void {
+  const { joints } = data.joints;
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
+    for (let k = start; k < end && (kernel === ROW || kernel === BLOCK); k += 1) {
+      lineariseBlock(data, joints[k]!);
+    }
+  }
+}
