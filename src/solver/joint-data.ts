@@ -98,9 +98,9 @@ export class Group {
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */
   burdened = false;
-  /** They are few, so that they may be solved to their end, see `joint-gradients.ts`: … */
+  /** They are few and bear something, so that they may be solved to their end, see `joint-gradients.ts`, … */
   mayBeFirm = false;
-  /** … not before they touched nothing for so many steps, … */
+  /** … not before they touched nothing for so many steps … */
   untouched = FIRM_STEPS;
   /** … and in this sub-step they are. */
   isFirm = false;

@@ -11,6 +11,8 @@ import * as d from './layout.js';
 
 /** Offsets of the bodies of the group that can move, each once, … */
 let movers = new Int32Array(0);
+/** … and their masses, kg, and inertias, kg·m². */
+let masses = new Float64Array(0);
 let moverCount = 0;
 /** … by slot, in which call a body was found last, … */
 let found = new Int32Array(0);
@@ -21,15 +23,16 @@ let direction = new Float64Array(0);
 let hasDirection = false;
 
 /** Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. */
-const sums = new Float64Array(5);
+const sums = new Float64Array(6);
 const KINETIC = 0;
 const CHANGED = 1;
 const ALONG = 2;
 const SQUARE = 3;
 const SLOPE = 4;
+const MASS = 5;
 
-/** Before the first of several sweeps. */
-export function beginGradients({ joints: data, bodyCount, velocity: v }: SolverData, group: Group): void {
+/** Before the first of several sweeps. @returns how many bodies can move. */
+export function beginGradients({ joints: data, bodyCount, velocity: v }: SolverData, group: Group): number {
   const { joints, bodies } = data;
   if (found.length < bodyCount) found = new Int32Array(grown(bodyCount));
   call += 1;
@@ -45,11 +48,14 @@ export function beginGradients({ joints: data, bodyCount, velocity: v }: SolverD
       if (found[slot] !== call && v[b + d.INV_MASS]! + v[b + d.INV_INERTIA]! > 0) {
         found[slot] = call;
         movers[moverCount] = b;
+        masses[2 * moverCount] = inverse(v[b + d.INV_MASS]!);
+        masses[2 * moverCount + 1] = inverse(v[b + d.INV_INERTIA]!);
         moverCount += 1;
       }
     }
   }
   hasDirection = false;
+  return moverCount;
 }
 
 function makeRoom(count: number): void {
@@ -58,6 +64,9 @@ function makeRoom(count: number): void {
     const before = movers;
     movers = new Int32Array(size);
     movers.set(before);
+    const known = masses;
+    masses = new Float64Array(2 * size);
+    masses.set(known);
     start = new Float64Array(size);
     direction = new Float64Array(size);
   }
@@ -88,7 +97,7 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
   const v = isPush ? data.motion : data.velocity;
   measureChange(v);
   const changed = sums[CHANGED]!;
-  if (!(changed > JOINT_STILL * sums[KINETIC]!)) {
+  if (!(changed > JOINT_STILL * (sums[KINETIC]! + JOINT_STILL * sums[MASS]!))) {
     return false;
   }
   turn(data, group, isPush, hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0);
@@ -103,25 +112,35 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
 
 /** Of what the sweep changed its energy, and its product with the direction before. */
 function measureChange(v: Float64Array): void {
-  sums.fill(0);
+  let kinetic = 0;
+  let changed = 0;
+  let along = 0;
+  let square = 0;
+  let total = 0;
   for (let m = 0, n = 0; m < moverCount; m += 1, n += 3) {
-    const b = movers[m]!;
-    const x = v[b]! - start[n]!;
-    const y = v[b + 1]! - start[n + 1]!;
-    const w = v[b + 2]! - start[n + 2]!;
+    const b = movers[m]! & d.OFFSET;
+    const vx = start[n]!;
+    const vy = start[n + 1]!;
+    const vw = start[n + 2]!;
+    const x = v[b]! - vx;
+    const y = v[b + 1]! - vy;
+    const w = v[b + 2]! - vw;
     const px = direction[n]!;
     const py = direction[n + 1]!;
     const pw = direction[n + 2]!;
-    const mass = inverse(v[b + d.INV_MASS]!);
-    const inertia = inverse(v[b + d.INV_INERTIA]!);
-    sums[KINETIC] =
-      sums[KINETIC]! +
-      mass * (start[n]! * start[n]! + start[n + 1]! * start[n + 1]!) +
-      inertia * start[n + 2]! * start[n + 2]!;
-    sums[CHANGED] = sums[CHANGED]! + mass * (x * x + y * y) + inertia * w * w;
-    sums[ALONG] = sums[ALONG]! + mass * (x * px + y * py) + inertia * w * pw;
-    sums[SQUARE] = sums[SQUARE]! + mass * (px * px + py * py) + inertia * pw * pw;
+    const mass = masses[2 * m]!;
+    const inertia = masses[2 * m + 1]!;
+    total += mass;
+    kinetic += mass * (vx * vx + vy * vy) + inertia * vw * vw;
+    changed += mass * (x * x + y * y) + inertia * w * w;
+    along += mass * (x * px + y * py) + inertia * w * pw;
+    square += mass * (px * px + py * py) + inertia * pw * pw;
   }
+  sums[KINETIC] = kinetic;
+  sums[CHANGED] = changed;
+  sums[ALONG] = along;
+  sums[SQUARE] = square;
+  sums[MASS] = total;
 }
 
 /** The direction: what the sweep changed, less such a share of the direction before. Its energy, and how the energy of the error changes along it. */
@@ -132,12 +151,12 @@ function turn(data: SolverData, group: Group, isPush: boolean, share: number): v
   let square = 0;
   let n = 0;
   for (let m = 0; m < moverCount; m += 1, n += 3) {
-    const b = movers[m]!;
+    const b = movers[m]! & d.OFFSET;
     const px = v[b]! - start[n]! - share * direction[n]!;
     const py = v[b + 1]! - start[n + 1]! - share * direction[n + 1]!;
     const pw = v[b + 2]! - start[n + 2]! - share * direction[n + 2]!;
-    const mass = inverse(v[b + d.INV_MASS]!);
-    const inertia = inverse(v[b + d.INV_INERTIA]!);
+    const mass = masses[2 * m]!;
+    const inertia = masses[2 * m + 1]!;
     slope += mass * (start[n]! * px + start[n + 1]! * py) + inertia * start[n + 2]! * pw;
     square += mass * (px * px + py * py) + inertia * pw * pw;
     direction[n] = px;

@@ -1,7 +1,9 @@
 import {
   FEW_JOINTS,
+  FIRM_ALWAYS,
   FIRM_ERROR,
   FIRM_JOINTS,
+  FIRM_ROWS,
   FIRM_STEPS,
   FIRM_SWEEPS,
   HEAVY,
@@ -24,6 +26,7 @@ import {
 import { recordAt, type SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint } from './joint-data.js';
 import { mayMakeEnergy } from './joint-energy.js';
+import { beginGradients } from './joint-gradients.js';
 import { hasHub } from './joint-hubs.js';
 import {
   CUSTOM,
@@ -95,9 +98,8 @@ function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew;
   if (isDue) {
     group.burdened = isBurdened(data, group);
-    const isTight = mayMakeEnergy(data, group);
-    group.mayGain = !group.isDriven && isTight;
-    group.mayBeFirm = mayBeFirm(data, group, isTight);
+    group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
+    group.mayBeFirm = mayBeFirm(data, group);
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
@@ -106,19 +108,22 @@ function weigh(data: SolverData, group: Group): void {
 }
 
 /** What hangs on something that does not move, and bears its load: what flies freely bears none. Where impulses break joints sweeps are not to try any. */
-function mayBeFirm({ joints: data, velocity: v }: SolverData, group: Group, isTight: boolean): boolean {
+function mayBeFirm(data: SolverData, group: Group): boolean {
+  const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
   const count = end - start;
-  let may = count > 1 && count <= (isTight ? FEW_JOINTS : FIRM_JOINTS) && frequency === 0;
+  let may = count > 1 && count <= FIRM_JOINTS && frequency === 0;
   let isHeld = false;
+  let rows = 0;
   for (let k = start; k < end && may; k += 1) {
-    const { constraint, kernel, first, layout } = data.joints[k]!;
+    const { constraint, kernel, first, layout } = joints[k]!;
     may = kernel !== CUSTOM && !constraint.breakUnderForce;
+    rows += layout.rows - (constraint.bounded && constraint.lower < constraint.upper ? 1 : 0);
     for (let m = first; m < first + layout.members; m += 1) {
-      isHeld ||= v[data.bodies[m]! + INV_MASS] === 0;
+      isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
     }
   }
-  return may && isHeld;
+  return may && isHeld && (count <= FIRM_ALWAYS || rows >= FIRM_ROWS * beginGradients(data, group));
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
