@@ -1,9 +1,19 @@
 import { GRADIENT_LOST, JOINT_STILL } from '../config-joints.js';
-import { grown } from '../math/doubles.js';
-import type { SolverData } from './data.js';
+import { grown, widened } from '../math/doubles.js';
+import { recordAt, type SolverData } from './data.js';
 import type { Group } from './joint-data.js';
-import { POINT, TURN } from './joint-layout.js';
-import { boundAt, constantAt, impulseAt, numbersOf, pushAt } from './joint-numbers.js';
+import {
+  OFFSET_X,
+  POINT,
+  POINT_STRIDE,
+  TURN,
+  TURN_BIAS,
+  TURN_LOWER,
+  TURN_PUSH,
+  TURN_UPPER,
+  TURN_VALUE,
+} from './joint-layout.js';
+import { impulseAt, pushAt } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Joints that hang together, solved to their end: conjugate gradients, of which each is what a sweep changes (Hestenes and Stiefel 1952; Golub and Ye, "Inexact Preconditioned Conjugate Gradient Method", 1999). What the last sweep did
@@ -14,15 +24,21 @@ let movers = new Int32Array(0);
 /** … and their masses, kg, and inertias, kg·m². */
 let masses = new Float64Array(0);
 let moverCount = 0;
-/** … by slot, in which call a body was found last, … */
+/** … by slot, in which call a body was found last. */
 let found = new Int32Array(0);
 let call = 0;
-/** … and velocities or motions of these, three numbers each, then impulses or pushes of all rows: before a sweep, and the direction in which the last one went on. */
+/** Where the impulses or pushes of all rows are, of points, which are in an array of their own, less than 0: −1 − index. */
+let places = new Int32Array(0);
+let rowCount = 0;
+/** What rows are to meet besides velocities or motion; known after the first sweep. */
+let constants = new Float64Array(0);
+let areKnown = false;
+/** Velocities or motions of what can move, three numbers each, then impulses or pushes: before a sweep, and the direction in which the last one went on. */
 let start = new Float64Array(0);
 let direction = new Float64Array(0);
 let hasDirection = false;
 
-/** Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. */
+/** Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. */
 const sums = new Float64Array(6);
 const KINETIC = 0;
 const CHANGED = 1;
@@ -31,17 +47,34 @@ const SQUARE = 3;
 const SLOPE = 4;
 const MASS = 5;
 
-/** Before the first of several sweeps. @returns how many bodies can move. */
-export function beginGradients({ joints: data, bodyCount, velocity: v }: SolverData, group: Group): number {
+/** Before the first of several sweeps over velocities or, with `isPush`, positions. */
+export function beginGradients(data: SolverData, group: Group, isPush: boolean): void {
+  const { joints } = data.joints;
+  findMovers(data, group);
+  rowCount = 0;
+  for (let k = group.start; k < group.end; k += 1) {
+    const joint = joints[k]!;
+    const { rows } = joint.layout;
+    makeRoom(3 * moverCount + rowCount + rows);
+    for (let row = 0; row < rows; row += 1) {
+      const at = isPush ? pushAt(joint, row) : impulseAt(joint, row);
+      places[rowCount] = joint.kernel === POINT ? -1 - at : at;
+      rowCount += 1;
+    }
+  }
+  areKnown = false;
+  hasDirection = false;
+}
+
+/** @returns how many bodies of the group can move. */
+export function findMovers({ joints: data, bodyCount, velocity: v }: SolverData, group: Group): number {
   const { joints, bodies } = data;
   if (found.length < bodyCount) found = new Int32Array(grown(bodyCount));
   call += 1;
   moverCount = 0;
-  let rows = 0;
   for (let k = group.start; k < group.end; k += 1) {
     const { first, layout } = joints[k]!;
-    rows += layout.rows;
-    makeRoom(3 * (moverCount + layout.members) + rows);
+    makeRoom(3 * (moverCount + layout.members));
     for (let m = first; m < first + layout.members; m += 1) {
       const b = bodies[m]!;
       const slot = b / d.BODY_STRIDE;
@@ -54,41 +87,40 @@ export function beginGradients({ joints: data, bodyCount, velocity: v }: SolverD
       }
     }
   }
-  hasDirection = false;
   return moverCount;
 }
 
 function makeRoom(count: number): void {
   if (start.length < count) {
     const size = grown(count);
-    const before = movers;
-    movers = new Int32Array(size);
-    movers.set(before);
-    const known = masses;
-    masses = new Float64Array(2 * size);
-    masses.set(known);
+    movers = widened(movers, new Int32Array(size));
+    masses = widened(masses, new Float64Array(2 * size));
+    places = widened(places, new Int32Array(size));
+    constants = new Float64Array(size);
     start = new Float64Array(size);
     direction = new Float64Array(size);
   }
 }
 
+/** A mass; 0 of what does not move. */
+function inverse(inverseMass: number): number {
+  return inverseMass > 0 ? 1 / inverseMass : 0;
+}
+
 /** Before each sweep. */
-export function noteStart(data: SolverData, group: Group, isPush: boolean): void {
-  const v = isPush ? data.motion : data.velocity;
-  const { joints } = data.joints;
+export function noteStart({ velocity, motion, points, joints }: SolverData, isPush: boolean): void {
+  const v = isPush ? motion : velocity;
+  const { records } = joints;
   let n = 0;
   for (let m = 0; m < moverCount; m += 1, n += 3) {
-    const b = movers[m]!;
+    const b = movers[m]! & d.OFFSET;
     start[n] = v[b]!;
     start[n + 1] = v[b + 1]!;
     start[n + 2] = v[b + 2]!;
   }
-  for (let k = group.start; k < group.end; k += 1) {
-    const joint = joints[k]!;
-    const numbers = numbersOf(data, joint);
-    for (let row = 0; row < joint.layout.rows; row += 1, n += 1) {
-      start[n] = numbers[isPush ? pushAt(joint, row) : impulseAt(joint, row)]!;
-    }
+  for (let row = 0; row < rowCount; row += 1, n += 1) {
+    const at = places[row]!;
+    start[n] = at < 0 ? points[-1 - at]! : records[at]!;
   }
 }
 
@@ -100,12 +132,13 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
   if (!(changed > JOINT_STILL * (sums[KINETIC]! + JOINT_STILL * sums[MASS]!))) {
     return false;
   }
-  turn(data, group, isPush, hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0);
+  if (!areKnown) findConstants(data, group, isPush);
+  turn(data, v, hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0);
   const far = -sums[SLOPE]! / sums[SQUARE]!;
   // Where bounds hold it back it is none: the next sweep begins anew where this one ended.
   hasDirection = far > 0 && sums[SQUARE]! > GRADIENT_LOST * changed;
   if (hasDirection) {
-    follow(data, group, isPush, far);
+    follow(data, v, far);
   }
   return true;
 }
@@ -143,10 +176,29 @@ function measureChange(v: Float64Array): void {
   sums[MASS] = total;
 }
 
+/** Angles within bounds have to meet the one that holds them. */
+function findConstants({ joints: data, points }: SolverData, group: Group, isPush: boolean): void {
+  const { joints, records: r } = data;
+  let n = 0;
+  for (let k = group.start; k < group.end; k += 1) {
+    const { kernel, at, slot, layout } = joints[k]!;
+    for (let row = 0; row < layout.rows; row += 1, n += 1) {
+      if (kernel === POINT) {
+        constants[n] = isPush ? points[recordAt(slot, POINT_STRIDE) + OFFSET_X + 2 * row]! : 0;
+      } else if (kernel === TURN) {
+        const bound = r[at + (r[at + TURN_PUSH]! > 0 ? TURN_LOWER : TURN_UPPER)]!;
+        constants[n] = isPush ? r[at + TURN_VALUE]! - bound : r[at + TURN_BIAS]!;
+      } else {
+        constants[n] = r[at + (isPush ? layout.error : layout.bias) + row]!;
+      }
+    }
+  }
+  areKnown = true;
+}
+
 /** The direction: what the sweep changed, less such a share of the direction before. Its energy, and how the energy of the error changes along it. */
-function turn(data: SolverData, group: Group, isPush: boolean, share: number): void {
-  const v = isPush ? data.motion : data.velocity;
-  const { joints } = data.joints;
+function turn({ points, joints }: SolverData, v: Float64Array, share: number): void {
+  const { records } = joints;
   let slope = 0;
   let square = 0;
   let n = 0;
@@ -163,41 +215,31 @@ function turn(data: SolverData, group: Group, isPush: boolean, share: number): v
     direction[n + 1] = py;
     direction[n + 2] = pw;
   }
-  for (let k = group.start; k < group.end; k += 1) {
-    const joint = joints[k]!;
-    const numbers = numbersOf(data, joint);
-    for (let row = 0; row < joint.layout.rows; row += 1, n += 1) {
-      const at = isPush ? pushAt(joint, row) : impulseAt(joint, row);
-      direction[n] = numbers[at]! - start[n]! - share * direction[n]!;
-      if (isPush || joint.kernel !== POINT) slope += direction[n]! * numbers[constantAt(joint, row, isPush)]!;
-      if (isPush && joint.kernel === TURN) slope -= direction[n]! * numbers[boundAt(data, joint)]!;
-    }
+  for (let row = 0; row < rowCount; row += 1, n += 1) {
+    const at = places[row]!;
+    const now = at < 0 ? points[-1 - at]! : records[at]!;
+    const change = now - start[n]! - share * direction[n]!;
+    direction[n] = change;
+    slope += change * constants[row]!;
   }
   sums[SLOPE] = slope;
   sums[SQUARE] = square;
 }
 
 /** Goes so many times the direction from where the sweep began. */
-function follow(data: SolverData, group: Group, isPush: boolean, far: number): void {
-  const v = isPush ? data.motion : data.velocity;
-  const { joints } = data.joints;
+function follow({ points, joints }: SolverData, v: Float64Array, far: number): void {
+  const { records } = joints;
   let n = 0;
   for (let m = 0; m < moverCount; m += 1, n += 3) {
-    const b = movers[m]!;
+    const b = movers[m]! & d.OFFSET;
     v[b] = start[n]! + far * direction[n]!;
     v[b + 1] = start[n + 1]! + far * direction[n + 1]!;
     v[b + 2] = start[n + 2]! + far * direction[n + 2]!;
   }
-  for (let k = group.start; k < group.end; k += 1) {
-    const joint = joints[k]!;
-    const numbers = numbersOf(data, joint);
-    for (let row = 0; row < joint.layout.rows; row += 1, n += 1) {
-      numbers[isPush ? pushAt(joint, row) : impulseAt(joint, row)] = start[n]! + far * direction[n]!;
-    }
+  for (let row = 0; row < rowCount; row += 1, n += 1) {
+    const at = places[row]!;
+    const next = start[n]! + far * direction[n]!;
+    if (at < 0) points[-1 - at] = next;
+    else records[at] = next;
   }
-}
-
-/** A mass; 0 of what does not move. */
-function inverse(inverseMass: number): number {
-  return inverseMass > 0 ? 1 / inverseMass : 0;
 }

@@ -4,7 +4,6 @@ import {
   CARRY,
   IMPULSE_X,
   KEPT_IMPULSE_X,
-  OFFSET_X,
   POINT,
   POINT_CARRY,
   POINT_SNAPS,
@@ -12,12 +11,8 @@ import {
   PUSH_X,
   SNAPS,
   TURN,
-  TURN_BIAS,
   TURN_IMPULSE,
-  TURN_LOWER,
   TURN_PUSH,
-  TURN_UPPER,
-  TURN_VALUE,
 } from './joint-layout.js';
 import { BODY_STRIDE, MEMBER } from './layout.js';
 
@@ -41,22 +36,6 @@ export function pushAt({ kernel, at, slot, layout }: Joint, row: number): number
     return recordAt(slot, POINT_STRIDE) + PUSH_X + 2 * row;
   }
   return at + (kernel === TURN ? TURN_PUSH : layout.push) + row;
-}
-
-/** What a row is to meet besides velocities, of which points have nothing, or besides motion: of angles the angle, less the bound. */
-export function constantAt({ kernel, at, slot, layout }: Joint, row: number, isPush: boolean): number {
-  if (kernel === POINT) {
-    return recordAt(slot, POINT_STRIDE) + OFFSET_X + 2 * row;
-  }
-  if (kernel === TURN) {
-    return at + (isPush ? TURN_VALUE : TURN_BIAS);
-  }
-  return at + (isPush ? layout.error : layout.bias) + row;
-}
-
-/** The bound of an angle that holds it. */
-export function boundAt({ joints: { records: r } }: SolverData, { at }: Joint): number {
-  return at + (r[at + TURN_PUSH]! > 0 ? TURN_LOWER : TURN_UPPER);
 }
 
 export function carryAt({ kernel, at, slot }: Joint): number {

@@ -26,7 +26,7 @@ import {
 import { recordAt, type SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint } from './joint-data.js';
 import { mayMakeEnergy } from './joint-energy.js';
-import { beginGradients } from './joint-gradients.js';
+import { findMovers } from './joint-gradients.js';
 import { hasHub } from './joint-hubs.js';
 import {
   CUSTOM,
@@ -123,7 +123,7 @@ function mayBeFirm(data: SolverData, group: Group): boolean {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
     }
   }
-  return may && isHeld && (count <= FIRM_ALWAYS || rows >= FIRM_ROWS * beginGradients(data, group));
+  return may && isHeld && (count <= FIRM_ALWAYS || rows >= FIRM_ROWS * findMovers(data, group));
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */

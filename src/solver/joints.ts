@@ -241,9 +241,9 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
 
 /** Sweeps over what touches nothing, so that iterations are none of its business. */
 function solveFirmly(data: SolverData, group: Group): void {
-  beginGradients(data, group);
+  beginGradients(data, group, false);
   for (let sweep = 0; sweep < group.sweeps; sweep += 1) {
-    noteStart(data, group, false);
+    noteStart(data, false);
     sweepOver(data, group, sweep, true, solveVelocityRun);
     if (sweep < group.sweeps - 1 && !goOn(data, group, false)) {
       return;
@@ -305,7 +305,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   const { worst } = data.joints;
   linearise(data, group);
   const isBegun = before === 0 && group.isBeside;
-  if (group.isFirm) beginGradients(data, group);
+  if (group.isFirm) beginGradients(data, group, true);
   if (isBegun && group.pushed === 0) {
     return false;
   }
@@ -316,7 +316,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     worst[0] = 0;
     worst[1] = 0;
     const goesOn = group.isFirm && isLinear && group.pushed < FIRM_ERROR * FIRM_ERROR;
-    if (goesOn) noteStart(data, group, true);
+    if (goesOn) noteStart(data, true);
     const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushFurther : pushRun);
     if (!isLinear) {
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
