@@ -38,7 +38,7 @@ let start = new Float64Array(0);
 let direction = new Float64Array(0);
 let hasDirection = false;
 
-/** Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. */
+/** Scratch, as results would be boxed. Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. */
 const sums = new Float64Array(6);
 const KINETIC = 0;
 const CHANGED = 1;
@@ -133,12 +133,11 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
     return false;
   }
   if (!areKnown) findConstants(data, group, isPush);
-  turn(data, v, hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0);
-  const far = -sums[SLOPE]! / sums[SQUARE]!;
+  turn(data, v);
   // Where bounds hold it back it is none: the next sweep begins anew where this one ended.
-  hasDirection = far > 0 && sums[SQUARE]! > GRADIENT_LOST * changed;
+  hasDirection = sums[SLOPE]! < 0 && sums[SQUARE]! > GRADIENT_LOST * changed;
   if (hasDirection) {
-    follow(data, v, far);
+    follow(data, v);
   }
   return true;
 }
@@ -196,9 +195,10 @@ function findConstants({ joints: data, points }: SolverData, group: Group, isPus
   areKnown = true;
 }
 
-/** The direction: what the sweep changed, less such a share of the direction before. Its energy, and how the energy of the error changes along it. */
-function turn({ points, joints }: SolverData, v: Float64Array, share: number): void {
+/** The direction: what the sweep changed, less what of it is along the direction before. Its energy, and how the energy of the error changes along it. */
+function turn({ points, joints }: SolverData, v: Float64Array): void {
   const { records } = joints;
+  const share = hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0;
   let slope = 0;
   let square = 0;
   let n = 0;
@@ -226,9 +226,10 @@ function turn({ points, joints }: SolverData, v: Float64Array, share: number): v
   sums[SQUARE] = square;
 }
 
-/** Goes so many times the direction from where the sweep began. */
-function follow({ points, joints }: SolverData, v: Float64Array, far: number): void {
+/** Goes from where the sweep began to the least energy along the direction. */
+function follow({ points, joints }: SolverData, v: Float64Array): void {
   const { records } = joints;
+  const far = -sums[SLOPE]! / sums[SQUARE]!;
   let n = 0;
   for (let m = 0; m < moverCount; m += 1, n += 3) {
     const b = movers[m]! & d.OFFSET;
