@@ -34,11 +34,11 @@ export const SPRING_TURN = 0.1;
 export const FEW_JOINTS = 64;
 
 /**
- * So many joints that hang together and touch nothing are solved to their end, where they leave little to move: FIRM_ROWS rows or more for each body with its three, as in scissors and trains of gears, where the errors of
- * all joints add up at the end. FIRM_ALWAYS joints and fewer always are. It takes up to ten times as long as sweeps do.
+ * So many joints that hang together are solved to their end where they leave little to move: FIRM_ROWS rows or more for each body with its three, as in scissors and trains of gears, where the errors of all joints add up at
+ * the end. FIRM_FEW joints and fewer are while they touch nothing. It takes up to ten times as long as sweeps do.
  */
 export const FIRM_JOINTS = 32;
-export const FIRM_ALWAYS = 4;
+export const FIRM_FEW = 4;
 export const FIRM_ROWS = 2.5;
 
 /** They are swept over so often, or until a sweep changes less than such a share of their energy: below it rounding decides. */
@@ -49,9 +49,9 @@ export const JOINT_STILL = 1e-12;
 export const GRADIENT_LOST = 1e-10;
 
 /** m, rad. Only while errors are smaller: linear solutions of larger ones, solved to their end, make energy of large turns. */
-export const FIRM_ERROR = 0.004;
+export const FIRM_ERROR = 0.01;
 
-/** Steps without a contact before it: a bridge that is firm while a crate is in the air, and not when it lands, would fling it up for ever. */
+/** Steps without a contact before it, of the few: a bridge that is firm while a crate is in the air, and not when it lands, would fling it up for ever. */
 export const FIRM_STEPS = 60;
 
 /** The most sweeps in a sub-step. */

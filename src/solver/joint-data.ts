@@ -74,8 +74,10 @@ export class Group {
   /** … and which of its joints, but in the last sweep. */
   from = 0;
   to = 0;
-  /** One of the bodies is in contact. */
+  /** One of the bodies is in contact … */
   touched = false;
+  /** … with another one of them; known of mechanisms. */
+  touchesItself = false;
   /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
   isDriven = false;
   /** Hz. That of the hardest of its springs. */
@@ -98,9 +100,11 @@ export class Group {
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */
   burdened = false;
-  /** They are few and bear something, so that they may be solved to their end, see `joint-gradients.ts`, … */
-  mayBeFirm = false;
-  /** … not before they touched nothing for so many steps … */
+  /** They leave little to move, and so are solved to their end, see `joint-gradients.ts`; … */
+  isMechanism = false;
+  /** … or are very few that hang on something still, and so are … */
+  areVeryFew = false;
+  /** … once they touched nothing for so many steps; … */
   untouched = FIRM_STEPS;
   /** … and in this sub-step they are. */
   isFirm = false;

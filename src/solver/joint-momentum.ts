@@ -27,7 +27,8 @@ export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
-  const touching = hasLoad || hasBeams(joints, group) ? findTouching(data, group) : 0;
+  const touching = hasLoad || group.isMechanism || hasBeams(joints, group) ? findTouching(data, group) : 0;
+  group.touchesItself = (touching & ITSELF) !== 0;
   const isPressed = hasLoad && (touching & HEAVIER) !== 0;
   const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
   for (let k = group.start; k < group.end; k += 1) {

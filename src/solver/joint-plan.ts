@@ -1,7 +1,7 @@
 import {
   FEW_JOINTS,
-  FIRM_ALWAYS,
   FIRM_ERROR,
+  FIRM_FEW,
   FIRM_JOINTS,
   FIRM_ROWS,
   FIRM_STEPS,
@@ -99,7 +99,7 @@ function weigh(data: SolverData, group: Group): void {
   if (isDue) {
     group.burdened = isBurdened(data, group);
     group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
-    group.mayBeFirm = mayBeFirm(data, group);
+    weighFirmness(data, group);
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
@@ -107,8 +107,8 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-/** What hangs on something that does not move, and bears its load: what flies freely bears none. Where impulses break joints sweeps are not to try any. */
-function mayBeFirm(data: SolverData, group: Group): boolean {
+/** Where impulses break joints sweeps are not to try any; and the few have to bear something. */
+function weighFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
   const count = end - start;
@@ -123,7 +123,8 @@ function mayBeFirm(data: SolverData, group: Group): boolean {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
     }
   }
-  return may && isHeld && (count <= FIRM_ALWAYS || rows >= FIRM_ROWS * findMovers(data, group));
+  group.isMechanism = may && rows >= FIRM_ROWS * findMovers(data, group);
+  group.areVeryFew = may && isHeld && count <= FIRM_FEW;
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
@@ -222,7 +223,8 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
   const isNear = group.error < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
-  group.isFirm = group.mayBeFirm && group.untouched === FIRM_STEPS && isNear;
+  const isMechanism = group.isMechanism && !(group.touched && group.touchesItself);
+  group.isFirm = isNear && (isMechanism || (group.areVeryFew && group.untouched === FIRM_STEPS));
   if (group.isFirm) {
     group.sweeps = Math.max(group.sweeps, FIRM_SWEEPS);
   }

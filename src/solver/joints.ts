@@ -230,7 +230,8 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
   const { sweeps } = group;
   const last = sweeps - 1;
   if (group.isFirm) {
-    if (i === count - 1) solveFirmly(data, group);
+    // What touches nothing has it once, as nothing changes in between.
+    if (group.touched || i === count - 1) solveFirmly(data, group);
     return;
   }
   const after = Math.floor(((i + 1) * sweeps) / count);
@@ -239,7 +240,7 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
   }
 }
 
-/** Sweeps over what touches nothing, so that iterations are none of its business. */
+/** Sweeps until nothing changes any more. */
 function solveFirmly(data: SolverData, group: Group): void {
   beginGradients(data, group, false);
   for (let sweep = 0; sweep < group.sweeps; sweep += 1) {

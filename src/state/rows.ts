@@ -334,7 +334,8 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.toAndFro = tape.flag(group.toAndFro);
   group.burdened = tape.flag(group.burdened);
   group.mayGain = tape.flag(group.mayGain);
-  group.mayBeFirm = tape.flag(group.mayBeFirm);
+  group.isMechanism = tape.flag(group.isMechanism);
+  group.areVeryFew = tape.flag(group.areVeryFew);
   group.untouched = tape.integer(group.untouched, 0, FIRM_STEPS);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.span = tape.number(group.span);
