@@ -41,6 +41,9 @@ export const FIRM_JOINTS = 32;
 export const FIRM_FEW = 4;
 export const FIRM_ROWS = 2.5;
 
+/** So many of their bodies may touch something: more do in heaps, where welded frames would take ten times as long, and come to rest later. */
+export const FIRM_FEET = 2;
+
 /** They are swept over so often, or until a sweep changes less than such a share of their energy: below it rounding decides. */
 export const FIRM_SWEEPS = 32;
 export const JOINT_STILL = 1e-12;

@@ -76,8 +76,8 @@ export class Group {
   to = 0;
   /** One of the bodies is in contact … */
   touched = false;
-  /** … with another one of them; known of mechanisms. */
-  touchesItself = false;
+  /** … but so few that it stands on something, rather than lies in a heap; known of mechanisms. */
+  stands = false;
   /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
   isDriven = false;
   /** Hz. That of the hardest of its springs. */
@@ -100,11 +100,11 @@ export class Group {
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */
   burdened = false;
-  /** They leave little to move, and so are solved to their end, see `joint-gradients.ts`; … */
+  /** They leave little to move, and if they stand on something … */
   isMechanism = false;
-  /** … or are very few that hang on something still, and so are … */
-  areVeryFew = false;
-  /** … once they touched nothing for so many steps; … */
+  /** … or hang on something still they are solved to their end, see `joint-gradients.ts`; … */
+  isHeld = false;
+  /** … if they are only very few once they touched nothing for so many steps; … */
   untouched = FIRM_STEPS;
   /** … and in this sub-step they are. */
   isFirm = false;

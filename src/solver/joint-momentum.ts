@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, STRAIN_SPEED } from '../config.js';
-import { HEAVY, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config-joints.js';
+import { FIRM_FEET, HEAVY, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
@@ -28,7 +28,7 @@ export function steadyTouched(data: SolverData, group: Group): void {
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
   const touching = hasLoad || group.isMechanism || hasBeams(joints, group) ? findTouching(data, group) : 0;
-  group.touchesItself = (touching & ITSELF) !== 0;
+  group.stands = group.isMechanism && (touching & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
   const isPressed = hasLoad && (touching & HEAVIER) !== 0;
   const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
   for (let k = group.start; k < group.end; k += 1) {
@@ -98,6 +98,24 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
 /** Whether something is in its way that is none of its bodies, and nothing far heavier lies on one: a wrecking ball that its last link reaches into does not lie on that. */
 export function isBlocked(data: SolverData, group: Group): boolean {
   return (findTouching(data, group) & (OTHERS | HEAVIER)) === OTHERS;
+}
+
+/** How many of the bodies of a group are in contact: three at most. */
+function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start, end }: Group): number {
+  let one = 0;
+  let two = 0;
+  for (let k = start; k < end; k += 1) {
+    const { first, layout } = joints[k]!;
+    for (let n = first; n < first + layout.members; n += 1) {
+      const b = bodies[n]!;
+      if (drive[b + TOUCHED] === 1 && b !== one && b !== two) {
+        if (two > 0) return 3;
+        two = one;
+        one = b;
+      }
+    }
+  }
+  return two > 0 ? 2 : one > 0 ? 1 : 0;
 }
 
 /** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, or each other, so deeply that they are pushed apart. */

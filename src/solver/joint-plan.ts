@@ -107,24 +107,25 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-/** Where impulses break joints sweeps are not to try any; and the few have to bear something. */
+/** What is welded together counts as one body. Where impulses break joints sweeps are not to try any. */
 function weighFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
-  const count = end - start;
-  let may = count > 1 && count <= FIRM_JOINTS && frequency === 0;
+  let may = end - start > 1 && end - start <= FIRM_JOINTS && frequency === 0;
   let isHeld = false;
   let rows = 0;
+  let welds = 0;
   for (let k = start; k < end && may; k += 1) {
     const { constraint, kernel, first, layout } = joints[k]!;
     may = kernel !== CUSTOM && !constraint.breakUnderForce;
-    rows += layout.rows - (constraint.bounded && constraint.lower < constraint.upper ? 1 : 0);
+    welds += layout.rows === 3 ? 1 : 0;
+    rows += layout.rows === 3 ? 0 : layout.rows - (constraint.bounded && constraint.lower < constraint.upper ? 1 : 0);
     for (let m = first; m < first + layout.members; m += 1) {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
     }
   }
-  group.isMechanism = may && rows >= FIRM_ROWS * findMovers(data, group);
-  group.areVeryFew = may && isHeld && count <= FIRM_FEW;
+  group.isMechanism = may && rows > 0 && rows >= FIRM_ROWS * (findMovers(data, group) - welds);
+  group.isHeld = may && isHeld;
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
@@ -223,8 +224,7 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
   const isNear = group.error < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
-  const isMechanism = group.isMechanism && !(group.touched && group.touchesItself);
-  group.isFirm = isNear && (isMechanism || (group.areVeryFew && group.untouched === FIRM_STEPS));
+  group.isFirm = isNear && mayBeFirm(group);
   if (group.isFirm) {
     group.sweeps = Math.max(group.sweeps, FIRM_SWEEPS);
   }
@@ -239,4 +239,11 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
     group.from = first - margin;
     group.to = after + margin;
   }
+}
+
+function mayBeFirm({ touched, stands, isHeld, isMechanism, start, end, untouched }: Group): boolean {
+  if (touched) {
+    return isMechanism && stands;
+  }
+  return isHeld && (isMechanism || (end - start <= FIRM_FEW && untouched === FIRM_STEPS));
 }

@@ -335,7 +335,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.burdened = tape.flag(group.burdened);
   group.mayGain = tape.flag(group.mayGain);
   group.isMechanism = tape.flag(group.isMechanism);
-  group.areVeryFew = tape.flag(group.areVeryFew);
+  group.isHeld = tape.flag(group.isHeld);
   group.untouched = tape.integer(group.untouched, 0, FIRM_STEPS);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
   group.span = tape.number(group.span);
