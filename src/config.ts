@@ -199,9 +199,6 @@ export const DEEPER_CARRIED = 1e-5;
 /** m. Static shapes whose faces differ by no more than this are one surface for what slides over them; less catches on real tiles. */
 export const FLUSH_TOLERANCE = 5e-4;
 
-/** Cosine. A normal within 8° of a static face is that face's, for what slides over it: a body does not lie on it perfectly flat. */
-export const FACE_ALIGNMENT = 0.99;
-
 /** How often friction and normals of an impact are solved at most, by turns … */
 export const IMPACT_ITERATIONS = 10;
 

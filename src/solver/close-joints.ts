@@ -3,7 +3,6 @@ import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config-joints.js';
-import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
@@ -139,32 +138,12 @@ function isGoneInto(shape: Shape): boolean {
   return false;
 }
 
-/**
- * Joints with something immovable are left as they are, as these would drag bodies through a wall at once, and so are those whose own bodies lie in each other's
- * way.
- */
+/** Joints with something immovable are left as they are, as these would drag bodies through a wall at once. */
 function mayClose({ constraint }: Joint): boolean {
-  return constraint.members.every(canBeMoved) && !hasContact(constraint);
+  return constraint.members.every(canBeMoved);
 }
 
 function canBeMoved(body: RigidBody): boolean {
   body.refreshMass();
   return body.kind === DYNAMIC && body.mass > 0 && body.mass < Infinity;
-}
-
-/** Between its own bodies; the last one has none with itself. */
-function hasContact({ members }: Constraint): boolean {
-  for (let i = 0; i + 1 < members.length; i += 1) {
-    const { shapes } = members[i]!;
-    for (let k = 0; k < shapes.length; k += 1) {
-      const { arbiters } = shapes[k]!;
-      for (let n = 0; n < arbiters.length; n += 1) {
-        const pair = arbiters[n]!;
-        if (pair.isSolved() && members.includes(pair.shapeA.owner!) && members.includes(pair.shapeB.owner!)) {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
 }

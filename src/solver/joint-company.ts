@@ -1,4 +1,3 @@
-import { BOUNCE_THRESHOLD } from '../config.js';
 import { grown } from '../math/doubles.js';
 import type { World } from '../world.js';
 import { type ContactBatch, recordAt, type SolverData } from './data.js';
@@ -39,7 +38,6 @@ export function findCompanies({ solver, liveDynamics }: World): void {
   joinTouching(solver.one, liveDynamics.length);
   joinTouching(solver.two, liveDynamics.length);
   joinTied(solver, liveDynamics.length);
-  noteBouncing(solver);
   for (let slot = liveDynamics.length; slot > 0; slot -= 1) {
     const root = rootOf(slot);
     driven[root] = driven[root]! | driven[slot]!;
@@ -109,24 +107,6 @@ function joinTied({ joints: { joints, bodies } }: SolverData, dynamics: number):
       const slot = bodies[n]! / d.BODY_STRIDE;
       join(bodies[from]! / d.BODY_STRIDE, slot, dynamics);
       if (constraint.drives) driven[slot] = 1;
-    }
-  }
-  driven[0] = 0;
-}
-
-/** What bounces may have its energy back no sooner than in the next step. */
-function noteBouncing({ bounces: { count, bodies, arms, elasticity }, velocity: v }: SolverData): void {
-  for (let i = 0; i < count; i += 1) {
-    const a = bodies[2 * i]!;
-    const b = bodies[2 * i + 1]!;
-    const speed =
-      arms[4 * i]! * (v[b + d.VX]! - v[a + d.VX]!) +
-      arms[4 * i + 1]! * (v[b + d.VY]! - v[a + d.VY]!) +
-      arms[4 * i + 3]! * v[b + d.W]! -
-      arms[4 * i + 2]! * v[a + d.W]!;
-    if (elasticity[i]! > 1 || Math.abs(speed) > BOUNCE_THRESHOLD) {
-      driven[a / d.BODY_STRIDE] = 1;
-      driven[b / d.BODY_STRIDE] = 1;
     }
   }
   driven[0] = 0;

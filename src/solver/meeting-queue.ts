@@ -46,22 +46,12 @@ export class MeetingQueue {
   /** In the order in which they were found. What lies beyond the count is for later. */
   readonly all: Meeting[] = [];
   count = 0;
-  /** Pairs of shapes that are looked at when all others have been. */
-  readonly postponed: Shape[] = [];
-  postponedCount = 0;
   private readonly heap: Meeting[] = [];
   private size = 0;
 
   clear(): void {
     this.count = 0;
-    this.postponedCount = 0;
     this.size = 0;
-  }
-
-  postpone(a: Shape, b: Shape): void {
-    this.postponed[this.postponedCount] = a;
-    this.postponed[this.postponedCount + 1] = b;
-    this.postponedCount += 2;
   }
 
   /** A meeting of two shapes that is not among the others until it is added. */

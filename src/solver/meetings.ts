@@ -72,7 +72,6 @@ export function findMeetings(world: World, depth: number): void {
   for (let i = 0; i < count && movers.ways.count > 0 && !isIdle; i += 1) {
     meetWays(world, i, depth);
   }
-  lookAtBouncing(world, depth);
 }
 
 /** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves, of the first `count` movers. */
@@ -249,9 +248,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
   if ((waits && !pair!.is(ACCEPTED)) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
-  if (movers.ahead > 0 && !waits && bounces(pair, a, b)) {
-    movers.meetings.postpone(a, b);
-  } else {
+  if (movers.ahead === 0 || waits || !bounces(pair, a, b)) {
     look(world, meeting, depth, waits);
   }
 }
@@ -323,19 +320,6 @@ function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
 /** Whether what meets bounces, as their materials say. */
 function areElastic(a: Shape, b: Shape): boolean {
   return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
-}
-
-/** What will bounce is not foreseen. It only matters if it comes before something else that the same body meets. */
-function lookAtBouncing(world: World, depth: number): void {
-  const { movers } = world;
-  const { postponed, postponedCount } = movers.meetings;
-  for (let i = 0; i < postponedCount; i += 2) {
-    const a = postponed[i]!;
-    const b = postponed[i + 1]!;
-    if (movers.of(a.owner!).meetings !== null || movers.of(b.owner!).meetings !== null) {
-      look(world, movers.meetings.draft(a, b), depth, false);
-    }
-  }
 }
 
 function add({ movers }: World, meeting: Meeting): void {

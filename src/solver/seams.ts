@@ -5,7 +5,7 @@ import { polygonContains } from '../collide/contains.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { endOfEdges } from '../collide/polygons.js';
-import { FACE_ALIGNMENT, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
+import { FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../contact/bits.js';
 import { touch, touchAlong } from '../contact/touch.js';
@@ -25,9 +25,6 @@ const SAME_DIRECTION = 1 - 1e-10;
 
 /** Cosine of the angle by which a face may differ from a contact that it is to replace. */
 const LOOKS = -0.2;
-
-/** m. What is so near to a corner of a ground is with that. */
-const CORNER = 4 * FLUSH_TOLERANCE;
 
 /** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
 const CLEAR = 2 * FLUSH_TOLERANCE;
@@ -90,10 +87,7 @@ export function smoothSeams(world: World): void {
       aroundCount += 1;
     }
     for (let pair = grounds; pair !== null; pair = pair.next) {
-      if (isHidden(world, pair)) smooth(world, pair);
-    }
-    for (let pair = grounds; pair !== null; pair = pair.next) {
-      if (isBelowOther(world, pair)) smooth(world, pair);
+      if (isHidden(world, pair)) smooth(pair);
     }
   }
   straddling.clear();
@@ -103,31 +97,18 @@ export function smoothSeams(world: World): void {
  * Turns a contact to the direction `up`. What is only near is let go where another ground carries the shape in that direction already: turned, it would meet a surface
  * that it does not touch, and part from it in the next step.
  */
-function smooth(world: World, pair: Arbiter): void {
-  const { x, y } = up;
+function smooth(pair: Arbiter): void {
+  const ground = groundOf(pair);
   for (let other = dynamicOf(pair).grounds; other !== null && pair.is(NEAR); other = other.next) {
-    if (other !== pair && other.count > 0 && other.isSolved() && moveAlike(groundOf(pair), groundOf(other))) {
-      findFace(world, other);
-      if (up.x * x + up.y * y >= SAME_DIRECTION && !standsOut(groundOf(other), groundOf(pair))) {
-        pair.unmark(NEAR);
-        return;
-      }
+    const carrier = groundOf(other);
+    const bears = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
+    if (bears && carriesUp(other) && !standsOut(carrier, ground)) {
+      pair.unmark(NEAR);
+      return;
     }
   }
-  up.x = x;
-  up.y = y;
   turn(pair);
   if (pair.count === 0) pair.unmark(NEAR);
-}
-
-/** Whether a ground does not stand out of the face of any other that its shape lies on. */
-function isBelowOther(world: World, pair: Arbiter): boolean {
-  for (let other = dynamicOf(pair).grounds; other !== null && pair.count > 0; other = other.next) {
-    if (other !== pair && other.count > 0 && isBelow(world, pair, other)) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /** Whether neither moves against the other in this step, as far as is told at once. */
@@ -215,49 +196,10 @@ function turn(pair: Arbiter): void {
   touchAlong(pair);
 }
 
-/**
- * Whether a ground does not stand out of the face of another that the same shape lies on. Then it can only carry the shape in the same direction:
- * all that the two overlap by lies beyond that face, and is no deeper.
- */
-function isBelow(world: World, pair: Arbiter, other: Arbiter): boolean {
-  findFace(world, other);
-  return !carriesUp(pair) && !standsOut(groundOf(other), groundOf(pair));
-}
-
 /** Whether a contact has the direction that was found. */
 function carriesUp(pair: Arbiter): boolean {
   const { numbers: n, at: o } = pair;
   return signOf(pair) * (up.x * n[o + g.NX]! + up.y * n[o + g.NY]!) >= SAME_DIRECTION;
-}
-
-/** The direction in which a ground carries a shape: that of the face that it lies on, even if not perfectly flat. */
-function findFace(world: World, pair: Arbiter): void {
-  const { numbers: n, at: o } = pair;
-  const sign = signOf(pair);
-  const ground = groundOf(pair);
-  up.x = sign * n[o + g.NX]!;
-  up.y = sign * n[o + g.NY]!;
-  if (ground.kind === POLYGON && dynamicOf(pair).kind === POLYGON) {
-    const { numbers: edges, at } = ground;
-    const end = endOfEdges(ground);
-    let nearest = -1;
-    for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
-      const cosine = edges[k + 2]! * up.x + edges[k + 3]! * up.y;
-      if (cosine >= SAME_DIRECTION) {
-        return;
-      }
-      if (cosine > FACE_ALIGNMENT) {
-        nearest = k;
-      }
-    }
-    if (nearest >= 0) {
-      if (!areAllKnown) addNearby(world, pair);
-      if (isOpen(dynamicOf(pair), ground, nearest)) {
-        up.x = edges[nearest + 2]!;
-        up.y = edges[nearest + 3]!;
-      }
-    }
-  }
 }
 
 /** Whether a static shape stands out of another, upwards. */
@@ -313,16 +255,12 @@ function judge(pair: Arbiter, ground: Polygon): number {
   const { count, numbers: n, at: o } = pair;
   const sign = signOf(pair);
   let found = BURIED;
-  // Where no point is near it is the contact's own that `findOpenFace` asks about.
-  free.x = sign * n[o + g.NX]!;
-  free.y = sign * n[o + g.NY]!;
   findLeastSeparation(n, o);
   const least = leastSeparation[0]!;
   for (let at = o; at < o + count * g.POINT && found !== RIGHT; at += g.POINT) {
     const separation = n[g.S0 + at]!;
     findPoint(pair, at);
-    if ((separation < 0 || separation === least) && isNear(dynamicOf(pair), ground)) {
-      goToCorner(ground);
+    if (separation < 0 || separation === least) {
       free.x = sign * n[o + g.NX]!;
       free.y = sign * n[o + g.NY]!;
       free.begin();
@@ -336,31 +274,6 @@ function judge(pair: Arbiter, ground: Polygon): number {
     }
   }
   return found;
-}
-
-/** Whether `point` is about where a shape is: a long side that goes into it may be deepest far from it. */
-function isNear({ numbers: n, at }: Shape, { owner }: Shape): boolean {
-  const x = point.x + owner!.x;
-  const y = point.y + owner!.y;
-  return (
-    x > n[at]! - SPECULATIVE_MARGIN &&
-    y > n[at + 1]! - SPECULATIVE_MARGIN &&
-    x < n[at + 2]! + SPECULATIVE_MARGIN &&
-    y < n[at + 3]! + SPECULATIVE_MARGIN
-  );
-}
-
-/** Moves `point` to the corner of a ground that it is near. */
-function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
-  for (let k = at + EDGES + EDGE_STRIDE * (offsets.length - 1); k >= at + EDGES; k -= EDGE_STRIDE) {
-    const dx = edges[k]! - point.x;
-    const dy = edges[k + 1]! - point.y;
-    if (dx * dx + dy * dy < CORNER * CORNER) {
-      point.x = edges[k]!;
-      point.y = edges[k + 1]!;
-      return;
-    }
-  }
 }
 
 /** What the grounds around fill at `point`. */
