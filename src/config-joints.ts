@@ -106,11 +106,17 @@ export const JOINT_FAR_TURN = 0.001;
 export const JOINT_MOMENTUM = 0.999;
 
 /**
- * Share of that which is left there to welds and to angles of one value, and to what bears much, see STRAIN_SPEED. With 0 beams that lie on two piers gain energy
+ * Share of that which is left there to welds and to angles of one value, to what bears much, see STRAIN_SPEED, and to ropes. With 0 beams that lie on two piers gain energy
  * until they hop, as corrections lift for nothing what the velocities let sag, and heavy balls sink through the planks of a hinged bridge, which are lifted through
  * them; with 0.6 long beams tremble; with 1 more of them never fall asleep, and what is hit breaks as a whole.
  */
 export const TOUCHED_MOMENTUM = 0.8;
+
+/**
+ * So many joints that hang together and bear something heavy are a rope, whose joints make that share, too, unless they lie on what is as light: sweeps do not hand a load on from end to end of it, and what a rope over an edge
+ * or a peg lets sag would be lost without momentum, until it tears, from 200 times the mass of its links on. With fewer joints heaps of hammers would tremble, and heaps of flails if they were ropes among each other.
+ */
+export const ROPE_JOINTS = 5;
 
 /**
  * m. … unless none of its errors is larger and one of its bodies touches nothing: a pendulum on a tower that stands on the ground then keeps its height, and most hinged bridges with crates come to rest in 30 to 90 s

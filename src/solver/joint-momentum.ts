@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, STRAIN_SPEED } from '../config.js';
-import { FIRM_FEET, HEAVY, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config-joints.js';
+import { FIRM_FEET, HEAVY, ROPE_JOINTS, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
@@ -16,27 +16,30 @@ import { INV_MASS, MEMBER, TOUCHED } from './layout.js';
 const OTHERS = 1;
 const HEAVIER = 2;
 const ITSELF = 4;
+const ALIKE = 8;
 
 /**
  * Of a group that touches something. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
  * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle, unless what hangs together overlaps
- * itself, and those that bear much under a weight, still make the most of theirs, see TOUCHED_MOMENTUM. And where errors are as small as those of what swings freely, contacts undo nothing: there
- * joints make all of theirs that have a body which touches nothing.
+ * itself, those that bear much under a weight, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM. And where errors are as small as those of what swings freely,
+ * contacts undo nothing: there joints make all of theirs that have a body which touches nothing.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
-  const touching = hasLoad || group.isMechanism || hasBeams(joints, group) ? findTouching(data, group) : 0;
+  const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
+  const touching = hasLoad || isRope || group.isMechanism || hasBeams(joints, group) ? findTouching(data, group) : 0;
   group.stands = group.isMechanism && (touching & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
   const isPressed = hasLoad && (touching & HEAVIER) !== 0;
   const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
+  const isTaut = isRope && (touching & (ITSELF | ALIKE)) === 0;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
     if (isQuiet && reachesOut(data, joint)) {
       continue;
     }
-    if ((isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
+    if (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
       const numbers = numbersOf(data, joint);
       const carry = carryAt(joint);
       numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
@@ -118,7 +121,7 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
   return two > 0 ? 2 : one > 0 ? 1 : 0;
 }
 
-/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, or each other, so deeply that they are pushed apart. */
+/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart. */
 function findTouching(data: SolverData, group: Group): number {
   const { joints } = data.joints;
   let found = 0;
@@ -145,7 +148,8 @@ function touchingOf({ traits }: SolverData, { shapes, mass }: RigidBody): number
         continue;
       }
       if ((traits[other.slot]! & MEMBER) === 0) {
-        found |= other.kind === DYNAMIC && other.mass > HEAVY * mass ? OTHERS | HEAVIER : OTHERS;
+        found |= OTHERS;
+        if (other.kind === DYNAMIC && other.mass * HEAVY >= mass) found |= other.mass > HEAVY * mass ? HEAVIER : ALIKE;
       } else if (isPushed(pair)) {
         found |= ITSELF;
       }
