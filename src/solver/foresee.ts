@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { STATIC } from '../body-kind.js';
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
@@ -112,18 +113,30 @@ function foreseeFalling(world: World, body: RigidBody): void {
     mover.dx = vx;
     mover.dy = vy;
     mover.turn = w;
-    noteBounce(world, body);
+    goAlongContacts(world, mover, body);
     mover.foresee(body, movers);
   }
 }
 
-/** Notes if a body may not bounce. */
-function noteBounce({ movers }: World, { shapes, isBullet }: RigidBody): void {
+/** Takes from the velocity of a mover what goes into the static bodies that it touches; whatever does not bounce, or is a bullet in a contact whose elasticity a handler may have set, ends what `bouncy` says of the step. */
+function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, isBullet }: RigidBody): void {
   for (let i = 0; i < shapes.length; i += 1) {
-    const { material, arbiters } = shapes[i]!;
+    const { material, arbiters, groundStamp, grounds } = shapes[i]!;
     movers.bouncy &&= material.elasticity > 0;
     for (let k = 0; k < arbiters.length && isBullet && movers.bouncy; k += 1) {
       movers.bouncy = arbiters[k]!.fixed === 0;
+    }
+    for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.next) {
+      const isFirst = pair.bodyB.kind === STATIC;
+      if (pair.isSolid() && (isFirst || pair.bodyA.kind === STATIC)) {
+        const { numbers: n, at: o } = pair;
+        const sign = isFirst ? 1 : -1;
+        const into = sign * (mover.dx * n[o + g.NX]! + mover.dy * n[o + g.NY]!);
+        if (into > 0) {
+          mover.dx -= sign * into * n[o + g.NX]!;
+          mover.dy -= sign * into * n[o + g.NY]!;
+        }
+      }
     }
   }
 }

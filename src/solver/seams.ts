@@ -20,11 +20,14 @@ import { findNearby } from './nearby.js';
 // What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
 // may be the nearest way out of it, but it is no surface of the floor.
 
-/** Normals that differ by less than this cosine are different. */
+/** Normals whose cosine is no less are of one direction. */
 const SAME_DIRECTION = 1 - 1e-10;
 
 /** Cosine of the angle by which a face may differ from a contact that it is to replace. */
 const LOOKS = -0.2;
+
+/** m. What is so near to a corner of a ground is with that. */
+const CORNER = 4 * FLUSH_TOLERANCE;
 
 /** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
 const CLEAR = 2 * FLUSH_TOLERANCE;
@@ -75,7 +78,7 @@ export function noteGround(world: World, pair: Arbiter): void {
   shape.grounds = pair;
 }
 
-/** Looks at all contacts of shapes that lie on or near more than one static shape. */
+/** Looks at all contacts of shapes that lie on or near more than one static or kinematic shape. */
 export function smoothSeams(world: World): void {
   const { straddling } = world;
   for (let i = 0; i < straddling.count; i += 1) {
@@ -143,7 +146,7 @@ function addNearby(world: World, pair: Arbiter): void {
   const size = findNearby(world, bounds, groundOf(pair).owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;
-    if (carries(world, shape, other) && !isKnown(other, known)) {
+    if (bears(world, shape, other) && !isAround(other, known)) {
       around[aroundCount] = other;
       aroundCount += 1;
     }
@@ -152,7 +155,7 @@ function addNearby(world: World, pair: Arbiter): void {
 }
 
 /** Whether a shape stands still, and what touches it is not let through. */
-function carries(world: World, shape: Shape, other: Shape): boolean {
+function bears(world: World, shape: Shape, other: Shape): boolean {
   if (!standsStill(other) || other.sensor || !letsMeet(shape, other)) {
     return false;
   }
@@ -160,7 +163,7 @@ function carries(world: World, shape: Shape, other: Shape): boolean {
   return !pair?.active || pair.is(ACCEPTED);
 }
 
-function isKnown(shape: Shape, count: number): boolean {
+function isAround(shape: Shape, count: number): boolean {
   for (let i = 0; i < count; i += 1) {
     if (around[i] === shape) {
       return true;
@@ -261,6 +264,7 @@ function judge(pair: Arbiter, ground: Polygon): number {
     const separation = n[g.S0 + at]!;
     findPoint(pair, at);
     if (separation < 0 || separation === least) {
+      goToCorner(ground);
       free.x = sign * n[o + g.NX]!;
       free.y = sign * n[o + g.NY]!;
       free.begin();
@@ -274,6 +278,19 @@ function judge(pair: Arbiter, ground: Polygon): number {
     }
   }
   return found;
+}
+
+/** Moves `point` to the corner of a ground that it is near. */
+function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
+  for (let k = at + EDGES + EDGE_STRIDE * (offsets.length - 1); k >= at + EDGES; k -= EDGE_STRIDE) {
+    const dx = edges[k]! - point.x;
+    const dy = edges[k + 1]! - point.y;
+    if (dx * dx + dy * dy < CORNER * CORNER) {
+      point.x = edges[k]!;
+      point.y = edges[k + 1]!;
+      return;
+    }
+  }
 }
 
 /** What the grounds around fill at `point`. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type Vec2 } from '../../src/index.js';
+import { phys2D, type Shape, type Vec2 } from '../../src/index.js';
 import { decomposeOutline, simplifyOutline } from '../../src/outline/index.js';
 import { generator } from '../scenes/mixed.js';
 
@@ -309,6 +309,50 @@ describe('a landscape', () => {
     });
     expect(ends[1]![0]).toBeGreaterThan(15);
     expect(Math.hypot(ends[1]![0] - ends[0]![0], ends[1]![1] - ends[0]![1])).toBeLessThan(0.3);
+  });
+});
+
+describe('landscapes', () => {
+  /** J/kg. The energy of what slid for 4 s without friction over pieces of ground, from 6 m/s on. */
+  function energyAfter(parts: readonly (readonly Vec2[])[], make: () => Shape, from: Vec2): number {
+    const world = phys2D.createWorld({ gravity: [0, 10] });
+    const smooth = phys2D.createMaterial({ elasticity: 0, staticFriction: 0, dynamicFriction: 0 });
+    const shapes = parts.map((vertices) => phys2D.createPolygonShape({ vertices, material: smooth }));
+    world.addRigidBody(phys2D.createRigidBody({ type: 'static', shapes }));
+    const params = { position: from, velocity: [6, 0] as const, linearDrag: 0, angularDrag: 0 };
+    const body = phys2D.createRigidBody({ shapes: [make()], ...params });
+    world.addRigidBody(body);
+    for (let i = 0; i < 240; i += 1) world.step(1 / 60);
+    const [vx, vy] = body.getVelocity();
+    return 0.5 * (vx * vx + vy * vy) - 10 * body.getPosition()[1];
+  }
+
+  // Where it was not looked at corners of grounds, nor at what of a velocity goes into them, the worst of sixty lost 15 J/kg more than on strips.
+  it('sixty of them take no more from what slides over them than strips do that are cut where its surface bends', () => {
+    const makes = [
+      () => phys2D.createCircleShape({ radius: 0.4 }),
+      () => phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.8, 0.5) }),
+      () => phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.4, 0.4) }),
+    ];
+    const more: number[] = [];
+    for (let seed = 1; seed <= 60; seed += 1) {
+      const random = generator(seed);
+      const [high, wave, phase, slope] = [0.6 + random(), 0.2 + 0.3 * random(), 6 * random(), 0.05 + 0.1 * random()];
+      const width = seed % 2 === 0 ? 0.5 : 1;
+      const depth = (x: number) => slope * x - high * Math.sin(wave * x + phase);
+      const surface = Array.from({ length: 60 / width + 1 }, (_, i): Vec2 => [i * width, depth(i * width)]);
+      const strips = surface.slice(1).map(([x, y], i): Vec2[] => [surface[i]!, [x, y], [x, 14], [surface[i]![0], 14]]);
+      const outline: Vec2[] = [...surface, [60, 14], [0, 14]];
+      const make = makes[seed % 3]!;
+      const from: Vec2 = [5, depth(5) - 0.6];
+      more.push(energyAfter(strips, make, from) - energyAfter(decomposeOutline(outline), make, from));
+    }
+    more.sort((a, b) => a - b);
+    console.log(
+      `sixty landscapes: ${more[30]!.toFixed(3)} J/kg more in the median, ${more[59]!.toFixed(2)} in the worst`,
+    );
+    expect(more[30]).toBeLessThan(0.02);
+    expect(more[59]).toBeLessThan(1.5);
   });
 });
 
