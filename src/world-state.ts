@@ -198,6 +198,15 @@ export abstract class WorldState {
     );
     this.broadphase =
       given.broadphase === undefined ? new BoxTreeBroadphase() : checkedBroadphase(where, given.broadphase);
+    this.claimBroadphase(where);
+  }
+
+  /** @internal Before the first body comes: two worlds in one broadphase would cut each other for ever. */
+  claimBroadphase(where: string): void {
+    const user = users.get(this.broadphase);
+    if (user !== undefined && user !== this && user.rigidBodies.length > 0) {
+      throw new Error(`${where}: broadphase must not be that of another world that has bodies`);
+    }
     users.set(this.broadphase, this);
   }
 
@@ -317,7 +326,7 @@ function checkedSaving(where: string, value: unknown): WorldSaving {
   return value as WorldSaving;
 }
 
-/** The world that each broadphase was given to last. */
+/** The world that each broadphase is for: the one that has bodies, else the one that it was given to last. */
 const users = /* @__PURE__ */ new WeakMap<Broadphase, WorldState>();
 
 function checkedBroadphase(where: string, value: unknown): Broadphase {
@@ -328,10 +337,6 @@ function checkedBroadphase(where: string, value: unknown): Broadphase {
     if (typeof (value as Record<string, unknown>)[method] !== 'function') {
       throw typeError(where, 'broadphase', `a Broadphase with the method ${method}`, value);
     }
-  }
-  const user = users.get(value as Broadphase);
-  if (user !== undefined && user.rigidBodies.length > 0) {
-    throw new Error(`${where}: broadphase must not be that of another world that has bodies`);
   }
   return value as Broadphase;
 }

@@ -11,7 +11,7 @@ import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapes
 import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
-import { widened } from './solver/refresh.js';
+import { broadphaseBounds } from './solver/refresh.js';
 import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
@@ -98,12 +98,13 @@ export class World extends WorldState {
     }
   }
 
-  /** Adds a body. @returns `false`, without effect, if it is in a world already, or during a step. */
+  /** Adds a body. @returns `false`, without effect, if it is in a world already, or during a step. @throws if another world with bodies has the broadphase of this one. */
   addRigidBody(body: RigidBody): boolean {
     instance('World.addRigidBody', 'body', body, RigidBody, 'a RigidBody');
     if (this.stepping || body.owner !== null) {
       return false;
     }
+    if (this.rigidBodies.length === 0) this.claimBroadphase('World.addRigidBody');
     body.place();
     body.placeStale = false;
     body.refreshMass();
@@ -385,6 +386,8 @@ export class World extends WorldState {
     return shapesInRectangle(this, rectangle);
   }
 
+  // What bodies and constraints ask of the solver goes through their world, so that their modules need not import it.
+
   /** @internal */
   wakeBody(body: RigidBody, silent: boolean): void {
     wakeBody(this, body, silent);
@@ -441,7 +444,7 @@ export class World extends WorldState {
     shape.entered = this.stamp;
     this.nextOrder += 1;
     if (shape.owner!.asleep) this.movers.space.forget();
-    shape.handle = this.broadphase.insert(shape, widened(shape), shape.owner!.asleep, shape.owner!, shape);
+    shape.handle = this.broadphase.insert(shape, broadphaseBounds(shape), shape.owner!.asleep, shape.owner!, shape);
   }
 
   /** @internal a shape is about to be detached from a body of this world */

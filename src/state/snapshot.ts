@@ -4,7 +4,7 @@ import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
 import { Group } from '../solver/joint-data.js';
 import { orderJoints } from '../solver/joint-order.js';
-import { widened } from '../solver/refresh.js';
+import { broadphaseBounds } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
 import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
@@ -89,6 +89,7 @@ function restoreTo(
     walkGroups(tape, world);
     tape.finish();
   }
+  if (scene.inside > 0) world.claimBroadphase(where);
   tape.read(from);
   empty(world, scene);
   assemble(world, scene, ids);
@@ -271,7 +272,7 @@ function place(world: World, { bodies, inside }: Scene): void {
     for (const shape of body.shapes) {
       if (shape.handle === null) {
         body.place();
-        shape.handle = world.broadphase.insert(shape, widened(shape), body.asleep, body, shape);
+        shape.handle = world.broadphase.insert(shape, broadphaseBounds(shape), body.asleep, body, shape);
       }
       body.placeStale ||= shape.handle.isStatic !== body.asleep;
     }

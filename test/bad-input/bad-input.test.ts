@@ -157,6 +157,19 @@ describe('vectors', () => {
     other.clear();
     expect(() => phys2D.createWorld({ broadphase: other.broadphase })).not.toThrow();
   });
+
+  it('name it where one was given to two worlds, as bodies come to the second', () => {
+    const broadphase = phys2D.createBoxTreeBroadphase();
+    const [one, other] = [phys2D.createWorld({ broadphase }), phys2D.createWorld({ broadphase })];
+    const [body, stranger] = [phys2D.createRigidBody(), phys2D.createRigidBody()];
+    one.addRigidBody(body);
+    const message = 'World.addRigidBody: broadphase must not be that of another world that has bodies';
+    expect(() => other.addRigidBody(stranger)).toThrow(message);
+    expect([other.rigidBodies.length, stranger.world]).toEqual([0, null]);
+    one.removeRigidBody(body);
+    expect([other.addRigidBody(stranger), stranger.world === other]).toEqual([true, true]);
+    expect(() => one.addRigidBody(body)).toThrow(message);
+  });
 });
 
 describe('legal infinities', () => {
