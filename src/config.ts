@@ -16,10 +16,10 @@ export const TOUCH_DEPTH = 1e-4;
 export const FACE_TIE = 1e-6;
 
 /** m. While two polygons move less than this against each other, the edges that face each other are not chosen anew. */
-export const FACE_MOTION = 0.002;
+export const FACE_KEPT_MOTION = 0.002;
 
 /** rad. The same for their turn. */
-export const FACE_TURN = 0.002;
+export const FACE_KEPT_TURN = 0.002;
 
 /**
  * Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. With 0.8 for all overlap, deep or not, triangles that are
@@ -29,9 +29,11 @@ export const PUSH_SHARE_DYNAMIC = 0.15;
 
 /**
  * The same where one has more than UNEVEN times the mass of the other: a light thing between heavy ones is pushed to and fro, and these come apart only by its share
- * of their masses. After 20 s one pile of mixed shapes in six was still 4 mm deep somewhere, now one in twelve; with 0.5 it is one in eight.
+ * of their masses. Without it one pile of mixed shapes in six is 4 mm deep somewhere after 20 s, with it one in twelve, with 0.5 one in eight.
  */
 export const PUSH_SHARE_UNEVEN = 0.3;
+
+/** Times the mass of another body: so much more is uneven. */
 export const UNEVEN = 8;
 
 /** The same where one side cannot move. Less lets a heavy box sink into the ground between light ones. */
@@ -40,19 +42,22 @@ export const PUSH_SHARE_STATIC = 0.75;
 /** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. */
 export const PUSH_SHARE_CIRCLES = 0.5;
 
-/** The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, and either has several shapes or both have constraints. They are known by it: it is like no other. */
+/**
+ * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, and either has several shapes or both have constraints. It has to differ from all other shares, as it is by this share in its record that a
+ * contact gets MAX_PUSH_HOOKED.
+ */
 export const PUSH_SHARE_HOOKED = 0.2;
 
 /** m. Of overlap deeper than this a larger share is removed: stacks never have it, and what was created overlapping comes apart twice as fast. */
 export const DEEP_OVERLAP = 0.005;
 
-/** That share. */
+/** The share of overlap beyond DEEP_OVERLAP that is removed. */
 export const PUSH_SHARE_DEEP = 0.6;
 
-/** m. The depth for two circles that move, */
+/** m. DEEP_OVERLAP of two circles that move. */
 export const DEEP_OVERLAP_CIRCLES = 0.001;
 
-/** … and the share. More would part two that are alone. */
+/** PUSH_SHARE_DEEP of two circles that move. More would part two that are alone. */
 export const PUSH_SHARE_DEEP_CIRCLES = 0.98;
 
 /** Most further position iterations of a sub-step while circles are deeper than DEEP_OVERLAP: 625 of them, created overlapping, come apart within 2 s. Not for polygons: where some are wedged, a heap would not rest. */
@@ -151,10 +156,13 @@ export const STILL_LOOKS = 256;
 /** m. Shapes that are swept have met when the gap to the depth wanted is no larger. */
 export const SWEEP_TOLERANCE = 1e-6;
 
+/** Looks. For so long bodies are followed to see whether they meet in a step; if that is not clear by then, they meet where they are. */
+export const MEET_PATIENCE = 1000;
+
 /** Looks. For so long what would bounce is followed to see whether it passes; if that is not clear by then, it bounces. */
 export const PASS_PATIENCE = 100;
 
-/** … if it goes along the other by more than this share of half the width of the thinner one in a step. */
+/** What would bounce is followed if in a step it goes along the other by more than this share of half the width of the thinner one. */
 export const PASS_SHARE = 0.1;
 
 /** m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that the joints of a tiled floor stop nothing. Larger lets fast things enter surfaces farther. */

@@ -86,10 +86,7 @@ export class Profile {
     this.awakeBodies = solver.bodyCount - 1;
     this.activePairs = pairs.sorted.count;
     this.contacts = solver.one.count + solver.two.count;
-    this.hardContacts = 0;
-    for (let i = 0; i < solver.hardCount; i += 4) {
-      this.hardContacts += solver.hard[i + 1]! - solver.hard[i]! + solver.hard[i + 3]! - solver.hard[i + 2]!;
-    }
+    this.hardContacts = solver.hardContacts;
     this.joints = solver.joints.joints.length;
     this.manifolds = 0;
     for (let i = 0; i < pairs.sorted.count; i += 1) {

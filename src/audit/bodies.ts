@@ -124,7 +124,7 @@ function auditShape(audit: Audit, body: RigidBody, shape: Shape): void {
 
 function auditBounds(audit: Audit, body: RigidBody, shape: Shape): void {
   const { numbers: n, at, handle } = shape;
-  // As `widened`, so that not a bit may differ.
+  // As `broadphaseBounds`, so that not a bit may differ.
   const half = SPECULATIVE_MARGIN / 2;
   const [minX, minY, maxX, maxY] = placedBounds(body, shape);
   const isPlaced = n[at] === minX && n[at + 1] === minY && n[at + 2] === maxX && n[at + 3] === maxY;

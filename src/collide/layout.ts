@@ -22,8 +22,9 @@ export const Y1 = 10;
 export const S1 = 11;
 /** Number of points, 0 to 2. With two, the first lies lower along the tangent (−ny, nx). */
 export const COUNT = 12;
-/** From 13 to 26: what the contacts keep there, see `contact/layout.ts`. What follows only polygons have. */
-/** The corners that limit the overlap at either end: 2 · index, + 1 for a corner of B. */
+// What is between is kept by the contacts, see `contact/layout.ts`.
+
+/** The corners that limit the overlap at either end: 2 · index, + 1 for a corner of B. Of two circles the first is 0; what follows it only polygons have. */
 export const ID0 = 27;
 export const ID1 = 28;
 /** The two edges that face each other. */
@@ -41,7 +42,7 @@ export const LOCAL_Y = 35;
 export const FACE_X = 36;
 export const FACE_Y = 37;
 export const FACE_TURN = 38;
-/** With the last one, of the contacts. */
+/** How many there are; the last one is of the contacts. */
 export const PAIR_NUMBERS = 40;
-/** From record to record: whole cache lines of 64 bytes, so that a record takes no more than it has to, and those of circles one less. */
-export const PAIR_STRIDE = 40;
+/** From record to record: whole cache lines of eight numbers, so that a record takes no more than it has to, and those of circles one less. */
+export const PAIR_STRIDE = 8 * Math.ceil(PAIR_NUMBERS / 8);

@@ -1,4 +1,4 @@
-import { FACE_MOTION, FACE_TURN } from '../config.js';
+import { FACE_KEPT_MOTION, FACE_KEPT_TURN } from '../config.js';
 import * as g from './layout.js';
 
 // What a collision kernel found, in the record of a pair: how two shapes overlap, or face each other within the speculative margin. Points are given
@@ -30,8 +30,8 @@ export function keepsFace(n: Float64Array, o: number, stamp: number): boolean {
   return (
     n[o + g.FACE]! >= 0 &&
     n[o + g.FACE_STAMP] === stamp &&
-    x * x + y * y < FACE_MOTION * FACE_MOTION &&
-    turn * turn < FACE_TURN * FACE_TURN
+    x * x + y * y < FACE_KEPT_MOTION * FACE_KEPT_MOTION &&
+    turn * turn < FACE_KEPT_TURN * FACE_KEPT_TURN
   );
 }
 

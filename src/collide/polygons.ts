@@ -198,10 +198,10 @@ function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boole
 /**
  * Clips the edge of Q that faces edge `i` of P to the width of that edge, with P as A and Q as B:
  *
- * Edges that are apart and not above each other do not face each other: no points.
- *
  *     Q   w1 <──────────── w2        the ends are sorted by t = (−ny, nx), along which P's edges run
  *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
+ *
+ * Edges that are apart and not above each other do not face each other: no points.
  */
 function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): void {
   const ox = side * n[o + g.DX]!;

@@ -1,38 +1,23 @@
-import { optional } from '../validate.js';
 import { ANGLE, POSE } from './layout.js';
-import { type Bounds, checkedRatio, TwoBodyConstraint, type TwoBodyParams, takeBounds } from './two-body.js';
+import { type Bounds, RatioConstraint, type RatioParams, takeBounds } from './two-body.js';
 
 /** Options of `createAngleConstraint`: bounds in rad, both 0 by default. */
-export interface AngleConstraintParams extends TwoBodyParams, Bounds {
-  /** Turns of body A for one of body B, not 0. Default 1. */
-  ratio?: number | undefined;
-}
+export interface AngleConstraintParams extends RatioParams, Bounds {}
 
 /**
  * The angle between two bodies stays between bounds; with a ratio, a gear. Rotations are not wrapped.
  *
  *     lower ≤ ratio · θB − θA ≤ upper
  */
-export class AngleConstraint extends TwoBodyConstraint {
+export class AngleConstraint extends RatioConstraint {
   /** Tells the kinds apart. */
   readonly type = 'ANGLE';
 
   /** @internal use `createAngleConstraint` */
   constructor(params: AngleConstraintParams) {
     const where = 'createAngleConstraint';
-    super(where, 1, params);
-    this.ratio = checkedRatio(where, optional(params.ratio, 1));
+    super(where, params);
     takeBounds(this, where, params, 0, 0);
-  }
-
-  /** Turns of body A for one of body B. */
-  getRatio(): number {
-    return this.ratio;
-  }
-
-  /** Sets the ratio, not 0. */
-  setRatio(ratio: number): void {
-    this.changeRatio(ratio);
   }
 
   /** rad. */

@@ -381,19 +381,19 @@ export abstract class BaseConstraint {
   }
 
   /** @internal its class, for messages */
-  get kind(): string {
+  get className(): string {
     return `${this.type[0]}${this.type.slice(1).toLowerCase()}Constraint`;
   }
 
   /** @internal */
   protected setLower(lowerBound: number): void {
-    const where = `${this.kind}.setLowerBound`;
+    const where = `${this.className}.setLowerBound`;
     this.setBounds(where, 'lowerBound', this.checkedBound(where, 'lowerBound', lowerBound), this.upper);
   }
 
   /** @internal */
   protected setUpper(upperBound: number): void {
-    const where = `${this.kind}.setUpperBound`;
+    const where = `${this.className}.setUpperBound`;
     this.setBounds(where, 'upperBound', this.lower, this.checkedBound(where, 'upperBound', upperBound));
   }
 

@@ -1,11 +1,9 @@
 import type { Tape } from '../state/tape.js';
 import { finite, optional } from '../validate.js';
-import { checkedRatio, TwoBodyConstraint, type TwoBodyParams } from './two-body.js';
+import { RatioConstraint, type RatioParams } from './two-body.js';
 
 /** Options of `createMotorConstraint`. */
-export interface MotorConstraintParams extends TwoBodyParams {
-  /** Turns of body A for one of body B, not 0. Default 1. */
-  ratio?: number | undefined;
+export interface MotorConstraintParams extends RatioParams {
   /** rad/s. Default 0. */
   rate?: number | undefined;
 }
@@ -15,7 +13,7 @@ export interface MotorConstraintParams extends TwoBodyParams {
  *
  *     ratio · ωB − ωA = rate
  */
-export class MotorConstraint extends TwoBodyConstraint {
+export class MotorConstraint extends RatioConstraint {
   /** Tells the kinds apart. */
   readonly type = 'MOTOR';
 
@@ -24,20 +22,9 @@ export class MotorConstraint extends TwoBodyConstraint {
   /** @internal use `createMotorConstraint` */
   constructor(params: MotorConstraintParams) {
     const where = 'createMotorConstraint';
-    super(where, 1, params);
-    this.ratio = checkedRatio(where, optional(params.ratio, 1));
+    super(where, params);
     this.rate = finite(where, 'rate', optional(params.rate, 0));
     this.positional = false;
-  }
-
-  /** Turns of body A for one of body B. */
-  getRatio(): number {
-    return this.ratio;
-  }
-
-  /** Sets the ratio, not 0. */
-  setRatio(ratio: number): void {
-    this.changeRatio(ratio);
   }
 
   /** rad/s. */

@@ -13,6 +13,12 @@ export interface TwoBodyParams extends ConstraintParams {
   bodyB: RigidBody;
 }
 
+/** Options of constraints of the rotations of two bodies. */
+export interface RatioParams extends TwoBodyParams {
+  /** Turns of body A for one of body B, not 0. Default 1. */
+  ratio?: number | undefined;
+}
+
 /** Options of constraints between points of two bodies. */
 export interface TwoAnchorParams extends TwoBodyParams {
   /** Body A coordinates, m. Default `[0, 0]`. */
@@ -60,11 +66,30 @@ export abstract class TwoBodyConstraint extends BaseConstraint {
 
   /** @internal */
   protected changeRatio(ratio: number): void {
-    checkedRatio(`${this.kind}.setRatio`, ratio);
+    checkedRatio(`${this.className}.setRatio`, ratio);
     if (ratio !== this.ratio) {
       this.ratio = ratio;
       this.rouse();
     }
+  }
+}
+
+/** A constraint of the rotations of two bodies, as of two gears. */
+export abstract class RatioConstraint extends TwoBodyConstraint {
+  /** @internal */
+  constructor(where: string, params: RatioParams) {
+    super(where, 1, params);
+    this.ratio = checkedRatio(where, optional(params.ratio, 1));
+  }
+
+  /** Turns of body A for one of body B. */
+  getRatio(): number {
+    return this.ratio;
+  }
+
+  /** Sets the ratio, not 0. */
+  setRatio(ratio: number): void {
+    this.changeRatio(ratio);
   }
 }
 
@@ -91,7 +116,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   getAnchorA(): Vec2;
   getAnchorA<T extends NumberSink>(dst: T): T;
   getAnchorA<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.anchors[0]!, this.anchors[1]!, 'Constraint.getAnchorA', dst);
+    return vec2(this.anchors[0]!, this.anchors[1]!, `${this.className}.getAnchorA`, dst);
   }
 
   /** Sets the anchor on body A, in its coordinates, m. */
@@ -103,7 +128,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   getAnchorB(): Vec2;
   getAnchorB<T extends NumberSink>(dst: T): T;
   getAnchorB<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.anchors[2]!, this.anchors[3]!, 'Constraint.getAnchorB', dst);
+    return vec2(this.anchors[2]!, this.anchors[3]!, `${this.className}.getAnchorB`, dst);
   }
 
   /** Sets the anchor on body B, in its coordinates, m. */
@@ -113,7 +138,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
 
   /** @internal */
   protected setAnchor(name: string, k: number, anchor: Vec2Like): void {
-    vector(`${this.kind}.setAnchor${name}`, 'anchor', anchor, 2);
+    vector(`${this.className}.setAnchor${name}`, 'anchor', anchor, 2);
     if (anchor[0] !== this.anchors[2 * k] || anchor[1] !== this.anchors[2 * k + 1]) {
       this.putAnchor(k, anchor);
       this.rouse();

@@ -107,10 +107,15 @@ export class Sweep {
   /** The time from which to look, then that last looked at, and the longest that certainly is safe from there. */
   time = 0.5;
   safe = 0.5;
-  /** Several times what any sweep has been seen to need: some 4,000 for shapes that turn forty times close to each other. The mean is 22. */
-  patience = 20_000;
-  /** What to say when that is used up: that they meet where they are by then. */
-  cautious = false;
+
+  /**
+   * `patience`: how many looks to take at most; by itself several times what any sweep has been seen to need, some 4,000 for shapes that turn forty times close to each other. The mean is 22.
+   * `cautious`: what to say when that is used up: that they meet where they are by then.
+   */
+  constructor(
+    readonly patience = 20_000,
+    readonly cautious = false,
+  ) {}
 }
 
 /** By what share of its time a meeting of circles is reckoned too early. */

@@ -61,7 +61,7 @@ function isCorner({ x, y }: Ring, i: number): boolean {
 }
 
 /** How a way goes on at the second of three points; straight on as far as a convex polygon may. */
-export const STRAIGHT = 0;
+const STRAIGHT = 0;
 export const LEFT = -1;
 export const RIGHT = 1;
 

@@ -7,7 +7,7 @@ import { sortFirst } from '../math/sort.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { presentBounds, presently } from '../shape/presently.js';
 import { isOlder, type Shape } from '../shape/shape.js';
-import { isUnderWay, refreshPlaces, widened } from '../solver/refresh.js';
+import { broadphaseBounds, isUnderWay, refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 
 /** Scratch of one test; no user code runs within. */
@@ -30,7 +30,7 @@ export function near(world: World, bounds: RectLike): Shape[] {
 /** The same where the broadphase does not know it: it has all shapes where the step began. */
 function nearNow({ rigidBodies }: World, bounds: RectLike): Shape[] {
   const isNear = (shape: Shape): boolean => {
-    const n = presently(shape, () => widened(shape));
+    const n = presently(shape, () => broadphaseBounds(shape));
     return n[0]! <= bounds[2]! && n[1]! <= bounds[3]! && n[2]! >= bounds[0]! && n[3]! >= bounds[1]!;
   };
   return rigidBodies.flatMap(({ shapes }) => shapes.filter(isNear)).sort((a, b) => a.id - b.id);

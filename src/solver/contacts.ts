@@ -1,5 +1,6 @@
 import { CROWD_SWEEPS, HARD_SWEEPS } from '../config.js';
 import type { SolverData } from './data.js';
+import * as d from './layout.js';
 import type { Sweep } from './loops.js';
 import { inPieces } from './pieces.js';
 
@@ -16,11 +17,11 @@ function sweep(data: SolverData, sweepTwo: Sweep, sweepOne: Sweep, h: number): b
   const changedTwo = inPieces(data, 0, data.two.count, sweepTwo, h);
   const changedOne = inPieces(data, 0, data.one.count, sweepOne, h);
   const changed = changedTwo || changedOne;
-  for (let i = 0; i < hardCount && changed; i += 4) {
+  for (let i = 0; i < hardCount && changed; i += d.HARD_STRIDE) {
     let more = true;
     for (let times = 1; times < HARD_SWEEPS && more; times += 1) {
-      const moreTwo = sweepTwo(data, hard[i]!, hard[i + 1]!, h);
-      more = sweepOne(data, hard[i + 2]!, hard[i + 3]!, h) || moreTwo;
+      const moreTwo = sweepTwo(data, hard[i + d.FROM_TWO]!, hard[i + d.TO_TWO]!, h);
+      more = sweepOne(data, hard[i + d.FROM_ONE]!, hard[i + d.TO_ONE]!, h) || moreTwo;
     }
   }
   return changed;

@@ -184,8 +184,8 @@ export class SolverData {
   readonly bounces = new BounceList();
   readonly shocks = new ShockList();
   /**
-   * Parts of the contacts that are hard to solve, four numbers each: from where to where, of those of two points and of one. What lies beyond
-   * the count is old: shortening the list would cost its storage.
+   * Parts of the contacts that are hard to solve, HARD_STRIDE numbers each. What lies beyond the count is old: shortening the list would cost its
+   * storage.
    */
   readonly hard: number[] = [];
   hardCount = 0;
@@ -209,6 +209,16 @@ export class SolverData {
     readonly joints: JointData,
     private readonly kernels: Kernels,
   ) {}
+
+  /** How many contacts are hard to solve. */
+  get hardContacts(): number {
+    const { hard, hardCount } = this;
+    let count = 0;
+    for (let i = 0; i < hardCount; i += d.HARD_STRIDE) {
+      count += hard[i + d.TO_TWO]! - hard[i + d.FROM_TWO]! + hard[i + d.TO_ONE]! - hard[i + d.FROM_ONE]!;
+    }
+    return count;
+  }
 
   clearContacts(): void {
     this.one.count = 0;

@@ -143,6 +143,13 @@ export const MISSING = 0x20000000;
 export const WINDOW = 128;
 export const RUN = 32;
 
+/** Parts of the contacts that are hard to solve, in `SolverData.hard`: from where to where, of those of two points and of one. */
+export const FROM_TWO = 0;
+export const TO_TWO = 1;
+export const FROM_ONE = 2;
+export const TO_ONE = 3;
+export const HARD_STRIDE = 4;
+
 /** kg⁻¹. Stands for an infinite inverse mass, but may be multiplied by zero. */
 export const IMMOVABLE = 1e30;
 /** m. A separation that no motion of a step can close: switches a point off. */

@@ -11,6 +11,7 @@ import {
   IMPACT_SHARE_THIN,
   IMPACT_TURN,
   JOINT_PATIENCE,
+  MEET_PATIENCE,
   SPECULATIVE_MARGIN,
   SWEEP_TOLERANCE,
   TOUCH_DEPTH,
@@ -33,12 +34,8 @@ import { findNearby } from './nearby.js';
 import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
 import { isTied } from './ties.js';
 
-const sweep = new Sweep();
-sweep.patience = 1000;
-sweep.cautious = true;
-sweep.tolerance = SWEEP_TOLERANCE;
-sweep.most = 1;
-const middle = new Middle();
+const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
+const middle = /* @__PURE__ */ new Middle();
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
 /** What `findLeast` is asked about: how far two shapes turn against each other, rad, and how deep they may get, m. Here, as arguments they would be boxed. */
@@ -421,6 +418,8 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   two.follow(sweep.b, b, one);
   const from = Math.max(one.from, two.from);
   sweep.time = from;
+  sweep.tolerance = SWEEP_TOLERANCE;
+  sweep.most = 1;
   if (isSensed(a, b)) {
     // What leaves may still be as near as rounding: it has to overlap by as much.
     sweep.target = -2 * SWEEP_TOLERANCE;

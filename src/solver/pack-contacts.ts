@@ -26,7 +26,7 @@ import { markHard, markOf } from './hard-contacts.js';
 import * as d from './layout.js';
 
 /**
- * Brings the world's lists of arbiters up to date, in the order of their shapes, which what fell asleep leaves; and writes the records of all contacts, a
+ * Brings the world's lists of arbiters up to date, in the order of their shapes and without those that fell asleep in this step; and writes the records of all contacts, a
  * window at a time, while what they are made of is at hand. A body that fell asleep in this step cannot give way to another that comes near: it is
  * met, and woken, when they touch.
  */
@@ -90,12 +90,12 @@ function packWindow(data: SolverData, count: number, stamp: number): void {
   const mark = markHard(data, count, stamp);
   if (mark < d.NONE_HARD) {
     const { hard, hardCount, two, one } = data;
-    hard[hardCount] = two.count;
-    hard[hardCount + 2] = one.count;
+    hard[hardCount + d.FROM_TWO] = two.count;
+    hard[hardCount + d.FROM_ONE] = one.count;
     packRuns(data, count, mark, true);
-    hard[hardCount + 1] = two.count;
-    hard[hardCount + 3] = one.count;
-    data.hardCount += 4;
+    hard[hardCount + d.TO_TWO] = two.count;
+    hard[hardCount + d.TO_ONE] = one.count;
+    data.hardCount += d.HARD_STRIDE;
   }
   packRuns(data, count, mark, false);
 }

@@ -13,11 +13,9 @@ import { goesFar } from './movers.js';
 // What would bounce may go past instead: a contact keeps its direction for the whole step, along which two bodies come near each other all the same.
 
 /** Scratch of `passes`. */
-const way = /* @__PURE__ */ new Sweep();
-way.patience = PASS_PATIENCE;
-way.cautious = true;
+const way = /* @__PURE__ */ new Sweep(PASS_PATIENCE, true);
 
-/** Whether it does, as the bodies move now. If two circles will meet, their contact gets the direction in which they do. */
+/** Whether two elastic shapes go past each other within a step, as their bodies move now. If two circles will meet, their contact gets the direction in which they do. */
 export function passes(pair: Arbiter, dt: number): boolean {
   const { shapeA, shapeB, numbers, at } = pair;
   const a = shapeA.owner!;

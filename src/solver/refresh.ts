@@ -6,7 +6,7 @@ import { growBounds, HALF_MARGIN } from './swept-bounds.js';
 const bounds = new Float64Array(4);
 
 /** The bounds of a shape for the broadphase: two shapes within the speculative margin overlap. Dead after the next call. */
-export function widened(shape: Shape): Float64Array {
+export function broadphaseBounds(shape: Shape): Float64Array {
   growBounds(shape, HALF_MARGIN, bounds);
   return bounds;
 }
@@ -15,7 +15,7 @@ export function widened(shape: Shape): Float64Array {
 export function updateHandles({ broadphase, movers }: World, { shapes, asleep }: RigidBody): void {
   if (asleep) movers.space.forget();
   for (let i = 0; i < shapes.length; i += 1) {
-    broadphase.update(shapes[i]!.handle!, widened(shapes[i]!), asleep);
+    broadphase.update(shapes[i]!.handle!, broadphaseBounds(shapes[i]!), asleep);
   }
 }
 

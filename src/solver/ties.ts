@@ -6,7 +6,7 @@ import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
 import { enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
-/** Constraints come, go, and are switched on and off. */
+// Constraints come, go, and are switched on and off.
 
 /** Each body once. */
 function distinct(constraint: Constraint): Iterable<RigidBody> {
@@ -58,7 +58,7 @@ export function release(constraint: Constraint): void {
 }
 
 /** Wakes the dynamic bodies of a constraint, with events. */
-export function wakeMembers(world: World, { members }: Constraint): void {
+function wakeMembers(world: World, { members }: Constraint): void {
   for (const body of members) {
     if (body.kind === DYNAMIC && body.owner === world) {
       wakeBody(world, body, false);
