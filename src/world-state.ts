@@ -164,7 +164,7 @@ export abstract class WorldState {
   protected delivering = false;
   private velocityTotal: number;
   private positionTotal: number;
-  private parts: number;
+  private substepCount: number;
   private mayRest: boolean;
   private told: PoseUpdate | null = null;
   private timepiece: Clock | null = null;
@@ -189,7 +189,7 @@ export abstract class WorldState {
       optional(given.positionIterations, DEFAULT_ITERATIONS),
       1,
     );
-    this.parts = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
+    this.substepCount = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
     this.mayRest = boolean(where, 'allowSleeping', optional(given.allowSleeping, true));
     this.saving = given.state === undefined ? saving : checkedSaving(where, given.state);
     this.solver = new SolverData(
@@ -240,11 +240,11 @@ export abstract class WorldState {
 
   /** Equal parts in which a step is integrated, integer >= 1; the iterations are spread over them, at least one each. */
   get substeps(): number {
-    return this.parts;
+    return this.substepCount;
   }
 
   set substeps(value: number) {
-    this.parts = integer('World', 'substeps', value, 1);
+    this.substepCount = integer('World', 'substeps', value, 1);
   }
 
   /**
@@ -310,7 +310,7 @@ export abstract class WorldState {
     this.stamp = tape.number(this.stamp) | 0;
     this.velocityTotal = tape.integer(this.velocityTotal, 1, 0x3fffffff);
     this.positionTotal = tape.integer(this.positionTotal, 1, 0x3fffffff);
-    this.parts = tape.integer(this.parts, 1, 0x3fffffff);
+    this.substepCount = tape.integer(this.substepCount, 1, 0x3fffffff);
     this.mayRest = tape.flag(this.mayRest);
     this.solver.previousH = tape.number(this.solver.previousH);
   }

@@ -12,13 +12,19 @@ export const RATE = 2;
  *     Δλ = s · K⁻¹ · (−C · rate − J·v) − γ · s · λ
  *     γ = 1 / (h · w · (2ζ + w·h)),   s = 1 / (1 + γ),   rate = w / (2ζ + w·h)
  *
- * The scheme itself damps by about w·h / 2. Where a step is divided into several `parts` that is taken off ζ, as far as there is any, so
+ * The scheme itself damps by about w·h / 2. Where a step is divided into several sub-steps that is taken off ζ, as far as there is any, so
  * that what is left is the damping asked for (at 5 Hz, ζ = 0.1 and h = 1/960 s it would be a sixth too strong); it stays stable, as it
- * is with ζ = 0. A step in one part is the plain formula.
+ * is with ζ = 0. A step in one sub-step is the plain formula.
  *
  * Writes s, γ · s and rate; for a rigid constraint 1, 0, 0.
  */
-export function writeSoftness(constraint: Constraint, h: number, parts: number, out: Float64Array, at: number): void {
+export function writeSoftness(
+  constraint: Constraint,
+  h: number,
+  substeps: number,
+  out: Float64Array,
+  at: number,
+): void {
   if (!constraint.isElastic) {
     out[at + SOFTNESS] = 1;
     out[at + FEEDBACK] = 0;
@@ -26,7 +32,7 @@ export function writeSoftness(constraint: Constraint, h: number, parts: number, 
     return;
   }
   const w = 2 * Math.PI * constraint.frequency;
-  const damping = parts > 1 ? Math.max(0, constraint.damping - (w * h) / 2) : constraint.damping;
+  const damping = substeps > 1 ? Math.max(0, constraint.damping - (w * h) / 2) : constraint.damping;
   const stiffness = 2 * damping + w * h;
   const gamma = 1 / (h * w * stiffness);
   const softness = 1 / (1 + gamma);

@@ -275,19 +275,19 @@ function solve(r: Float64Array, joint: Joint, so: number, feedback: number): voi
 
 /** The callback sees the impulse as it would be in the whole step; one of sub-steps of equal strength. */
 function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstraint): void {
-  const { records: r, parts } = data.joints;
+  const { records: r, substeps } = data.joints;
   const { at, layout } = joint;
   const { rows, work } = layout;
   if (constraint.callbacks.velocityClamp === undefined) {
     return;
   }
   for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = r[at + work + n]! * parts;
+    r[at + work + n] = r[at + work + n]! * substeps;
   }
   showPoses(data, joint, false);
   constraint.clamp('velocityClamp', r, at + work);
   for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = r[at + work + n]! / parts;
+    r[at + work + n] = r[at + work + n]! / substeps;
   }
   if (constraint.failed) {
     data.joints.silence(joint);

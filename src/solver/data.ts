@@ -194,7 +194,7 @@ export class SolverData {
   /** Set by a position iteration in which circles overlapped deeply. */
   crowded = false;
   /** How many sub-steps the step has: handlers may ask for others meanwhile. */
-  parts = 1;
+  substeps = 1;
   /** s. Length of the sub-steps of the last step … */
   previousH = 0;
   /**

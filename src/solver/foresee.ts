@@ -29,7 +29,7 @@ export function foresee(world: World, dt: number): void {
   if (world.liveDynamics.length + world.liveKinematics.length === 0) {
     return;
   }
-  const average = (world.solver.parts + 1) / (2 * world.solver.parts);
+  const average = (world.solver.substeps + 1) / (2 * world.solver.substeps);
   movers.ahead = dt;
   movers.foreseen = 0;
   movers.bouncy = true;

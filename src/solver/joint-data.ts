@@ -145,7 +145,7 @@ export class JointData implements Keeper {
   readonly broken: Joint[] = [];
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
-  parts = 1;
+  substeps = 1;
   /** In this step what touches something may be swept over once less. */
   eases = false;
   /** … and large groups are looked at for hubs. */
@@ -235,13 +235,13 @@ export class JointData implements Keeper {
 
 /** Writes the head of a record. */
 export function packHead(data: JointData, joint: Joint): void {
-  const { records: r, h, parts } = data;
+  const { records: r, h, substeps } = data;
   const { constraint, at } = joint;
   const { isElastic, stiff, positional, breakUnderForce, breakUnderError, maxForce, maxError } = constraint;
-  writeSoftness(constraint, h, parts, r, at);
+  writeSoftness(constraint, h, substeps, r, at);
   r[at + MAX_BIAS] = isElastic && !breakUnderError ? maxError : Infinity;
   r[at + LIMIT] = !breakUnderForce && (isElastic || !positional) ? maxForce * h : Infinity;
-  r[at + BREAK] = breakUnderForce ? maxForce * h * parts : Infinity;
+  r[at + BREAK] = breakUnderForce ? maxForce * h * substeps : Infinity;
   r[at + MAX_ERROR] = breakUnderError && positional ? maxError : Infinity;
   r[at + CARRY] = isElastic ? 0 : JOINT_MOMENTUM / h;
   r[at + PUSH] = stiff && positional ? 1 : 0;

@@ -50,14 +50,14 @@ const left = { found: false };
 function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
-  const isChanged = world.jointsTouched || world.jointsStale || joints.h !== h || joints.parts !== data.parts;
+  const isChanged = world.jointsTouched || world.jointsStale || joints.h !== h || joints.substeps !== data.substeps;
   if (world.jointsStale) {
     orderJoints(world);
   }
   world.jointsStale = false;
   world.jointsTouched = false;
   joints.h = h;
-  joints.parts = data.parts;
+  joints.substeps = data.substeps;
   if (joints.slots > 0) {
     data.makeRoomForPoints(joints.slots);
   }

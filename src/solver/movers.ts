@@ -152,15 +152,15 @@ export class Mover {
    * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what joints and
    * contacts added, unless it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite.
    */
-  slow({ drive, parts }: SolverData): void {
+  slow({ drive, substeps }: SolverData): void {
     if (this.stopped) {
       return;
     }
     const { body } = this;
     const slot = body.slot * d.BODY_STRIDE;
-    const gainX = parts * drive[slot + d.GAIN_X]!;
-    const gainY = parts * drive[slot + d.GAIN_Y]!;
-    const gainW = parts * drive[slot + d.GAIN_W]!;
+    const gainX = substeps * drive[slot + d.GAIN_X]!;
+    const gainY = substeps * drive[slot + d.GAIN_Y]!;
+    const gainW = substeps * drive[slot + d.GAIN_W]!;
     const dx = body.vx - this.vx;
     const dy = body.vy - this.vy;
     const square = dx * dx + dy * dy;

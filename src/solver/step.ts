@@ -20,7 +20,7 @@ import { store } from './store.js';
 export function step(world: World, dt: number): void {
   const { solver, substeps, profile } = world;
   const h = dt / substeps;
-  solver.parts = substeps;
+  solver.substeps = substeps;
   profile?.begin();
   refreshMoved(world);
   findPairs(world, dt);
@@ -50,14 +50,14 @@ export function step(world: World, dt: number): void {
 /** The sub-steps, of length h. */
 function integrate(world: World, h: number): void {
   const { solver, profile, jointSolver } = world;
-  const { parts } = solver;
-  for (let part = 0; part < parts; part += 1) {
+  const { substeps } = solver;
+  for (let substep = 0; substep < substeps; substep += 1) {
     planBounces(solver, h);
     integrateVelocities(solver);
-    jointSolver?.warmStart(solver, part === 0);
+    jointSolver?.warmStart(solver, substep === 0);
     warmStartContacts(solver, h);
     applyBounces(solver);
-    const turns = share(world.velocityIterations, part, parts);
+    const turns = share(world.velocityIterations, substep, substeps);
     // Joints take all their turns, even where no contact changes anything; that there once were some has no say.
     let changed = true;
     for (let i = 0; i < CONTACT_SWEEPS * turns && (changed || (i < turns && solver.joints.runs.length > 0)); i += 1) {
@@ -68,7 +68,7 @@ function integrate(world: World, h: number): void {
     profile?.lap('velocities');
     integratePositions(solver, h);
     releaseBounces(solver);
-    const pushes = share(world.positionIterations, part, parts);
+    const pushes = share(world.positionIterations, substep, substeps);
     let pushed = true;
     for (let i = 0; i < pushes && pushed; i += 1) {
       const pushedJoints = jointSolver?.solvePositions(solver, i, pushes) ?? false;
@@ -81,7 +81,7 @@ function integrate(world: World, h: number): void {
   }
 }
 
-/** How many of a step's iterations fall to one of its parts; at least one. */
-function share(total: number, part: number, parts: number): number {
-  return Math.max(1, Math.floor(((part + 1) * total) / parts) - Math.floor((part * total) / parts));
+/** How many of the iterations of a step fall to one of its sub-steps; at least one. */
+function share(total: number, substep: number, substeps: number): number {
+  return Math.max(1, Math.floor(((substep + 1) * total) / substeps) - Math.floor((substep * total) / substeps));
 }
