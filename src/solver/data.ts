@@ -210,6 +210,11 @@ export class SolverData {
     private readonly kernels: Kernels,
   ) {}
 
+  /** Nothing is awake, nothing moves: there is no body but the one that stands for all that cannot move, and no joint. */
+  get isIdle(): boolean {
+    return this.bodyCount === 1 && this.joints.runs.length === 0;
+  }
+
   /** How many contacts are hard to solve. */
   get hardContacts(): number {
     const { hard, hardCount } = this;

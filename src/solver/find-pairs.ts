@@ -1,6 +1,5 @@
-import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { type BroadphaseHandle, letsMeet } from '../broadphase/broadphase.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
@@ -13,34 +12,11 @@ import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { areApart, canGiveWay, canInteract, mayInteract } from './interaction.js';
 import { goesFar } from './movers.js';
 import { passes } from './passing.js';
 import { noteGround, smoothSeams } from './seams.js';
 import { sleepPair, wakeBody } from './sleep.js';
-import { areKeptApart } from './ties.js';
-
-/** Filters, and what makes an interaction possible at all. */
-export function mayInteract(a: Shape, b: Shape): boolean {
-  return !areApart(a, b) && canInteract(a, b);
-}
-
-/** Filters or joints keep two shapes from interacting: until either change, which `World.filters` counts. */
-function areApart(a: Shape, b: Shape): boolean {
-  const bodyA = a.owner!;
-  const bodyB = b.owner!;
-  return !letsMeet(a, b) || (bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB));
-}
-
-/** Of two bodies that are not of one kind that never does, or asleep both. */
-function canInteract(a: Shape, b: Shape): boolean {
-  const bodyA = a.owner!;
-  const bodyB = b.owner!;
-  return (
-    bodyA !== bodyB &&
-    (bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC || a.sensor || b.sensor) &&
-    !(bodyA.asleep && bodyB.asleep)
-  );
-}
 
 /**
  * Called by the broadphase with `this` = the world. @returns what `reportAgain` is asked in the next step: the number of the pair, if there is one, or minus
@@ -203,11 +179,6 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
     ((shapeA.isRound() ? 0 : Math.abs(a.w)) + (shapeB.isRound() ? 0 : Math.abs(b.w))) * dt <= SOLVED_TURN &&
     (goesFar(a, dt) || goesFar(b, dt))
   );
-}
-
-/** It is no dynamic body that sleeps: the solver would not move that. */
-export function canGiveWay({ kind, asleep }: RigidBody): boolean {
-  return kind !== DYNAMIC || !asleep;
 }
 
 /** The shapes do not interact in this step. */

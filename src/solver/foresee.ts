@@ -13,7 +13,7 @@ import { asksFirst } from '../events/pre-solve.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { canGiveWay } from './find-pairs.js';
+import { canGiveWay } from './interaction.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings, isClear, listWays } from './meetings.js';
 import { goesFar, type Mover, type Movers } from './movers.js';
@@ -31,7 +31,7 @@ export function foresee(world: World, dt: number): void {
   }
   const average = (world.solver.substeps + 1) / (2 * world.solver.substeps);
   movers.ahead = dt;
-  movers.foreseen = 0;
+  movers.foreseenCount = 0;
   movers.bouncy = true;
   movers.alone = world.liveKinematics.length === 0;
   movers.space.begin();

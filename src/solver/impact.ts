@@ -19,6 +19,7 @@ import { preSolve } from '../events/pre-solve.js';
 import { BEGIN } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { joinLists } from './arbiter-lists.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
@@ -26,7 +27,7 @@ import type { Meeting } from './meeting-queue.js';
 import { gains, lessen } from './no-gain.js';
 import { isMoving } from './pack-contacts.js';
 import { smoothMeeting } from './seams.js';
-import { joinLists, wakeBody } from './sleep.js';
+import { wakeBody } from './sleep.js';
 
 /** An interaction begins in the course of a step. */
 export function beginLate(world: World, pair: Arbiter): void {

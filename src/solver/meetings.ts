@@ -27,7 +27,7 @@ import { materials, mixElasticity } from '../material.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
-import { mayInteract } from './find-pairs.js';
+import { mayInteract } from './interaction.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
@@ -246,7 +246,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
     return;
   }
   if (movers.ahead === 0 || waits || !bounces(pair, a, b)) {
-    look(world, meeting, depth, waits);
+    list(world, meeting, depth, waits);
   }
 }
 
@@ -254,7 +254,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
  * At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. Others wait for something to stop
  * one of both: those that would pass each other, and those that the solver kept apart as if nothing would.
  */
-function look(world: World, meeting: Meeting, depth: number, waits: boolean): void {
+function list(world: World, meeting: Meeting, depth: number, waits: boolean): void {
   const { movers } = world;
   const { a, b } = meeting;
   const comes = !waits && mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b);

@@ -5,7 +5,8 @@ import { BEFORE_STEP } from '../events/events.js';
 import { END } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { enliven, joinLists, leaveLists, neighboursOf, quieten, wakeBody } from './sleep.js';
+import { joinLists, leaveLists } from './arbiter-lists.js';
+import { enliven, neighboursOf, quieten, wakeBody } from './sleep.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {

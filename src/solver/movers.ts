@@ -83,7 +83,7 @@ export class Mover {
   }
 
   /** The way of the step that is over, to where the body is now. */
-  look(body: RigidBody, sweeps: boolean): void {
+  retrace(body: RigidBody, sweeps: boolean): void {
     this.begin(body, sweeps);
     this.dx = body.lastDx;
     this.dy = body.lastDy;
@@ -312,15 +312,15 @@ export class Movers {
   /** m. Of contacts that are foreseen, two each: what the separations of their points are less than those at the time when it comes. The first are no one's. */
   foresight = new Float64Array(64);
   /** How many contacts are foreseen in this step, or were tried. */
-  foreseen = 0;
+  foreseenCount = 0;
 
   /** A place for what a contact is foreseen by. */
   foreseeContact(): number {
-    this.foreseen += 1;
-    if (2 * this.foreseen + 1 >= this.foresight.length) {
+    this.foreseenCount += 1;
+    if (2 * this.foreseenCount + 1 >= this.foresight.length) {
       this.foresight = widened(this.foresight, new Float64Array(grown(this.foresight.length)));
     }
-    return this.foreseen;
+    return this.foreseenCount;
   }
 
   /** A mover for a body, which looks for what it meets or does not, and whose way is to be set. */
@@ -346,7 +346,7 @@ export class Movers {
     if (this.ahead > 0) {
       mover.aim(body, this);
     } else {
-      mover.look(body, false);
+      mover.retrace(body, false);
     }
     return mover;
   }

@@ -21,8 +21,8 @@ import * as c from '../contact/layout.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
 import { type BounceList, type ContactBatch, recordAt, type SolverData } from './data.js';
-import { canGiveWay } from './find-pairs.js';
 import { markHard, markOf } from './hard-contacts.js';
+import { canGiveWay } from './interaction.js';
 import * as d from './layout.js';
 
 /**

@@ -7,6 +7,7 @@ import { IN_STEP } from '../events/events.js';
 import { PROGRESS, SLEEP } from '../listeners.js';
 import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
+import { joinLists } from './arbiter-lists.js';
 import { updateHandles } from './refresh.js';
 
 /** Bodies and constraints that fell asleep together, and wake together. */
@@ -300,22 +301,4 @@ export function sleepKinematics(world: World): void {
       quieten(world, body);
     }
   }
-}
-
-/** Puts an arbiter into the world's list that it belongs to. */
-export function joinLists(world: World, pair: Arbiter): void {
-  const dynamic = pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC;
-  pair.listIndex = (dynamic ? world.dynamicArbiters : world.staticArbiters).push(pair) - 1;
-}
-
-/** Takes an arbiter out of the world's list that it is in. */
-export function leaveLists(world: World, pair: Arbiter): void {
-  removeFrom(world.dynamicArbiters, pair);
-  removeFrom(world.staticArbiters, pair);
-}
-
-function removeFrom(list: Arbiter[], pair: Arbiter): void {
-  const at = pair.listIndex;
-  const moved = list[at] === pair ? takeOut(list, at) : null;
-  if (moved !== null) moved.listIndex = at;
 }

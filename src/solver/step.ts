@@ -32,8 +32,7 @@ export function step(world: World, dt: number): void {
   prepare(world, h);
   profile?.lap('prepare');
   profile?.count(world);
-  if (solver.bodyCount === 1 && solver.joints.runs.length === 0) {
-    // Nothing is awake, nothing moves.
+  if (solver.isIdle) {
     return;
   }
   integrate(world, h);

@@ -59,7 +59,7 @@ function storeBody(world: World, body: RigidBody): void {
     body.moved();
     // As `goesFar`, which called from here would have to box its numbers.
     if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > Math.max(body.clearance, SPECULATIVE_MARGIN / 2)) {
-      world.movers.add(body, true).look(body, true);
+      world.movers.add(body, true).retrace(body, true);
     }
   }
   body.clearance = 0;
