@@ -57,7 +57,7 @@ export const FIRM_ERROR = 0.01;
 /** Steps without a contact before it, of the few: a bridge that is firm while a crate is in the air, and not when it lands, would fling it up for ever. */
 export const FIRM_STEPS = 60;
 
-/** The most sweeps in a sub-step. */
+/** The most sweeps in a sub-step that errors ask for. What is new, or solved to its end, has NEW_JOINT_SWEEPS or FIRM_SWEEPS. */
 export const MAX_JOINT_SWEEPS = 16;
 
 /** The fewest where what hangs together touches something. With one, or two, a hinged bridge flings boxes that lie on it up for ever. */
@@ -81,7 +81,7 @@ export const NEW_JOINT_SWEEPS = 32;
  */
 export const HUB_SHARE = 2.5;
 
-/** Large nets are looked at for hubs once in so many steps. */
+/** Steps. So often it is looked at which groups have something heavy, are mechanisms, and may make energy, and which large nets have hubs. */
 export const WEIGH_STEPS = 8;
 
 /** Cosine of the angle by which a row may turn in a sub-step for its corrections to make momentum as if it had not. */
@@ -106,7 +106,7 @@ export const JOINT_FAR_TURN = 0.001;
 export const JOINT_MOMENTUM = 0.999;
 
 /**
- * Share of that which is left there to welds and to angles of one value, to what bears much, see STRAIN_SPEED, and to ropes. With 0 beams that lie on two piers gain energy
+ * Share of JOINT_MOMENTUM that welds and angles of one value make where what hangs together touches something, and what bears much, see STRAIN_SPEED, and ropes. With 0 beams that lie on two piers gain energy
  * until they hop, as corrections lift for nothing what the velocities let sag, and heavy balls sink through the planks of a hinged bridge, which are lifted through
  * them; with 0.6 long beams tremble; with 1 more of them never fall asleep, and what is hit breaks as a whole.
  */
@@ -119,7 +119,7 @@ export const TOUCHED_MOMENTUM = 0.8;
 export const ROPE_JOINTS = 5;
 
 /**
- * m. … unless none of its errors is larger and one of its bodies touches nothing: a pendulum on a tower that stands on the ground then keeps its height, and most hinged bridges with crates come to rest in 30 to 90 s
+ * m. If no error of what hangs together and touches something is larger, joints with a body that touches nothing make all of their momentum: a pendulum on a tower that stands on the ground then keeps its height, and most hinged bridges with crates come to rest in 30 to 90 s
  * instead of 130 s or never. With 3e-4 a tight one does as well, but of twelve heaps of chains three never sleep instead of two.
  */
 export const TOUCHED_QUIET = 2e-4;

@@ -5,4 +5,5 @@ export const COS = 2;
 export const SIN = 3;
 /** Not wrapped. */
 export const ANGLE = 4;
+/** As the stride of the records of bodies in the solver, which has one offset for both. */
 export const POSE = 8;

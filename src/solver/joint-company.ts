@@ -47,16 +47,16 @@ export function findCompanies({ solver, liveDynamics }: World): void {
   }
 }
 
-/** Lists who is with the bodies of a group, and not of them. @returns whether nothing drives any of them, and they are not too many. */
+/** Lists who is with the bodies of a group, that is with the first of them that can be pushed, and not of them. @returns whether nothing drives any of them, and they are not too many. */
 export function findGuests(data: SolverData, group: Group): boolean {
-  const { traits, joints } = data;
+  const { traits, velocity, joints } = data;
   const { guests } = group;
   const end = endOfMembers(data, group);
-  let slot = 0;
-  for (let n = firstMember(data, group); n < end && slot === 0; n += 1) {
-    slot = joints.bodies[n]! / d.BODY_STRIDE;
+  let at = 0;
+  for (let n = firstMember(data, group); n < end && velocity[at + d.INV_MASS] === 0; n += 1) {
+    at = joints.bodies[n]!;
   }
-  const root = rootOf(slot);
+  const root = rootOf(at / d.BODY_STRIDE);
   if (driven[root] === 1 || size[root]! > group.end - group.start + 1 + MOST_GUESTS) {
     return false;
   }

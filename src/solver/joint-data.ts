@@ -148,7 +148,7 @@ export class JointData implements Keeper {
   substeps = 1;
   /** In this step what touches something may be swept over once less. */
   eases = false;
-  /** … and large groups are looked at for hubs. */
+  /** … and it is looked at what groups are, see `WEIGH_STEPS`. */
   weighs = false;
   /** There are springs in this step. Their work is added up, by slot … */
   hasSprings = false;

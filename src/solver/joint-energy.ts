@@ -27,8 +27,8 @@ const LIGHTEST = 7;
 let isDriven = false;
 
 /**
- * Whether the joints of a group may make energy: if they close rings, as between two banks, a body is far heavier than another, or easily turned by a point joint, as links are that weigh more than they look like. Of other joints
- * all may.
+ * Whether the joints of a group may make energy: if they close rings, as between two banks, a body is far heavier than another, or turned easily by a point joint, as thin links are. Other joints
+ * may in any case, but for those that only turn.
  */
 export function mayMakeEnergy(data: SolverData, group: Group): boolean {
   const { joints, bodies } = data.joints;
@@ -173,7 +173,7 @@ function measure(data: SolverData, group: Group): void {
   }
 }
 
-/** Whether a body can move, and comes for the first time. */
+/** Whether a body has a slot, and comes for the first time: it is marked for that with MEMBER. */
 function isNext({ traits }: SolverData, offset: number): boolean {
   const slot = offset / d.BODY_STRIDE;
   const isNew = slot > 0 && (traits[slot]! & d.MEMBER) === 0;

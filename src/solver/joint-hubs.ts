@@ -20,7 +20,7 @@ let sums = new Float64Array(0);
 /** Rounds of the power method. */
 const ROUNDS = 12;
 
-/** A row of J·M^−½, and a column of K⁻¹·J·M^−½: scratch. */
+/** A column of J·M^−½, then of K⁻¹·J·M^−½: scratch. */
 let column = new Float64Array(8);
 
 /** Whether a group has a body with so many joints, and gives way so easily, that it has to be swept over to and fro. */
@@ -104,8 +104,8 @@ function addTurn(
 ): boolean {
   const { at: i, first } = joint;
   const ratio = member === 0 ? 1 : r[i + j.TURN_RATIO]!;
-  const isFree = r[i + j.TURN_LOW] !== -Infinity || r[i + j.TURN_HIGH] !== Infinity;
-  if (isFree && r[i + j.TURN_IMPULSE] === 0) {
+  const isOneSided = r[i + j.TURN_LOW] !== -Infinity || r[i + j.TURN_HIGH] !== Infinity;
+  if (isOneSided && r[i + j.TURN_IMPULSE] === 0) {
     return false;
   }
   sums[at + 6] = sums[at + 6]! + v[bodies[first + member]! + d.INV_INERTIA]! * ratio * ratio * r[i + j.TURN_MASS]!;

@@ -9,8 +9,9 @@ export const FEEDBACK = 1;
 export const RATE = 2;
 /** Largest correcting speed. */
 export const MAX_BIAS = 3;
-/** The impulse of a sub-step is cut to this; that of the step breaks the joint above the next. */
+/** N·s. An impulse of a sub-step is cut to this. */
 export const LIMIT = 4;
+/** N·s. An impulse of the step above this breaks the joint. */
 export const BREAK = 5;
 /** An error above this breaks the joint. */
 export const MAX_ERROR = 6;
@@ -114,13 +115,12 @@ export const TURN_PUSH = 19;
 export const TURN_VALUE = 20;
 export const TURN_LOWER = 21;
 export const TURN_UPPER = 22;
-/** … then: the error at the start of the sub-step; 1 if there are bounds; what of the value is due to bodies that cannot move; what the step gave to A and to B so far. */
-export const TURN_ERROR = 23;
-export const TURN_BOUNDED = 24;
-export const TURN_STILL = 25;
-export const TURN_GIVEN_A = 26;
-export const TURN_GIVEN_B = 27;
-export const TURN_STRIDE = 28;
+/** … then: 1 if there are bounds; what of the value is due to bodies that cannot move; what the step gave to A and to B so far. */
+export const TURN_BOUNDED = 23;
+export const TURN_STILL = 24;
+export const TURN_GIVEN_A = 25;
+export const TURN_GIVEN_B = 26;
+export const TURN_STRIDE = 27;
 
 /** Where things are in the record of any other joint, of D rows and N members. */
 export class BlockLayout {

@@ -50,9 +50,8 @@ export function allot(data: JointData): void {
   for (const group of data.groups) {
     const isCareful = data.joints.slice(group.start, group.end).some(({ constraint }) => constraint.breakUnderForce);
     group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
-    group.sweeps = isCareful || !isNew(data, group) ? 1 : NEW_JOINT_SWEEPS;
+    group.sweeps = isCareful || !carriesNothing(data, group) ? 1 : NEW_JOINT_SWEEPS;
     group.branches = branches(data, group);
-    group.isNew = true;
   }
   allotSlots(data);
   if (data.records.length < data.size) {
@@ -74,7 +73,7 @@ function branches({ joints }: JointData, { start, end }: Group): boolean {
   return [...counts.values()].some((count) => count > 2);
 }
 
-/** Gives rigid point joints their records for a step. Side by side lie no two that share a body. */
+/** Gives rigid point joints their records for a step. Where they are solved two at a time, no two that lie side by side share a body: the second is missing there. */
 function allotSlots(data: JointData): void {
   const { runs, groups } = data;
   data.slots = 0;
@@ -144,7 +143,7 @@ function layBeside({ joints }: JointData, group: Group, next: Group): void {
 }
 
 /** Most of its joints carried nothing yet. */
-function isNew({ joints }: JointData, { start, end }: Group): boolean {
+function carriesNothing({ joints }: JointData, { start, end }: Group): boolean {
   let count = 0;
   for (let k = start; k < end; k += 1) {
     if (joints[k]!.constraint.impulse.every((part) => part === 0)) {

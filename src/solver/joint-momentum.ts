@@ -94,8 +94,8 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
     const n = impulseAt(joint, row);
     square += numbers[n]! * numbers[n]!;
   }
-  const mass = v[bodies[first]! + INV_MASS]! + v[bodies[first + 1]! + INV_MASS]!;
-  return kernel !== TURN && kernel !== CUSTOM && square * mass * mass > STRAIN_SPEED * STRAIN_SPEED;
+  const ease = v[bodies[first]! + INV_MASS]! + v[bodies[first + 1]! + INV_MASS]!;
+  return kernel !== TURN && kernel !== CUSTOM && square * ease * ease > STRAIN_SPEED * STRAIN_SPEED;
 }
 
 /** Whether something is in its way that is none of its bodies, and nothing far heavier lies on one: a wrecking ball that its last link reaches into does not lie on that. */

@@ -42,7 +42,7 @@ export function carryAt({ kernel, at, slot }: Joint): number {
   return kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_CARRY : at + CARRY;
 }
 
-/** Makes no momentum of what corrects a joint in this step, which is done without turning if its error is large and `snaps` is 1. */
+/** In this step corrections of the joint make no momentum; with `snaps` = 1 large ones do not turn its bodies either. */
 export function steady(data: SolverData, joint: Joint, snaps: number): void {
   const numbers = numbersOf(data, joint);
   const { kernel, at, slot } = joint;
@@ -82,7 +82,7 @@ export function endOfMembers({ joints: { joints } }: SolverData, { end }: Group)
   return first + layout.members;
 }
 
-/** Sets or clears MEMBER in the slots of all bodies of a group that can move. */
+/** Sets or clears MEMBER in the slots of all bodies of a group that have one: those that are awake. */
 export function markMembers(data: SolverData, group: Group, mark: number): void {
   const { traits } = data;
   const { bodies } = data.joints;

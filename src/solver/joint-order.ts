@@ -60,7 +60,7 @@ export function acts(world: World, { members, type }: Constraint): boolean {
   );
 }
 
-/** The constraints on dynamic bodies that a constraint shares, and so on; they leave the set `left`. */
+/** All constraints that are reached from one by way of dynamic bodies that they share; they leave the set `left`. */
 function hangingTogether(start: Constraint, left: Set<Constraint>): Constraint[] {
   const found = [start];
   left.delete(start);

@@ -58,7 +58,7 @@ export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): v
   }
 }
 
-/** Before the joints of a group are warm started: nothing is strained yet. */
+/** Before it is found which joints of a group are strained; blocks and turns note it as they are warm started. */
 export function beginGroup({ joints: { asked, strained, lag } }: SolverData, { tolerance, start, end }: Group): void {
   lag[0] = 0;
   asked[0] = tolerance * tolerance;
@@ -93,7 +93,7 @@ function findStrainedPoints(data: SolverData, { runs }: Group): void {
   }
 }
 
-/** Whether it has something heavy, looked at once in a while, and whether a hub: in each step where joints are few. */
+/** Finds what kind of group it is, once in a while, and whether it has a hub: in each step where joints are few. */
 function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.weighs || group.isNew;
   if (isDue) {
@@ -107,7 +107,7 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-/** What is welded together counts as one body. Where impulses break joints sweeps are not to try any. */
+/** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
 function weighFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;

@@ -55,7 +55,7 @@ export function enterSprings(data: SolverData): void {
 /** Angles are as hard in any pose: they do not owe. Of custom constraints nobody knows. */
 function enter(data: SolverData, joint: Joint, given: number): void {
   const { constraint } = joint;
-  findTension(data, joint);
+  findHeld(data, joint);
   // Within a sub-step it is ahead or behind by half of what it gives. More debt than some times that is forgotten: it would be slack for long.
   const most = SPRING_GAIN * found[0]! + Math.abs(given);
   // Where numbers run wild nothing is entered.
@@ -89,7 +89,7 @@ function findGiven(data: SolverData, joint: Joint): number {
 }
 
 /** J, to `found`: what a spring as hard as it is now holds at the error with which the sub-step began, ½ · (2π · frequency)² · C · K⁻¹ · C. */
-function findTension(data: SolverData, joint: Joint): void {
+function findHeld(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, error, work } = layout;

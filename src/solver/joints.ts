@@ -252,7 +252,7 @@ function solveFirmly(data: SolverData, group: Group): void {
   }
 }
 
-/** Custom constraints, whose callbacks are called once in each iteration: in iteration `i`, which those to and fro begin with the last if it is odd. */
+/** Custom constraints, whose callbacks are called once in each iteration. In odd iterations groups that are swept over to and fro begin with their last. */
 function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joint: Joint) => void): void {
   const { groups, joints } = data.joints;
   for (let g = 0; g < groups.length; g += 1) {
@@ -267,7 +267,7 @@ function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joi
   }
 }
 
-/** Position iteration `i` of `count`; where sweeps are few, the first. @returns whether there is something left for another. */
+/** Position iteration `i` of `count`; where there are fewer sweeps than iterations the first iterations have them. @returns whether there is something left for another. */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups } = data.joints;
   left.found = false;

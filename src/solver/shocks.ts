@@ -194,7 +194,7 @@ function solve(data: SolverData, count: number, jointSolver: JointSolver | null)
       const contact = contacts[i]!;
       const k = contact >> 1;
       const solveVelocity = (contact & 1) === 1 ? solveVelocityOne : solveVelocityTwo;
-      // To be exact in a sub-step of one second is exact enough.
+      // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would in that.
       changed = solveVelocity(data, k, k + 1, 1) || changed;
     }
   }

@@ -27,7 +27,6 @@ export function packTurn(data: SolverData, joint: Joint): void {
   r[at + j.TURN_IMPULSE] = constraint.impulse[0]!;
   r[at + j.TURN_LOW] = -Infinity;
   r[at + j.TURN_HIGH] = Infinity;
-  r[at + j.TURN_ERROR] = 0;
   r[at + j.TURN_RATIO] = ratio;
   r[at + j.TURN_BOUNDED] = positional ? 1 : 0;
   r[at + j.TURN_LOWER] = lower;
@@ -109,18 +108,18 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
   const isBeyond = isUpper ? over > 0 : under < 0;
   const isStiff = r[i + j.PUSH] !== 0;
   const acts = (isBeyond || isStiff) && Math.abs(distance) < Infinity;
-  r[i + j.TURN_ERROR] = isBeyond ? distance : 0;
+  const error = isBeyond ? distance : 0;
   r[i + j.TURN_LOW] = lower === upper || (acts && isUpper) ? -Infinity : 0;
   r[i + j.TURN_HIGH] = lower === upper || (acts && !isUpper) ? Infinity : 0;
   if (isStiff) {
     const rests = Math.abs(distance) < BOUND_SLOP && r[i + j.TURN_IMPULSE] !== 0;
     r[i + j.TURN_BIAS] = acts && !isBeyond && !rests ? distance / h : 0;
   } else {
-    const speed = r[i + j.TURN_ERROR]! * r[i + j.RATE]!;
+    const speed = error * r[i + j.RATE]!;
     const most = r[i + j.MAX_BIAS]!;
     r[i + j.TURN_BIAS] = speed > most ? most : speed < -most ? -most : speed;
   }
-  const square = r[i + j.TURN_ERROR]! * r[i + j.TURN_ERROR]!;
+  const square = error * error;
   if (isStiff && square > worst[0]!) {
     worst[0] = square;
   }

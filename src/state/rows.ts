@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
 import { FAR, MAX_SIZE } from '../config.js';
-import { FIRM_STEPS, MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config-joints.js';
+import { FIRM_STEPS, FIRM_SWEEPS, MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { DEAD, KEPT, LISTED, SHOWN } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
@@ -84,7 +84,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   return fixedMass !== b.fixedMass || fixedInertia !== b.fixedInertia;
 }
 
-/** x, y, angle, cosine, sine and the three of the velocity were passed last: the first are not beyond all bounds, and the turn is one. */
+/** x, y, angle, cosine, sine and the three of the velocity were passed last: the place is within bounds, and cosine and sine are those of an angle. */
 function checkPlace(tape: Tape): void {
   const [cos, sin] = [tape.latest(4), tape.latest(3)];
   for (let i = 5; i < MOTION; i += 1) {
@@ -337,7 +337,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.isMechanism = tape.flag(group.isMechanism);
   group.isHeld = tape.flag(group.isHeld);
   group.untouched = tape.integer(group.untouched, 0, FIRM_STEPS);
-  group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS));
+  group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, FIRM_SWEEPS));
   group.span = tape.number(group.span);
   group.excess = tape.number(group.excess);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);

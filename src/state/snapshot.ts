@@ -21,7 +21,7 @@ import { walk } from './walk.js';
 const tape = /* @__PURE__ */ new Tape(ROWS);
 const scene = /* @__PURE__ */ emptyScene();
 
-/** The objects that a snapshot was taken of, as long as it is there, and its checksum: after that they are what is meant, whatever became of them. */
+/** The objects that a snapshot was taken of, as long as it is there, and its checksum: while that is the same they are the ones that are meant, whatever became of them. */
 interface Known extends Objects {
   checksum: string;
 }
