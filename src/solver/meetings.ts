@@ -1,16 +1,12 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
-import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import {
   DEEPER_CARRIED,
   DEEPER_SHARE,
-  FORESIGHT_DEPTH,
   IMPACT_DEPTH,
-  IMPACT_SHARE_THIN,
   IMPACT_TURN,
-  JOINT_PATIENCE,
   MEET_PATIENCE,
   SPECULATIVE_MARGIN,
   SWEEP_TOLERANCE,
@@ -22,26 +18,20 @@ import * as c from '../contact/layout.js';
 import { crossing, REACHED } from '../geometry/crossing.js';
 import { Middle } from '../geometry/middle.js';
 import { findImpact, findNext, Sweep } from '../geometry/sweep.js';
-import { PRE_SOLVE } from '../listeners.js';
-import { materials, mixElasticity } from '../material.js';
+import { materials } from '../material.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
-import { CIRCLE } from '../shape/shape-kind.js';
 import type { World } from '../world.js';
+import { areElastic, findRequired, isJointed, mayBeRefused, required, requireLess } from './impact-depth.js';
 import { mayInteract } from './interaction.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
 import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
-import { isTied } from './ties.js';
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 const middle = /* @__PURE__ */ new Middle();
 const bounds = new Float64Array(4);
 const around = new Float64Array(4);
-/** What `findLeast` is asked about: how far two shapes turn against each other, rad, and how deep they may get, m. Here, as arguments they would be boxed. */
-const asked = new Float64Array(2);
-/** m. What `findLeast` found. */
-const least = new Float64Array(1);
 
 export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
@@ -182,10 +172,6 @@ function isWithStatic({ a, b }: Meeting): boolean {
   return a.owner!.kind === STATIC || b.owner!.kind === STATIC;
 }
 
-function mayBeRefused(a: Shape, b: Shape): boolean {
-  return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
-}
-
 /** What a sensor will be crossed by is not foreseen. */
 function isUnforeseen({ ahead }: Movers, { sensor }: Shape): boolean {
   return sensor && ahead > 0;
@@ -314,11 +300,6 @@ function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
   return pair.numbers[pair.at + c.ELASTICITY]! > 0;
 }
 
-/** Whether what meets bounces, as their materials say. */
-function areElastic(a: Shape, b: Shape): boolean {
-  return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
-}
-
 function add({ movers }: World, meeting: Meeting): void {
   const { a, b } = meeting;
   movers.meetings.add(meeting, movers.of(a.owner!), movers.of(b.owner!), !isSensed(a, b));
@@ -338,16 +319,15 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  ask(pair.shapeA, pair.shapeB, a, b, depth);
-  findLeast(pair.shapeA, pair.shapeB, false);
-  return pair.foreseen === 0 && asked[0]! * way < least[0]! && holds(pair, a, b);
+  findRequired(pair.shapeA, pair.shapeB, a, b, depth, false);
+  return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
 }
 
-/** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and `findLeast` allows: what is hit hard towards a wall may not stop there. */
+/** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and than is `required`: what is hit hard towards a wall may not stop there. */
 function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boolean {
   const came = n[o + g.NX]! * (a.dx - b.dx) + n[o + g.NY]! * (a.dy - b.dy);
   findLeastSeparation(n, o);
-  return count === 0 || came - Math.max(leastSeparation[0]!, 0) < least[0]!;
+  return count === 0 || came - Math.max(leastSeparation[0]!, 0) < required.depth;
 }
 
 /**
@@ -361,48 +341,6 @@ function middleMeets(a: Shape, b: Shape, time: number): boolean {
   sweep.time = time;
   sweep.target = 0;
   return findImpact(sweep) && sweep.time > time;
-}
-
-function isJointed(a: Shape, b: Shape): boolean {
-  return isTied(a.owner!) || isTied(b.owner!);
-}
-
-/**
- * How deep two shapes that turn so far against each other in the step have to get for an impact, to `least`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
- * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
- */
-function findLeast(a: Shape, b: Shape, isNew: boolean): void {
-  findImpactDepth(a, b);
-  const mayBeMissed = asked[0]! < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
-  const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
-  least[0] = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(asked[1]!, impactDepth[0]!, thinner);
-}
-
-/**
- * Lessens `least` for what comes from outside, has no joints and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
- * corners that turn. Two circles cannot slide over each other without being found first.
- */
-function findGraze(a: Shape, b: Shape, one: Mover, two: Mover): void {
-  if (!mayBeForeseen(a, b) && !isJointed(a, b)) {
-    const graze = a.kind === CIRCLE && b.kind === CIRCLE ? TOUCH_DEPTH : FORESIGHT_DEPTH;
-    least[0] = Math.min(least[0]!, graze + dip(a, one) + dip(b, two));
-  }
-}
-
-/** m. How much deeper the corners of a shape may get than its sides, as far as it turns. */
-function dip(shape: Shape, { body, spin }: Mover): number {
-  return shape.isRound() ? 0 : Math.min(spin * body.radius, body.radius - halfWidthOf(shape));
-}
-
-/** What bounces is not, nor what handlers are asked about. */
-function mayBeForeseen(a: Shape, b: Shape): boolean {
-  return !mayBeRefused(a, b) && !areElastic(a, b);
-}
-
-/** Sets what `findLeast` is asked about. Circles do not turn. */
-function ask(a: Shape, b: Shape, one: Mover, two: Mover, depth: number): void {
-  asked[0] = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
-  asked[1] = depth;
 }
 
 /**
@@ -427,18 +365,17 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  ask(a, b, one, two, depth);
-  findLeast(a, b, true);
-  sweep.target = -Math.min(TOUCH_DEPTH, least[0]! / 2);
+  findRequired(a, b, one, two, depth, true);
+  sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;
   }
   const { time } = sweep;
-  if (time > from) findGraze(a, b, one, two);
+  if (time > from) requireLess(a, b, one, two);
   const isCarried = carries(one) || carries(two);
-  const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * least[0]!;
-  sweep.target = Math.min(-least[0]!, sweep.distance.value - more);
-  const isDeep = findNext(sweep) || (asked[0]! >= IMPACT_TURN && middleMeets(a, b, time));
+  const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * required.depth;
+  sweep.target = Math.min(-required.depth, sweep.distance.value - more);
+  const isDeep = findNext(sweep) || (required.turn >= IMPACT_TURN && middleMeets(a, b, time));
   meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;
   return isDeep;
 }
