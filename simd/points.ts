@@ -340,7 +340,7 @@ export function solveVelocityPoints(records: usize, bodies: usize, velocity: usi
   return Points.sweep(records, bodies, velocity, from, to, j.ARM_AX, j.IMPULSE_X, 0);
 }
 
-export function pushPointsFurther(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
+export function pushPointsLinearly(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
   return Points.sweep(records, bodies, motion, from, to, j.PLACED_AX, j.PUSH_X, j.OFFSET_X);
 }
 

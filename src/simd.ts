@@ -21,7 +21,7 @@ interface Exports {
   warmStartPoints: (records: number, bodies: number, v: number, pose: number, from: number, to: number) => number;
   solveVelocityPoints: Sweep;
   pushPoints: Sweep;
-  pushPointsFurther: Sweep;
+  pushPointsLinearly: Sweep;
   finishPoints: Sweep;
 }
 
@@ -122,8 +122,8 @@ function pointKernelsOf(kernels: Exports, step: Float64Array): PointKernels {
       worst[1] = step[2]!;
       return done;
     },
-    pushFurther: ({ points, pointBodies, motion }, from, to) =>
-      kernels.pushPointsFurther(points.byteOffset, pointBodies.byteOffset, motion.byteOffset, from, to),
+    pushLinearly: ({ points, pointBodies, motion }, from, to) =>
+      kernels.pushPointsLinearly(points.byteOffset, pointBodies.byteOffset, motion.byteOffset, from, to),
     finish: ({ points, pointBodies, velocity, joints: { share } }, from, to) => {
       step[0] = share[0]!;
       return kernels.finishPoints(points.byteOffset, pointBodies.byteOffset, velocity.byteOffset, from, to);

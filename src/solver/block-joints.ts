@@ -6,9 +6,9 @@ import { backward, factor, forward } from '../math/solve.js';
 import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
+import { noteLag } from './joint-numbers.js';
 import { measure, showPoses } from './joint-pose.js';
 import * as d from './layout.js';
-import { noteLag } from './turn-joints.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
@@ -246,7 +246,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   if (isCustom(constraint)) {
     clampCustom(data, joint, constraint);
   }
-  if (r[at + j.CHECKED] !== 0 && isBroken(data, joint)) {
+  if (r[at + j.CHECKED] !== 0 && cutOrBreak(data, joint)) {
     return;
   }
   for (let n = 0; n < rows; n += 1) {
@@ -294,8 +294,8 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
   }
 }
 
-/** Cuts the impulse to its limit, or breaks the joint if that of the step is too large. */
-function isBroken(data: SolverData, joint: Joint): boolean {
+/** Cuts the impulse to its limit, or breaks the joint if that of the step is too large. @returns whether it broke. */
+function cutOrBreak(data: SolverData, joint: Joint): boolean {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   const { rows, work, total } = layout;
@@ -318,7 +318,7 @@ function isBroken(data: SolverData, joint: Joint): boolean {
   return false;
 }
 
-/** Starts a position iteration; the sweeps that follow work with its linear part. */
+/** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. */
 export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;

@@ -19,7 +19,7 @@ const before = new Float64Array(12);
 const way = new Float64Array(3);
 
 /**
- * Ends a sub-step, when what joints gave has been added up: those that contacts hold open have the last word. As contacts are solved last in a position iteration,
+ * Ends a sub-step, when what joints gave has been added up: what is torn forgets part of that, and those that contacts hold open have the last word. As contacts are solved last in a position iteration,
  * they would keep a joint open for ever that has something on its wrong side.
  */
 export function closeOpen(data: SolverData, group: Group): void {

@@ -24,7 +24,7 @@ const PY = 6;
 const LIGHTEST = 7;
 
 /** One of them is moved by something else. */
-let isDriven = false;
+let isCarried = false;
 
 /**
  * Whether the joints of a group may make energy: if they close rings, as between two banks, a body is far heavier than another, or turned easily by a point joint, as thin links are. Other joints
@@ -38,7 +38,7 @@ export function mayMakeEnergy(data: SolverData, group: Group): boolean {
     const joint = joints[k]!;
     const { kernel, first, layout } = joint;
     for (let member = 0; member < layout.members; member += 1) {
-      count += isNext(data, bodies[first + member]!) ? 1 : 0;
+      count += visit(data, bodies[first + member]!) ? 1 : 0;
       isFound ||= kernel === POINT ? turnsEasily(data, joint, member) : kernel !== TURN;
     }
   }
@@ -85,7 +85,7 @@ function takeExcess(data: SolverData, group: Group): void {
   measure(data, group);
   const kinetic = sums[KINETIC]!;
   const made = kinetic + sums[AHEAD]! - sums[WORK]! - group.energy;
-  if (isDriven || !Number.isFinite(made)) {
+  if (isCarried || !Number.isFinite(made)) {
     group.excess = 0;
     return;
   }
@@ -119,7 +119,7 @@ function energyOfLight(data: SolverData, group: Group, x: number, y: number): nu
   let twice = 0;
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (isNext(data, i) && isLight(data, i)) {
+    if (visit(data, i) && isLight(data, i)) {
       const vx = v[i + d.VX]! - x;
       const vy = v[i + d.VY]! - y;
       const w = v[i + d.W]!;
@@ -138,7 +138,7 @@ function slowDown(data: SolverData, group: Group, keep: number, x: number, y: nu
   const end = endOfMembers(data, group);
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (isNext(data, i) && isLight(data, i)) {
+    if (visit(data, i) && isLight(data, i)) {
       v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
       v[i + d.VY] = y + keep * (v[i + d.VY]! - y);
       v[i + d.W] = keep * v[i + d.W]!;
@@ -151,12 +151,12 @@ function measure(data: SolverData, group: Group): void {
   const { bodies } = data.joints;
   const end = endOfMembers(data, group);
   sums.fill(0);
-  isDriven = false;
+  isCarried = false;
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
     if (i === 0) {
       sums[MASS] = Infinity;
-    } else if (isNext(data, i)) {
+    } else if (visit(data, i)) {
       add(data, i);
       sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, data.velocity[i + d.INV_MASS]!);
     }
@@ -174,11 +174,11 @@ function measure(data: SolverData, group: Group): void {
 }
 
 /** Whether a body has a slot, and comes for the first time: it is marked for that with MEMBER. */
-function isNext({ traits }: SolverData, offset: number): boolean {
+function visit({ traits }: SolverData, offset: number): boolean {
   const slot = offset / d.BODY_STRIDE;
-  const isNew = slot > 0 && (traits[slot]! & d.MEMBER) === 0;
+  const isFirst = slot > 0 && (traits[slot]! & d.MEMBER) === 0;
   traits[slot] = traits[slot]! | d.MEMBER;
-  return isNew;
+  return isFirst;
 }
 
 /**
@@ -205,7 +205,7 @@ function add({ velocity: v, motion: q, drive: f, joints: { h, hasSprings, work }
     sums[PY] = sums[PY]! + m * vy;
     sums[MASS] = sums[MASS]! + m;
   } else {
-    isDriven ||= vx !== 0 || vy !== 0;
+    isCarried ||= vx !== 0 || vy !== 0;
     sums[MASS] = Infinity;
   }
   if (inverseInertia > 0) {
@@ -214,6 +214,6 @@ function add({ velocity: v, motion: q, drive: f, joints: { h, hasSprings, work }
     sums[AHEAD] = sums[AHEAD]! + 0.5 * inertia * gainW * w;
     sums[WORK] = sums[WORK]! + (inertia * gainW * q[i + d.DW]!) / h;
   } else {
-    isDriven ||= w !== 0;
+    isCarried ||= w !== 0;
   }
 }

@@ -19,7 +19,7 @@ const ITSELF = 4;
 const ALIKE = 8;
 
 /**
- * Of a group that touches something. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
+ * Of a group that touches something; also finds whether it stands on that. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
  * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle, unless what hangs together overlaps
  * itself, those that bear much under a weight, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM. And where errors are as small as those of what swings freely,
  * contacts undo nothing: there joints make all of theirs that have a body which touches nothing.

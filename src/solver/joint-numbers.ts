@@ -4,6 +4,7 @@ import {
   CARRY,
   IMPULSE_X,
   KEPT_IMPULSE_X,
+  LIMIT,
   POINT,
   POINT_CARRY,
   POINT_SNAPS,
@@ -90,5 +91,13 @@ export function markMembers(data: SolverData, group: Group, mark: number): void 
   for (let n = firstMember(data, group); n < end; n += 1) {
     const slot = bodies[n]! / BODY_STRIDE;
     traits[slot] = (traits[slot]! & ~MEMBER) | (slot > 0 ? mark : 0);
+  }
+}
+
+/** By what speed a motor misses its rate, if it gives less than it may; its impulse is at that offset of its record. */
+export function noteLag({ joints: { records: r, lag } }: SolverData, i: number, impulse: number, speed: number): void {
+  const miss = Math.abs(speed);
+  if (miss > lag[0]! && Math.abs(r[i + impulse]!) < r[i + LIMIT]!) {
+    lag[0] = miss;
   }
 }

@@ -38,12 +38,12 @@ export function orderJoints(world: World): void {
 
 /** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */
 function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError, owner }: Constraint): number {
-  const isWatched =
+  const isSpecial =
     breakUnderForce || breakUnderError || members.some((body) => body.kind === KINEMATIC && body.owner !== owner);
-  if (type === 'POINT' && stiff && !isWatched) {
+  if (type === 'POINT' && stiff && !isSpecial) {
     return POINT;
   }
-  if ((type === 'ANGLE' || type === 'MOTOR') && !isWatched) {
+  if ((type === 'ANGLE' || type === 'MOTOR') && !isSpecial) {
     return TURN;
   }
   if (type === 'CUSTOM') {

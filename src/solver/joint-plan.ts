@@ -191,7 +191,7 @@ function reachLess(data: SolverData, { start, end }: Group): void {
 /**
  * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
  * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
- * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins.
+ * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins. Where impulses were dropped sweeps begin as for what is new.
  */
 function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
   const { impulseScale } = data;

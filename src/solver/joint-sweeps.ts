@@ -2,7 +2,7 @@ import { lineariseBlock, pushBlock, solveVelocityBlock } from './block-joints.js
 import type { SolverData } from './data.js';
 import type { Group, Run } from './joint-data.js';
 import { BLOCK, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
-import { pushFarPoints, pushPoints, pushPointsFurther, solveVelocityPoints } from './point-joints.js';
+import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
 import { pushTurns, solveVelocityTurns } from './turn-joints.js';
 
@@ -74,12 +74,12 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
   return kernel !== CUSTOM;
 }
 
-export function pushRunFurther(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushPointsFurther(data, start, end) : pushRun(data, kernel, start, end);
+export function pushRunLinearly(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushPointsLinearly(data, start, end) : pushRun(data, kernel, start, end);
 }
 
-export function pushFarRun(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushFarPoints(data, start, end) : pushRun(data, kernel, start, end);
+export function pushTurnedRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+  return kernel === POINT ? pushTurnedPoints(data, start, end) : pushRun(data, kernel, start, end);
 }
 
 export function linearise(data: SolverData, { runs }: Group): void {

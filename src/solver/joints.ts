@@ -30,7 +30,7 @@ import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import { forgetShocks, linkShocks } from './joint-shocks.js';
 import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
-import { linearise, pushFarRun, pushRun, pushRunFurther, solveVelocityRun, sweepOver } from './joint-sweeps.js';
+import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './joint-sweeps.js';
 import {
   beginPoints,
   finishPoints,
@@ -313,12 +313,12 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
     // More than small motion was left when all exact errors were found the last time.
-    const pushFurther = group.pushed > JOINT_FAR * JOINT_FAR ? pushFarRun : pushRunFurther;
+    const pushAgain = group.pushed > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;
     worst[0] = 0;
     worst[1] = 0;
     const goesOn = group.isFirm && isLinear && group.pushed < FIRM_ERROR * FIRM_ERROR;
     if (goesOn) noteStart(data, true);
-    const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushFurther : pushRun);
+    const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushAgain : pushRun);
     if (!isLinear) {
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     }

@@ -17,14 +17,14 @@ import * as plain from './point-loops.js';
  * A loop in WebAssembly, from one record to another, both even. @returns twice the index of the first that it left to the loop in TypeScript, and 1 if an error was worth
  * another iteration.
  */
-type Kernel = (data: SolverData, from: number, to: number) => number;
+type FastLoop = (data: SolverData, from: number, to: number) => number;
 
 export interface PointKernels {
-  readonly warmStart: Kernel;
-  readonly solveVelocity: Kernel;
-  readonly push: Kernel;
-  readonly pushFurther: Kernel;
-  readonly finish: Kernel;
+  readonly warmStart: FastLoop;
+  readonly solveVelocity: FastLoop;
+  readonly push: FastLoop;
+  readonly pushLinearly: FastLoop;
+  readonly finish: FastLoop;
 }
 
 /** The same in TypeScript, over each record or, with a `step` of 2, every second one. @returns `true` if an error was worth another iteration. */
@@ -147,16 +147,16 @@ function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Join
 }
 
 /**
- * Joints from one to another, by a kernel, if there is one, and by a loop what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
+ * Joints from one to another, by a fast loop, if there is one, and by the plain one what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
  * at once if both are wanted. @returns what they find together.
  */
-function solve(data: SolverData, start: number, end: number, kernel: Kernel | undefined, loop: Loop): boolean {
+function solve(data: SolverData, start: number, end: number, fast: FastLoop | undefined, loop: Loop): boolean {
   const { pointBodies } = data;
   const { joints } = data.joints;
   const { slot, isPaired } = joints[start]!;
   const to = joints[end - 1]!.slot + 1;
   const step = stepOf(data, start, end);
-  if (kernel === undefined || !isPaired || step === 2) {
+  if (fast === undefined || !isPaired || step === 2) {
     return loop(data, slot, to, step) === true;
   }
   let k = slot;
@@ -167,7 +167,7 @@ function solve(data: SolverData, start: number, end: number, kernel: Kernel | un
   }
   const whole = to + (to & 1) * ((pointBodies[2 * to]! & d.MISSING) === 0 ? -1 : 1);
   while (k < whole) {
-    const done = kernel(data, k, whole);
+    const done = fast(data, k, whole);
     found = (done & 1) === 1 || found;
     k = done >> 1;
     if (k < whole) {
@@ -200,16 +200,16 @@ export function pushPoints(data: SolverData, start: number, end: number): boolea
 }
 
 /** Another sweep, linear. @returns as the others. */
-export function pushPointsFurther(data: SolverData, start: number, end: number): boolean {
-  return solve(data, start, end, data.pointKernels?.pushFurther, plain.pushPointsFurther);
+export function pushPointsLinearly(data: SolverData, start: number, end: number): boolean {
+  return solve(data, start, end, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
 }
 
 /** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
-export function pushFarPoints(data: SolverData, start: number, end: number): boolean {
+export function pushTurnedPoints(data: SolverData, start: number, end: number): boolean {
   let found = false;
   for (let k = start; k < end; k += FAR_BLOCK) {
     const to = Math.min(k + FAR_BLOCK, end);
-    found = (haveTurned(data, k, to) ? pushPoints(data, k, to) : pushPointsFurther(data, k, to)) || found;
+    found = (haveTurned(data, k, to) ? pushPoints(data, k, to) : pushPointsLinearly(data, k, to)) || found;
   }
   return found;
 }

@@ -233,7 +233,7 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
 }
 
 /** Another sweep: as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth another iteration. */
-export function pushPointsFurther(data: SolverData, from: number, to: number, step: number): boolean {
+export function pushPointsLinearly(data: SolverData, from: number, to: number, step: number): boolean {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let found = false;
   for (let k = from; k < to; k += step) {

@@ -6,6 +6,7 @@ import type { MotorConstraint } from '../constraint/motor.js';
 import type { SolverData } from './data.js';
 import { type Joint, packHead } from './joint-data.js';
 import * as j from './joint-layout.js';
+import { noteLag } from './joint-numbers.js';
 import * as d from './layout.js';
 
 /**
@@ -82,14 +83,6 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
     const lambda = r[i + j.TURN_IMPULSE]!;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * lambda;
     v[b + d.W] = v[b + d.W]! + v[b + d.INV_INERTIA]! * lambda * ratio;
-  }
-}
-
-/** By what speed a motor misses its rate, if it gives less than it may; its impulse is at that offset of its record. */
-export function noteLag({ joints: { records: r, lag } }: SolverData, i: number, impulse: number, speed: number): void {
-  const miss = Math.abs(speed);
-  if (miss > lag[0]! && Math.abs(r[i + impulse]!) < r[i + j.LIMIT]!) {
-    lag[0] = miss;
   }
 }
 

@@ -23,7 +23,7 @@ import { type Loops, plain } from '../../src/solver/loops.js';
 import {
   finishPoints,
   pushPoints,
-  pushPointsFurther,
+  pushPointsLinearly,
   solveVelocityPoints,
   warmStartPoints,
 } from '../../src/solver/point-joints.js';
@@ -222,7 +222,7 @@ describe.each([
   ['warmStartPoints', warmStartPoints],
   ['solveVelocityPoints', solveVelocityPoints],
   ['pushPoints', pushPoints],
-  ['pushPointsFurther', pushPointsFurther],
+  ['pushPointsLinearly', pushPointsLinearly],
   ['finishPoints', finishPoints],
 ])('%s', (name, loop) => {
   it('does the same in WebAssembly, to the bit: whatever is rare, wherever it begins and ends', () => {
