@@ -18,6 +18,9 @@ export const JOINT_REST_ERROR = 0.002;
  */
 export const SPRING_SWEEPS = 16;
 
+/** Parts of a turn. Below it, as up to 24 Hz at 1/60 s and four sub-steps, one sweep is enough. */
+export const SPRING_TURN = 0.1;
+
 /** Of what a spring holds, so much at most counts as given to it, as it is not known to the last digit. */
 export const SPRING_GAIN = 1.02;
 
@@ -27,9 +30,6 @@ export const SPRING_DEBT = 4;
 /** rad/s. For each such part by which a motor misses its rate all that hangs together is swept over once more: in one sweep light wheels hand heavy ones so little that both swing for ever. */
 export const MOTOR_LAG = 0.02;
 
-/** Parts of a turn. Below it, as up to 24 Hz at 1/60 s and four sub-steps, one sweep is enough. */
-export const SPRING_TURN = 0.1;
-
 /** So many joints that hang together are few; for more it grows in proportion. */
 export const FEW_JOINTS = 64;
 
@@ -38,14 +38,20 @@ export const FEW_JOINTS = 64;
  * the end. FIRM_FEW joints and fewer are while they touch nothing. It takes up to ten times as long as sweeps do.
  */
 export const FIRM_JOINTS = 32;
+
+/** So few joints that touch nothing are solved to their end whatever they leave to move. */
 export const FIRM_FEW = 4;
+
+/** Rows for each body, of three that would hold it: what has so many leaves little to move. */
 export const FIRM_ROWS = 2.5;
 
-/** So many of their bodies may touch something: more do in heaps, where welded frames would take ten times as long, and come to rest later. */
+/** So many bodies of a mechanism may touch something, at most two are counted: more do in heaps, where welded frames would take ten times as long, and come to rest later. */
 export const FIRM_FEET = 2;
 
-/** They are swept over so often, or until a sweep changes less than such a share of their energy: below it rounding decides. */
+/** What is solved to its end is swept over so often at most. */
 export const FIRM_SWEEPS = 32;
+
+/** Share of the energy. It is solved when a sweep changes less: below it rounding decides. */
 export const JOINT_STILL = 1e-12;
 
 /** A direction that has so little of the energy of the change it was made of has lost it to rounding. */

@@ -87,10 +87,10 @@ export const BOUNCE_ROUNDS = 16;
 /** A blow goes on where it is more than so many times what a contact bears anyway in a sub-step. If it always did, high heaps would take three times as long to come to rest. */
 export const BOUNCE_LOAD = 2;
 
-/** What bounces in one round is swept over so often with friction, … */
+/** What bounces in one round is swept over so often with friction. */
 export const BOUNCE_RUBS = 4;
 
-/** … and without, as what bounces with the rest of the contacts, so often at most. */
+/** After that what bounces is swept over so often at most without more friction, until nothing changes. */
 export const BOUNCE_SWEEPS = 16;
 
 /** (m/s)². Sliding faster than 0.01 m/s takes the dynamic coefficient of friction, slower the static one. */
@@ -172,12 +172,12 @@ export const IMPACT_DEPTH = 0.05;
 export const IMPACT_SHARE = 0.25;
 
 /**
- * … nor, of half the thickness of the thinner one, than this share: it would slip into the foot of a thick wall, or into the joint of two tiles, of which neither holds it then. With 1.5 rods that fly at a joint
+ * IMPACT_DEPTH is no more than this share of half the thickness of the thinner shape, where the solver does not see it or it is never foreseen: it would slip into the foot of a thick wall, or into the joint of two tiles, of which neither holds it then. With 1.5 rods that fly at a joint
  * lengthwise get in; what skims over tiles is stopped by none of them with either.
  */
 export const IMPACT_SHARE_THIN = 0.95;
 
-/** rad. Unless they turn against each other by so much in the step: these would be stopped in it again and again, and stay in the air. */
+/** rad. IMPACT_SHARE_THIN is not asked of shapes that turn against each other by so much in the step: these would be stopped in it again and again, and stay in the air. */
 export const IMPACT_TURN = 0.3;
 
 /** m. IMPACT_DEPTH for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
@@ -201,16 +201,16 @@ export const JOINT_PATIENCE = 2;
 /** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
 export const DEEPER_SHARE = 0.1;
 
-/** m. … or where one of both is driven by so much, more than rounding: what lies deep on two that go alike is carried on by them, instead of being stopped by one on the way that the other gives it. */
+/** m. DEEPER_SHARE where one of both is kinematic and goes on: so much deeper is enough, more than rounding, as what lies deep on two that go alike is carried on by them, instead of being stopped by one on the way that the other gives it. */
 export const DEEPER_CARRIED = 1e-5;
 
 /** m. Static shapes whose faces differ by no more than this are one surface for what slides over them; less catches on real tiles. */
 export const FLUSH_TOLERANCE = 5e-4;
 
-/** How often friction and normals of an impact are solved at most, by turns … */
+/** How often friction and normals of an impact are solved at most, by turns. */
 export const IMPACT_ITERATIONS = 10;
 
-/** … and, m/s, it is solved once that changes no velocity by more. */
+/** m/s. An impact is solved once another turn changes no velocity by more. */
 export const IMPACT_TOLERANCE = 1e-9;
 
 /** m. Vertices closer than this are one point. */
@@ -286,7 +286,7 @@ export const COLUMN_PART = 0.42;
 /** A part is hard as a whole if more than this share of its contacts that turn rocks. With 0.2 a large pyramid that heaves takes a tenth longer, and a sway dies no sooner. */
 export const ROCK_SHARE = 0.5;
 
-/** … and than this share of all. Where a few in a pyramid made it hard, sweeps that came and went made that tremble at 0.2 mm/s. */
+/** A part is hard by ROCK_SHARE only if more than this share of all its contacts rocks. Where a few in a pyramid made it hard, sweeps that came and went made that tremble at 0.2 mm/s. */
 export const ROCK_LEAST = 0.04;
 
 /**
