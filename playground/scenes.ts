@@ -8,6 +8,7 @@ import { buildGallery } from '../test/scenes/gallery.js';
 import { buildGearTrain } from '../test/scenes/gear-train.js';
 import { buildHills } from '../test/scenes/hills.js';
 import { buildJointGrid } from '../test/scenes/joint-grid.js';
+import { buildLoadedRopes } from '../test/scenes/loaded-ropes.js';
 import { buildMaterials } from '../test/scenes/materials.js';
 import { buildPinball } from '../test/scenes/pinball.js';
 import { buildPlatformer } from '../test/scenes/platformer.js';
@@ -114,6 +115,7 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
     scenes: [
       still('bridge', 'Bridge', '16 planks and their load.', [-8.6, -5, 8.6, 4.6], buildBridge),
       still('wrecking-ball', 'Wrecking ball', 'A heavy ball on a light chain.', [-10, -10.4, 11, 1], buildWreckingBall),
+      still('ropes', 'Ropes', 'Over drums with and without friction, and a wheel.', [-9, -2.6, 9, 9], buildLoadedRopes),
       still('chain', 'Breaking chain', 'It breaks where it is weakest.', [-5, -5.4, 5, 3], buildBreakableChain),
       still('ragdolls', 'Ragdolls', 'Joints with limits and friction.', [-6, -12, 10, 6], (phys2D, world) => {
         buildStairs(phys2D, world);

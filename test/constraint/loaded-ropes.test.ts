@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { type PointConstraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
 import { add, box, disc, heavy, staticBody, steps, tie } from '../conformance/setting.js';
+import { worstGap } from '../scenes/joint-grid.js';
+import { hangOver } from '../scenes/loaded-ropes.js';
 
 // Ropes of many links that lie over something bear what hangs on them, as ropes that touch nothing do. Where what they let sag made no momentum, because they touched something, they tore from 200 times the
 // mass of their links on, and the loads fell to the ground.
 
 /** m. Of a drum at the origin. */
 const RADIUS = 2;
-const LINK = 0.2;
 
 function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): PointConstraint {
   const joint = phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true });
@@ -15,48 +16,13 @@ function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, an
   return joint;
 }
 
-function gapOf(joint: PointConstraint): number {
-  const [ax, ay] = joint.bodyA.transformLocalPointToWorld(joint.getAnchorA());
-  const [bx, by] = joint.bodyB.transformLocalPointToWorld(joint.getAnchorB());
-  return Math.hypot(ax - bx, ay - by);
-}
-
-/** Where the middle of a rope over the drum is, so far along it from its top, and how it is turned. */
-function along(way: number): { position: Vec2; rotation: number } {
-  const radius = RADIUS + 0.06;
-  const quarter = (Math.PI / 2) * radius;
-  if (Math.abs(way) > quarter) {
-    const side = Math.sign(way);
-    return { position: [side * radius, Math.abs(way) - quarter], rotation: (side * Math.PI) / 2 };
-  }
-  const angle = way / radius;
-  return { position: [radius * Math.sin(angle), -radius * Math.cos(angle)], rotation: angle };
-}
-
 /** A rope over a drum, 3 m down on either side, with loads of so many kg at its ends. */
-function overDrum(friction: number, density: number, kilograms: readonly [number, number]) {
+function overDrum(surface: number, density: number, loads: readonly [number, number]) {
   const world = heavy();
-  const surface = { staticFriction: friction, dynamicFriction: friction, rollingFriction: 0 };
-  const material = phys2D.createMaterial({ density, ...surface });
+  const material = phys2D.createMaterial({ staticFriction: surface, dynamicFriction: surface, rollingFriction: 0 });
   add(world, phys2D.createRigidBody({ type: 'static', shapes: [disc(RADIUS, { material })] }));
-  const half = Math.round(((Math.PI / 2) * (RADIUS + 0.06) + 3) / LINK);
-  const links: RigidBody[] = [];
-  const joints: PointConstraint[] = [];
-  for (let i = 0; i < 2 * half; i += 1) {
-    const link = phys2D.createRigidBody({ ...along((i - half + 0.5) * LINK), shapes: [box(LINK, 0.1, { material })] });
-    add(world, link);
-    if (i > 0) joints.push(pin(world, links[i - 1]!, [LINK / 2, 0], link, [-LINK / 2, 0]));
-    links.push(link);
-  }
-  const loads = kilograms.map((mass, i) => {
-    const link = links.at(-i)!;
-    const [x, y] = link.getPosition();
-    const load = phys2D.createRigidBody({ position: [x, y + 0.6], mass, inertia: mass / 10 });
-    add(world, load);
-    joints.push(pin(world, link, [(i - 0.5) * LINK, 0], load, [0, -0.5]));
-    return load;
-  });
-  return { world, joints, loads, start: loads.map((load) => load.getPosition()[1]) };
+  const rope = hangOver(phys2D, world, { at: [0, 0], radius: RADIUS, leg: 3, loads, surface, density });
+  return { world, ...rope, start: rope.loads.map((load) => load.getPosition()[1]) };
 }
 
 describe('a rope over a drum', () => {
@@ -65,7 +31,7 @@ describe('a rope over a drum', () => {
     let gap = 0;
     for (let i = 0; i < 300; i += 1) {
       steps(world, 1);
-      gap = Math.max(gap, ...joints.map(gapOf));
+      gap = Math.max(gap, worstGap(joints));
     }
     const fell = loads.map((load, i) => load.getPosition()[1] - start[i]!);
     console.log(
@@ -126,7 +92,7 @@ describe('a ball on a thin rope', () => {
     let gap = 0;
     for (let i = 0; i < 1200; i += 1) {
       steps(world, 1);
-      gap = Math.max(gap, ...joints.map(gapOf));
+      gap = Math.max(gap, worstGap(joints));
     }
     console.log(`${mass} kg round a peg: gaps up to ${(1000 * gap).toFixed(1)} mm`);
     expect(gap).toBeLessThan(0.1);

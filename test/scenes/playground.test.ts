@@ -7,6 +7,7 @@ import { buildCrowd, CROWD_SIDE } from './crowd.js';
 import { stateHash } from './hash.js';
 import { buildHills } from './hills.js';
 import { worstGap } from './joint-grid.js';
+import { buildLoadedRopes } from './loaded-ropes.js';
 import { buildMaterials } from './materials.js';
 import { buildPinball, TABLE } from './pinball.js';
 import { buildPlatformer } from './platformer.js';
@@ -215,6 +216,25 @@ describe('joints', () => {
     console.log(`wrecking ball: ${moved} crates moved, gaps up to ${(1000 * gap).toFixed(1)} mm`);
     expect(moved).toBeGreaterThan(crates.length / 2);
     expect(fastest).toBeGreaterThan(8);
+    expect(gap).toBeLessThan(0.03);
+  });
+
+  it('ropes are held by the friction of a drum, slide off one without, and turn a wheel', () => {
+    const world = phys2D.createWorld();
+    const ropes = buildLoadedRopes(phys2D, world);
+    const heights = () => ropes.map(({ loads }) => loads[1]!.getPosition()[1]);
+    const start = heights();
+    let gap = 0;
+    run(world, 1.5, {}, () => {
+      gap = Math.max(gap, ...ropes.map(({ joints }) => worstGap(joints)));
+    });
+    const [held, slid, turned] = heights().map((y, i) => y - start[i]!);
+    console.log(
+      `ropes: fell ${held!.toFixed(2)}, ${slid!.toFixed(2)}, ${turned!.toFixed(2)} m, gaps up to ${(1000 * gap).toFixed(1)} mm`,
+    );
+    expect(held).toBeLessThan(0.15);
+    expect(slid).toBeGreaterThan(0.5);
+    expect(turned).toBeGreaterThan(0.3);
     expect(gap).toBeLessThan(0.03);
   });
 
