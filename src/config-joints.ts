@@ -120,7 +120,7 @@ export const TOUCHED_MOMENTUM = 0.8;
 
 /**
  * So many joints that hang together and bear something heavy are a rope, whose joints make that share, too, unless they lie on what is as light: sweeps do not hand a load on from end to end of it, and what a rope over an edge
- * or a peg lets sag would be lost without momentum, until it tears, from 200 times the mass of its links on. With fewer joints heaps of hammers would tremble, and heaps of flails if they were ropes among each other.
+ * or a peg lets sag would be lost without momentum, until it tears, from some 200 times the mass of its links on. With fewer joints heaps of hammers would tremble, and heaps of flails if they were ropes among each other.
  */
 export const ROPE_JOINTS = 5;
 

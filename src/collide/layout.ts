@@ -44,5 +44,5 @@ export const FACE_Y = 37;
 export const FACE_TURN = 38;
 /** How many there are; the last one is of the contacts. */
 export const PAIR_NUMBERS = 40;
-/** From record to record: whole cache lines of eight numbers, so that a record takes no more than it has to, and those of circles one less. */
-export const PAIR_STRIDE = 8 * Math.ceil(PAIR_NUMBERS / 8);
+/** From record to record: so many in whole cache lines of eight, so that a record takes no more than it has to, and those of circles one less. */
+export const PAIR_STRIDE = 40;

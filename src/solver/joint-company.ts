@@ -15,7 +15,7 @@ let parent = new Int32Array(0);
 let next = new Int32Array(0);
 let first = new Int32Array(0);
 let size = new Int32Array(0);
-/** Something drives it, or it bounces. */
+/** Something drives it. */
 let driven = new Uint8Array(0);
 
 /** Finds which awake bodies are with which, as contacts and joints of this step are. */

@@ -44,7 +44,7 @@ export function isSensed(a: Shape, b: Shape): boolean {
 export function findMeetings(world: World, depth: number): void {
   const { movers } = world;
   const { count } = movers;
-  // What bounces only matters where something else is foreseen.
+  // What bounces is never foreseen: here no two of all that move far.
   const isBouncy = movers.bouncy && world.liveKinematics.length === 0;
   movers.meetings.clear();
   for (let i = 0; i < count; i += 1) {
@@ -55,8 +55,7 @@ export function findMeetings(world: World, depth: number): void {
     }
   }
   if (movers.ahead === 0) listWays(movers, count);
-  const isIdle = isBouncy && movers.meetings.count === 0;
-  for (let i = 0; i < count && movers.ways.count > 0 && !isIdle; i += 1) {
+  for (let i = 0; i < count && movers.ways.count > 0 && !isBouncy; i += 1) {
     meetWays(world, i, depth);
   }
 }
@@ -215,7 +214,7 @@ function isSwept(one: Mover, two: Mover): boolean {
   return meetsMovers(one) || meetsMovers(two);
 }
 
-/** Notes two shapes that may interact, do not yet in this step, and meet. */
+/** Notes two shapes that may interact, do not yet in this step, and meet. What will bounce is not foreseen. */
 function note(world: World, one: Shape, two: Shape, depth: number): void {
   const { movers, pairs } = world;
   const meeting = movers.meetings.draft(one, two);

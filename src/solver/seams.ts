@@ -104,8 +104,8 @@ function smooth(pair: Arbiter): void {
   const ground = groundOf(pair);
   for (let other = dynamicOf(pair).grounds; other !== null && pair.is(NEAR); other = other.next) {
     const carrier = groundOf(other);
-    const bears = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
-    if (bears && carriesUp(other) && !standsOut(carrier, ground)) {
+    const helps = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
+    if (helps && carriesUp(other) && !standsOut(carrier, ground)) {
       pair.unmark(NEAR);
       return;
     }
