@@ -2,11 +2,13 @@ import { expect } from 'vitest';
 import {
   type Circle,
   type Constraint,
+  type PointConstraint,
   type Polygon,
   phys2D,
   type RigidBody,
   type RigidBodyParams,
   type ShapeParams,
+  type Vec2,
   type World,
   type WorldParams,
 } from '../../src/index.js';
@@ -70,6 +72,13 @@ export function add(world: World, ...bodies: RigidBody[]): void {
 /** A static body without shapes, to tie others to. */
 export function staticBody(params: RigidBodyParams = {}): RigidBody {
   return phys2D.createRigidBody({ type: 'static', ...params });
+}
+
+/** Joins two bodies, which do not interact, at a point of either. */
+export function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): PointConstraint {
+  const joint = phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true });
+  tie(world, joint);
+  return joint;
 }
 
 export function tie(world: World, ...constraints: Constraint[]): void {

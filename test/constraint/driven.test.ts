@@ -1,6 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { type LineConstraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
-import { add, addFloor, box, boxBody, heavy, staticBody, steps, tie } from '../conformance/setting.js';
+import {
+  type LineConstraint,
+  type PointConstraint,
+  phys2D,
+  type RigidBody,
+  type Vec2,
+  type World,
+} from '../../src/index.js';
+import { add, addFloor, box, boxBody, heavy, pin, staticBody, steps, tie } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 
 // What a motor drives turns as fast as it is asked to, however light that is, and however heavy what hangs on it: a sweep hands on little of what a motor gives.
@@ -12,10 +19,6 @@ function rangeOf(world: World, body: RigidBody, count: number): [least: number, 
     return body.getAngularVelocity();
   });
   return [Math.min(...speeds), Math.max(...speeds)];
-}
-
-function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): void {
-  tie(world, phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true }));
 }
 
 describe('a train of two to six gears of 0.1 to 100 kg', () => {
@@ -115,7 +118,7 @@ describe('a scissor lift, pushed together by three tenths in three seconds', () 
       add(world, body);
       return body;
     };
-    const hinge = (bodyA: RigidBody, bodyB: RigidBody, at: Vec2): void =>
+    const hinge = (bodyA: RigidBody, bodyB: RigidBody, at: Vec2): PointConstraint =>
       pin(world, bodyA, bodyA.transformWorldPointToLocal(at), bodyB, bodyB.transformWorldPointToLocal(at));
     const rail = (bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, at: Vec2, upperBound: number): LineConstraint => {
       const anchors = { anchorA, anchorB: bodyB.transformWorldPointToLocal(at) };

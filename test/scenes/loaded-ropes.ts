@@ -2,7 +2,6 @@ import type { Physics2DDevice, PointConstraint, RigidBody, Vec2, World } from '.
 import { Builder, friction } from './play.js';
 
 export interface LoadedRope {
-  readonly links: readonly RigidBody[];
   readonly joints: readonly PointConstraint[];
   /** At the ends, the left one first. */
   readonly loads: readonly RigidBody[];
@@ -39,27 +38,22 @@ export function hangOver(phys2D: Physics2DDevice, world: World, params: RopePara
     return { position: [at[0] + radius * Math.sin(angle), at[1] - radius * Math.cos(angle)], rotation: angle };
   };
   const joints: PointConstraint[] = [];
-  const join = (bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): void => {
-    const joint = phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true });
-    world.addConstraint(joint);
-    joints.push(joint);
-  };
   const half = Math.round((quarter + leg) / LINK);
   const links: RigidBody[] = [];
   for (let i = 0; i < 2 * half; i += 1) {
     const { position, rotation } = place((i - half + 0.5) * LINK);
     const link = builder.box(...position, LINK, THICKNESS, { rotation, surface: { ...friction(surface), density } });
-    if (i > 0) join(links[i - 1]!, [LINK / 2, 0], link, [-LINK / 2, 0]);
+    if (i > 0) joints.push(builder.pin(links[i - 1]!, [LINK / 2, 0], link, [-LINK / 2, 0]));
     links.push(link);
   }
   const loads = kilograms.map((mass, i) => {
     const link = links.at(-i)!;
     const [x, y] = link.getPosition();
     const load = builder.box(x, y + 0.6, 0.5, 0.8, { mass, inertia: mass / 10 });
-    join(link, [(i - 0.5) * LINK, 0], load, [0, -0.5]);
+    joints.push(builder.pin(link, [(i - 0.5) * LINK, 0], load, [0, -0.5]));
     return load;
   });
-  return { links, joints, loads };
+  return { joints, loads };
 }
 
 /** Ropes over a drum that holds them by friction, over one without any, and over a wheel that turns with them. */

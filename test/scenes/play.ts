@@ -1,6 +1,7 @@
 import type {
   MaterialParams,
   Physics2DDevice,
+  PointConstraint,
   RigidBody,
   RigidBodyParams,
   Shape,
@@ -56,6 +57,13 @@ export class Builder {
 
   polygon(vertices: Vec2[], params: PartParams): RigidBody {
     return this.add(this.phys2D.createPolygonShape({ vertices, ...this.common(params) }), params);
+  }
+
+  /** Joins two bodies, which do not interact, at a point of either. */
+  pin(bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): PointConstraint {
+    const joint = this.phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true });
+    this.world.addConstraint(joint);
+    return joint;
   }
 
   private common({ surface, shape }: PartParams): ShapeParams {

@@ -16,20 +16,15 @@ export function buildWreckingBall(phys2D: Physics2DDevice, world: World, links =
   yard.wall(-12, 0, 14, 1);
   yard.wall(-0.3, top - 0.3, 0.3, top + 0.3, { shape: { mask: 0 } });
   const joints: PointConstraint[] = [];
-  const join = (bodyA: RigidBody, anchorA: [number, number], bodyB: RigidBody, anchorB: [number, number]): void => {
-    const joint = phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true });
-    world.addConstraint(joint);
-    joints.push(joint);
-  };
   let last = phys2D.createRigidBody({ type: 'static', position: [0, top] });
   for (let i = 0; i < links; i += 1) {
     const link = yard.box(-LINK * (i + 0.5), top, LINK, 0.16, { surface: { density: 3 } });
-    join(last, i === 0 ? [0, 0] : [-LINK / 2, 0], link, [LINK / 2, 0]);
+    joints.push(yard.pin(last, i === 0 ? [0, 0] : [-LINK / 2, 0], link, [LINK / 2, 0]));
     last = link;
   }
   const surface = { ...friction(0.5, 0.1), density: 8 };
   const ball = yard.disc(-LINK * links - radius, top, radius, { surface });
-  join(last, [-LINK / 2, 0], ball, [radius, 0]);
+  joints.push(yard.pin(last, [-LINK / 2, 0], ball, [radius, 0]));
   const crates: RigidBody[] = [];
   for (let row = 0; row < 8; row += 1) {
     for (let column = 0; column < 4; column += 1) {
