@@ -186,7 +186,7 @@ export const FORESIGHT_DEPTH = 0.005;
 /** rad. Contacts of bodies that turn by more in a step, both together, do not hold for all of it: they are not foreseen, and swept all the same. */
 export const SOLVED_TURN = 0.2;
 
-/** As a share of the step: meetings of a body that come so soon after the first are foreseen with it, as for a box that falls flat on tiles. */
+/** As a share of the step: meetings of a body that come so soon after the first come at once with it, as for a box that falls flat on tiles. */
 export const SAME_TIME = 2e-3;
 
 /** m. How much farther than foreseen a body may go in a step before it is looked at again; more means that more are near something. */

@@ -3,21 +3,23 @@ import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import { findImpactDepth, impactDepth } from '../collide/gap.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
-import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC } from '../config.js';
+import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC, SAME_TIME } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED } from '../contact/bits.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { beginSensing, strike } from './impact.js';
 import { mayInteract } from './interaction.js';
 import type { Meeting } from './meeting-queue.js';
 import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js';
 import type { Mover } from './movers.js';
 import { findNearby } from './nearby.js';
+import { beginSensing, strike } from './strike.js';
 import { squareAround } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
+/** The meetings that come at once: scratch. */
+const together: Meeting[] = [];
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -60,17 +62,16 @@ function settle(world: World): void {
       findTime(world, next);
       continue;
     }
-    meetings.remove(next);
-    const one = movers.of(next.a.owner!);
-    const two = movers.of(next.b.owner!);
-    come(one, next);
-    come(two, next);
-    const pair = strike(world, next);
-    if (pair !== null) {
-      halt(world, one, two, pair);
-      halt(world, two, one, pair);
-      lookAgain(world, one);
-      lookAgain(world, two);
+    gather(world, next);
+    const struck = strike(world, together);
+    for (let i = 0; i < struck.length; i += 1) {
+      const { bodyA, bodyB } = struck[i]!;
+      halt(world, movers.of(bodyA), movers.of(bodyB), struck[i]!);
+      halt(world, movers.of(bodyB), movers.of(bodyA), struck[i]!);
+    }
+    for (let i = 0; i < struck.length; i += 1) {
+      lookAgain(world, movers.of(struck[i]!.bodyA));
+      lookAgain(world, movers.of(struck[i]!.bodyB));
     }
   }
   for (let i = 0; i < movers.count; i += 1) {
@@ -80,8 +81,36 @@ function settle(world: World): void {
   }
 }
 
+/** Takes out of the queue, to `together`, a meeting and those of its dynamic bodies that come at once with it, and puts all bodies to where they are then. */
+function gather(world: World, first: Meeting): void {
+  const { movers } = world;
+  together.length = 0;
+  take(world, first, first.time);
+  for (const { owner } of [first.a, first.b]) {
+    const mover = movers.of(owner!);
+    for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
+      if (isDue(world, other, first.time)) take(world, other, first.time);
+    }
+  }
+}
+
+/** Of what waits for its turn, whether that is at once with what comes at a time. */
+function isDue(world: World, meeting: Meeting, time: number): boolean {
+  if (meeting.slot >= 0 && meeting.isOpen && meeting.time <= time + SAME_TIME) {
+    findTime(world, meeting);
+  }
+  return meeting.slot >= 0 && !meeting.isOpen && meeting.time <= time + SAME_TIME;
+}
+
+function take({ movers }: World, meeting: Meeting, time: number): void {
+  movers.meetings.remove(meeting);
+  together.push(meeting);
+  come(movers.of(meeting.a.owner!), time);
+  come(movers.of(meeting.b.owner!), time);
+}
+
 /** Puts a body to where it is when something meets it. */
-function come(mover: Mover, { time }: Meeting): void {
+function come(mover: Mover, time: number): void {
   mover.at = time;
   mover.put();
   mover.met = mover.body.kind !== STATIC;

@@ -10,97 +10,14 @@ import {
   STATIC_FRICTION_SPEED_SQUARED,
 } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { ACCEPTED, ACTIVE, FRESH, LISTED, PERSISTENT, USED } from '../contact/bits.js';
-import { noteApproach } from '../contact/hit.js';
+import { USED } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
-import { touch, touchAtPoint } from '../contact/touch.js';
-import { FOUND_LATE } from '../events/events.js';
-import { preSolve } from '../events/pre-solve.js';
-import { BEGIN } from '../listeners.js';
-import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { joinLists } from './arbiter-lists.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
-import type { Meeting } from './meeting-queue.js';
 import { gains, lessen } from './no-gain.js';
 import { isMoving } from './pack-contacts.js';
-import { smoothMeeting } from './seams.js';
-import { wakeBody } from './sleep.js';
-
-/** An interaction begins in the course of a step. */
-export function beginLate(world: World, pair: Arbiter): void {
-  if (!pair.is(LISTED)) {
-    world.pairs.list(pair);
-    joinLists(world, pair);
-  }
-  pair.unmark(PERSISTENT);
-  pair.mark(ACTIVE);
-  pair.began = world.timeStamp;
-  pair.lastInteraction = world.timeStamp;
-  world.events.interaction(BEGIN, pair, FOUND_LATE);
-}
-
-/** A sensor is crossed. */
-export function beginSensing(world: World, a: Shape, b: Shape): void {
-  beginLate(world, world.pairs.obtain(a, b));
-}
-
-/** Two shapes meet on their ways, where their bodies are now, or get too deep into each other. @returns the pair, or `null` if that has no effect. */
-export function strike(world: World, { a, b }: Meeting): Arbiter | null {
-  const pair = world.pairs.obtain(a, b);
-  const begins = !pair.active;
-  const { bodyA, bodyB } = pair;
-  a.place(bodyA);
-  b.place(bodyB);
-  if (!begins) {
-    pair.meetAgain(world.pairs.spare);
-  }
-  if (!touch(pair)) {
-    touchAtPoint(pair);
-  }
-  smoothMeeting(world, pair);
-  if (begins) {
-    beginLate(world, pair);
-    pair.dropPoints();
-  }
-  if (preSolve(world.events, pair)) {
-    bodyA.wakeTime = world.timeStamp;
-    bodyB.wakeTime = world.timeStamp;
-  }
-  if (!pair.is(ACCEPTED)) {
-    pair.dropPoints();
-    return null;
-  }
-  rouse(world, bodyA, begins);
-  rouse(world, bodyB, begins);
-  if (begins) {
-    noteApproach(pair);
-  }
-  if (world.profile !== null) {
-    world.profile.impacts += 1;
-  }
-  solveImpact(world, pair);
-  if (begins) {
-    pair.unmark(3 << FRESH);
-    pair.mark(pair.usedPoints << FRESH);
-    world.events.hit(pair, FOUND_LATE);
-  } else if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC) {
-    stopComing(pair);
-  }
-  return pair;
-}
-
-/** A dynamic body that is struck is awake; at the first impact of a pair it has the velocity of that time of the step. */
-function rouse(world: World, body: RigidBody, begins: boolean): void {
-  if (body.kind === DYNAMIC) {
-    wakeBody(world, body, false);
-    if (begins) {
-      world.movers.of(body).slow(world.solver);
-    }
-  }
-}
 
 /** One point of an impact. */
 class Point {
@@ -130,30 +47,173 @@ class Point {
   tangentRubbed = 0.5;
 }
 
-/** Both points, and the inverse masses and inertias of the bodies: scratch. */
-const points = [new Point(), new Point()] as const;
-const inverse = { massA: 0.5, massB: 0.5, inertiaA: 0.5, inertiaB: 0.5 };
+/** What two shapes that meet give each other. */
+class Impact {
+  pair!: Arbiter;
+  readonly points = [new Point(), new Point()] as const;
+  /** Inverse masses and inertias of the bodies. */
+  massA = 0.5;
+  massB = 0.5;
+  inertiaA = 0.5;
+  inertiaB = 0.5;
+}
+
+/** Those that come at once: scratch. What lies beyond the count is for later. */
+const impacts: Impact[] = [];
+let count = 0;
+
+/** Of all bodies that these move what they weigh, `[m, m, inertia]`, and their velocities, `[vx, vy, w]`: before, after, and after as they would be without friction: scratch. */
+const bodies: RigidBody[] = [];
+let weights = new Float64Array(0);
+let before = new Float64Array(0);
+let after = new Float64Array(0);
+let without = new Float64Array(0);
 
 /**
- * Gives both bodies the impulses of an impact at once: restitution and friction as in the solver, first the friction of each point, then both normals
- * together, until nothing changes. They are added to those of the step, and nothing is kept for the next one to start from, as an impact does not go on.
+ * Gives the bodies of pairs that meet at once, and have to do with each other, the impulses of their impacts: restitution and friction as in the solver, of each pair first the friction of each point, then both normals
+ * together, and so on, until nothing changes. One after the other a box that falls flat on two tiles would be thrown over by the first. They are added to those of the step, and nothing is kept for the next one to start
+ * from, as an impact does not go on.
  */
-export function solveImpact(world: World, pair: Arbiter): void {
-  const { count, numbers: n, at: o } = pair;
-  const { bodyA: a, bodyB: b } = pair;
+export function solveImpacts({ solver }: World, pairs: readonly Arbiter[]): void {
+  count = pairs.length;
+  bodies.length = 0;
+  for (let i = 0; i < count; i += 1) {
+    if (i === impacts.length) {
+      impacts.push(new Impact());
+    }
+    begin(solver, impacts[i]!, pairs[i]!);
+  }
+  makeRoom();
+  noteVelocities(before);
+  solve();
+  keepEnergy();
+  for (let i = 0; i < count; i += 1) {
+    storeImpulses(impacts[i]!);
+  }
+}
+
+function begin(data: SolverData, impact: Impact, pair: Arbiter): void {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+  impact.pair = pair;
   a.refreshMass();
   b.refreshMass();
   // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
-  inverse.massA = a.kind === DYNAMIC && a.mass > 0 ? 1 / a.mass : 0;
-  inverse.massB = b.kind === DYNAMIC && b.mass > 0 ? 1 / b.mass : 0;
-  inverse.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
-  inverse.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
+  impact.massA = a.kind === DYNAMIC && a.mass > 0 ? 1 / a.mass : 0;
+  impact.massB = b.kind === DYNAMIC && b.mass > 0 ? 1 / b.mass : 0;
+  impact.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
+  impact.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
   for (let which = 0; which < 2; which += 1) {
-    setPoint(world.solver, pair, which, which < count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
+    setPoint(data, impact, which, which < pair.count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }
-  noteVelocities(pair, before);
-  solvePoints(pair);
-  keepEnergy(pair);
+  listBody(a);
+  listBody(b);
+}
+
+function listBody(body: RigidBody): void {
+  if (body.kind === DYNAMIC && !bodies.includes(body)) {
+    bodies.push(body);
+  }
+}
+
+function makeRoom(): void {
+  const size = 3 * bodies.length;
+  if (weights.length < size) {
+    weights = new Float64Array(2 * size);
+    before = new Float64Array(2 * size);
+    after = new Float64Array(2 * size);
+    without = new Float64Array(2 * size);
+  }
+}
+
+function noteVelocities(into: Float64Array): void {
+  for (let k = 0; k < bodies.length; k += 1) {
+    const { vx, vy, w } = bodies[k]!;
+    into[3 * k] = vx;
+    into[3 * k + 1] = vy;
+    into[3 * k + 2] = w;
+  }
+}
+
+function setVelocities(from: Float64Array): void {
+  for (let k = 0; k < bodies.length; k += 1) {
+    const body = bodies[k]!;
+    body.vx = from[3 * k]!;
+    body.vy = from[3 * k + 1]!;
+    body.w = from[3 * k + 2]!;
+  }
+}
+
+function noteWeights(): void {
+  for (let k = 0; k < bodies.length; k += 1) {
+    const { mass, inertia } = bodies[k]!;
+    weights[3 * k] = mass < Infinity ? mass : 0;
+    weights[3 * k + 1] = weights[3 * k]!;
+    weights[3 * k + 2] = inertia < Infinity ? inertia : 0;
+  }
+}
+
+function solve(): void {
+  const most = IMPACT_ITERATIONS * count;
+  for (let i = 0, changed = true; i < most && changed; i += 1) {
+    changed = false;
+    for (let k = 0; k < count; k += 1) {
+      changed = solveOne(impacts[k]!) || changed;
+    }
+  }
+}
+
+/** @returns as `push`. */
+function solveOne(impact: Impact): boolean {
+  const rubbed = rub(impact, impact.points[0]);
+  const rubs = rub(impact, impact.points[1]) || rubbed;
+  return solveNormals(impact) || rubs;
+}
+
+/** Takes as much of friction from the impacts as makes energy; what drives or is set to bounce higher may make it. */
+function keepEnergy(): void {
+  noteWeights();
+  noteVelocities(after);
+  for (let i = 0; i < count; i += 1) {
+    if (mayGain(impacts[i]!)) return;
+  }
+  if (!gains(weights, before, after, 3 * bodies.length)) {
+    return;
+  }
+  setVelocities(before);
+  for (let i = 0; i < count; i += 1) {
+    impacts[i]!.points.forEach(beginWithoutFriction);
+  }
+  solve();
+  noteVelocities(without);
+  const kept = lessen(weights, before, without, after, 3 * bodies.length);
+  setVelocities(without);
+  for (let i = 0; i < count; i += 1) {
+    for (const point of impacts[i]!.points) {
+      point.normal += kept * (point.normalRubbed - point.normal);
+      point.tangent = kept * point.tangentRubbed;
+    }
+  }
+}
+
+function mayGain({ pair: { bodyA, bodyB, numbers: n, at: o } }: Impact): boolean {
+  return drives(bodyA) || drives(bodyB) || n[o + c.ELASTICITY]! > 1;
+}
+
+/** By a motion that nothing stops, or by its surface. */
+function drives(body: RigidBody): boolean {
+  return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : isMoving(body);
+}
+
+function beginWithoutFriction(point: Point): void {
+  point.normalRubbed = point.normal;
+  point.tangentRubbed = point.tangent;
+  point.normal = 0;
+  point.tangent = 0;
+  point.friction = 0;
+}
+
+function storeImpulses({ pair, points }: Impact): void {
+  const { numbers: n, at: o } = pair;
   for (let which = 0; which < 2; which += 1) {
     const { isUsed, normal, tangent } = points[which]!;
     if (isUsed) {
@@ -165,107 +225,9 @@ export function solveImpact(world: World, pair: Arbiter): void {
   }
 }
 
-function solvePoints(pair: Arbiter): void {
-  for (let i = 0, changed = true; i < IMPACT_ITERATIONS && changed; i += 1) {
-    const rubbed = rub(pair, points[0]);
-    changed = rub(pair, points[1]) || rubbed;
-    changed = solveNormals(pair) || changed;
-  }
-}
-
-/** Of both bodies, `[vx, vy, w]` of each: before an impact, after it, and after it as it would be without friction; and their masses and inertias: scratch. */
-const before = new Float64Array(6);
-const after = new Float64Array(6);
-const without = new Float64Array(6);
-const weights = new Float64Array(6);
-
-function noteVelocities({ bodyA: a, bodyB: b }: Arbiter, into: Float64Array): void {
-  into[0] = a.vx;
-  into[1] = a.vy;
-  into[2] = a.w;
-  into[3] = b.vx;
-  into[4] = b.vy;
-  into[5] = b.w;
-}
-
-function setVelocities({ bodyA: a, bodyB: b }: Arbiter, from: Float64Array): void {
-  a.vx = from[0]!;
-  a.vy = from[1]!;
-  a.w = from[2]!;
-  b.vx = from[3]!;
-  b.vy = from[4]!;
-  b.w = from[5]!;
-}
-
-/** Takes as much of friction from an impact as makes energy; what drives or is set to bounce higher may make it. */
-function keepEnergy(pair: Arbiter): void {
-  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
-  const { massA, massB, inertiaA, inertiaB } = inverse;
-  weights[0] = massA > 0 ? 1 / massA : 0;
-  weights[1] = weights[0];
-  weights[2] = inertiaA > 0 ? 1 / inertiaA : 0;
-  weights[3] = massB > 0 ? 1 / massB : 0;
-  weights[4] = weights[3];
-  weights[5] = inertiaB > 0 ? 1 / inertiaB : 0;
-  noteVelocities(pair, after);
-  if (drives(a) || drives(b) || n[o + c.ELASTICITY]! > 1 || !gains(weights, before, after, 6)) {
-    return;
-  }
-  setVelocities(pair, before);
-  for (let i = 0; i < 2; i += 1) {
-    const point = points[i]!;
-    point.normalRubbed = point.normal;
-    point.tangentRubbed = point.tangent;
-    point.normal = 0;
-    point.tangent = 0;
-    point.friction = 0;
-  }
-  solvePoints(pair);
-  noteVelocities(pair, without);
-  const kept = lessen(weights, before, without, after, 6);
-  setVelocities(pair, without);
-  for (let i = 0; i < 2; i += 1) {
-    const point = points[i]!;
-    point.normal += kept * (point.normalRubbed - point.normal);
-    point.tangent = kept * point.tangentRubbed;
-  }
-}
-
-/** By a motion that nothing stops, or by its surface. */
-function drives(body: RigidBody): boolean {
-  return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : isMoving(body);
-}
-
-/**
- * A body that touched before may whirl so fast that what touches is leaving, and so gets no impulse, while the rest of it comes on. Many impacts in a
- * step would stop that; here the velocity of its origin into the surface is taken from it.
- */
-function stopComing(pair: Arbiter): void {
-  const { numbers: n, at: o } = pair;
-  const { bodyA: a, bodyB: b, before } = pair;
-  if (n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
-    return;
-  }
-  const nx = n[o + g.NX]!;
-  const ny = n[o + g.NY]!;
-  const across = n[o + g.DX]! * ny - n[o + g.DY]! * nx;
-  const turning = a.kind === DYNAMIC ? across * b.w : across * a.w;
-  const coming = nx * (a.vx - b.vx) + ny * (a.vy - b.vy) + turning;
-  const mass = inverse.massA + inverse.massB;
-  if (coming > 0 && mass > 0) {
-    const x = (nx * coming) / mass;
-    const y = (ny * coming) / mass;
-    a.vx -= x * inverse.massA;
-    a.vy -= y * inverse.massA;
-    b.vx += x * inverse.massB;
-    b.vy += y * inverse.massB;
-    before.x += x;
-    before.y += y;
-  }
-}
-
 /** Velocities of B against A at a point. */
-function measure({ bodyA: a, bodyB: b, numbers: n, at: o }: Arbiter, point: Point): void {
+function measure({ pair }: Impact, point: Point): void {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
   const dvx = b.vx - a.vx;
@@ -275,10 +237,10 @@ function measure({ bodyA: a, bodyB: b, numbers: n, at: o }: Arbiter, point: Poin
 }
 
 /** One that takes no part has no arms and no friction, and never comes. */
-function setPoint(data: SolverData, pair: Arbiter, which: number, isUsed: boolean): void {
+function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boolean): void {
+  const { pair, points, massA, massB, inertiaA, inertiaB } = impact;
   const point = points[which]!;
   const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
-  const { massA, massB, inertiaA, inertiaB } = inverse;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
   const ax = isUsed ? n[o + g.X0 + g.POINT * which]! : 0;
@@ -293,7 +255,7 @@ function setPoint(data: SolverData, pair: Arbiter, which: number, isUsed: boolea
   point.rtB = bx * nx + by * ny;
   const kn = mass + inertiaA * point.rnA * point.rnA + inertiaB * point.rnB * point.rnB;
   const kt = mass + inertiaA * point.rtA * point.rtA + inertiaB * point.rtB * point.rtB;
-  measure(pair, point);
+  measure(impact, point);
   const { comes, slides } = point;
   const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
   point.give = kn > 0 ? kn : d.IMMOVABLE;
@@ -317,21 +279,22 @@ function bounceSpeed(elasticity: number, comes: number, gain: number): number {
 }
 
 /** Friction at a point. @returns as `push`. */
-function rub(pair: Arbiter, point: Point): boolean {
-  measure(pair, point);
+function rub(impact: Impact, point: Point): boolean {
+  const { pair } = impact;
+  measure(impact, point);
   const slide = point.slides - (pair.bodyA.surfaceX + pair.bodyB.surfaceX);
   const limit = point.friction * point.normal;
   point.nextNormal = point.normal;
   point.nextTangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
-  return push(pair, point);
+  return push(impact, point);
 }
 
 /** Both normals, as `solveVelocityTwo`: one after the other they would come near very slowly where points lie close together. @returns as `push`. */
-function solveNormals(pair: Arbiter): boolean {
+function solveNormals(impact: Impact): boolean {
+  const { points, massA, massB, inertiaA, inertiaB } = impact;
   const [one, two] = points;
-  const { massA, massB, inertiaA, inertiaB } = inverse;
-  measure(pair, one);
-  measure(pair, two);
+  measure(impact, one);
+  measure(impact, two);
   const k11 = one.give;
   const k22 = two.give;
   const k12 = massA + massB + inertiaA * one.rnA * two.rnA + inertiaB * one.rnB * two.rnB;
@@ -349,22 +312,23 @@ function solveNormals(pair: Arbiter): boolean {
   }
   one.nextTangent = one.tangent;
   two.nextTangent = two.tangent;
-  const pushed = push(pair, one);
-  return push(pair, two) || pushed;
+  const pushed = push(impact, one);
+  return push(impact, two) || pushed;
 }
 
 /** Gives B what a point is to have more than it has, and A the opposite. @returns whether that changed a velocity. */
-function push({ bodyA: a, bodyB: b, numbers: n, at: o }: Arbiter, point: Point): boolean {
+function push({ pair, massA, massB, inertiaA, inertiaB }: Impact, point: Point): boolean {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   const p = point.nextNormal - point.normal;
   const t = point.nextTangent - point.tangent;
   const x = n[o + g.NX]! * p - n[o + g.NY]! * t;
   const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
-  a.vx -= x * inverse.massA;
-  a.vy -= y * inverse.massA;
-  a.w -= (point.rnA * p + point.rtA * t) * inverse.inertiaA;
-  b.vx += x * inverse.massB;
-  b.vy += y * inverse.massB;
-  b.w += (point.rnB * p + point.rtB * t) * inverse.inertiaB;
+  a.vx -= x * massA;
+  a.vy -= y * massA;
+  a.w -= (point.rnA * p + point.rtA * t) * inertiaA;
+  b.vx += x * massB;
+  b.vy += y * massB;
+  b.w += (point.rnB * p + point.rtB * t) * inertiaB;
   point.normal = point.nextNormal;
   point.tangent = point.nextTangent;
   return Math.abs(p) * point.give > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;

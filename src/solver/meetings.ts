@@ -8,6 +8,7 @@ import {
   IMPACT_DEPTH,
   IMPACT_TURN,
   MEET_PATIENCE,
+  SAME_TIME,
   SPECULATIVE_MARGIN,
   SWEEP_TOLERANCE,
   TOUCH_DEPTH,
@@ -155,7 +156,7 @@ function shorten(world: World, mover: Mover): void {
   }
   mover.until = first.time;
   for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
-    if (other.slot >= 0 && other.time > first.time && isWithStatic(other)) {
+    if (other.slot >= 0 && other.time > first.time + SAME_TIME && isWithStatic(other)) {
       meetings.remove(other);
     }
   }

@@ -172,6 +172,8 @@ export class Mover {
     body.vx += left * (bounced ? gainX : dx);
     body.vy += left * (bounced ? gainY : dy);
     body.w += left * (bounced ? gainW : body.w - this.w);
+    // Another one that comes at once has it already.
+    this.stopped = true;
   }
 
   /** Whether nothing met the body before that time, as far as was asked; static and kinematic bodies do not mind. */

@@ -107,6 +107,8 @@ function smooth(pair: Arbiter): void {
     const helps = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
     if (helps && carriesUp(other) && !standsOut(carrier, ground)) {
       pair.unmark(NEAR);
+      // Else foresight would take it for a contact that is known.
+      pair.numbers[pair.at + g.COUNT] = 0;
       return;
     }
   }

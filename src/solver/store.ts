@@ -4,12 +4,11 @@ import { FAR, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
-import { FOUND_LATE } from '../events/events.js';
 import type { World } from '../world.js';
 import type { ContactBatch, SolverData } from './data.js';
 import { endForesight } from './foresee.js';
 import { settleFrozen } from './freeze.js';
-import { beginLate, solveImpact } from './impact.js';
+import { noteMet, settleMet } from './late.js';
 import * as d from './layout.js';
 import { storeOne, storeTwo } from './store-contacts.js';
 
@@ -20,6 +19,7 @@ export function store(world: World): void {
   storeBodies(world, world.liveKinematics);
   storeContacts(world, data, data.two);
   storeContacts(world, data, data.one);
+  settleMet(world);
   if (world.frozen.size > 0) {
     settleFrozen(world);
   }
@@ -90,10 +90,7 @@ function holdsFrozen(frozen: Set<RigidBody>, { bodyA, bodyB }: Arbiter): boolean
   return frozen.has(bodyA) || frozen.has(bodyB);
 }
 
-/**
- * Surfaces that were apart when the step began and met during it: the interaction begins late in the step. If it was in the last sub-step
- * they still have the speed that brought them together by the end of it.
- */
+/** The surfaces were apart when the step began: whether they met during it. */
 function meet(world: World, pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   if (n[o + c.STEP_NORMAL] === 0 && (pair.count === 1 || n[o + c.STEP_NORMAL + c.IMPULSES] === 0)) {
@@ -104,7 +101,5 @@ function meet(world: World, pair: Arbiter): void {
   if (pair.foreseen > 0) {
     endForesight(world.movers, pair);
   }
-  solveImpact(world, pair);
-  beginLate(world, pair);
-  world.events.hit(pair, FOUND_LATE);
+  noteMet(pair);
 }
