@@ -33,13 +33,25 @@ export class Cutter {
   /** Finds the ends of a segment. @returns whether any of it is to be seen. */
   cut(lines: DebugLines, segment: number): boolean {
     const { vertices } = lines;
-    const { ends, factor, offset, enter, leave } = this;
+    const { ends, factor, offset } = this;
     const at = segment * SEGMENT;
     for (let i = 0; i < 2; i += 1) {
       ends[i] = factor[i]! * vertices[at + i]! + offset[i]!;
       ends[i + 2] = factor[i]! * vertices[at + VERTEX + i]! + offset[i]!;
-      this.meetSides(i);
     }
+    // From the nearer end on: what is added to one that is very far away gets lost.
+    const away = Math.abs(ends[0]!) + Math.abs(ends[1]!);
+    const isTurned = away < Infinity && away > Math.abs(ends[2]!) + Math.abs(ends[3]!);
+    if (isTurned) this.turn();
+    const isSeen = this.cutEnds();
+    if (isTurned) this.turn();
+    return isSeen;
+  }
+
+  private cutEnds(): boolean {
+    const { ends, enter, leave } = this;
+    this.meetSides(0);
+    this.meetSides(1);
     const start = Math.max(0, enter[0]!, enter[1]!);
     const end = Math.min(1, leave[0]!, leave[1]!);
     // Nor is it if one of them is no number: of ends that are too far away to be told in px.
@@ -58,6 +70,15 @@ export class Cutter {
       }
     }
     return true;
+  }
+
+  private turn(): void {
+    const { ends } = this;
+    for (let i = 0; i < 2; i += 1) {
+      const from = ends[i]!;
+      ends[i] = ends[i + 2]!;
+      ends[i + 2] = from;
+    }
   }
 
   private meetSides(i: number): void {

@@ -7,6 +7,7 @@ import {
   SVGDebugDevice,
   WebGLDebugDevice,
 } from '../../src/debug/index.js';
+import { phys2D, type RigidBody, type Vec2 } from '../../src/index.js';
 import { NOT_POSITIVE, refuses } from '../bad-input/refuses.js';
 import { near } from '../conformance/setting.js';
 import { RED } from './recorder.js';
@@ -95,6 +96,34 @@ describe('cutting to the clip rectangle', () => {
     debug.drawLine(3, 1e20, 3, -1e20, RED);
     debug.end();
     expect(strokes(svg).map(([, , path]) => path)).toEqual(['M0 20L100 20M30 80L30 0']);
+  });
+
+  it('is as exact for lines that come from 1e20 m as for those that go there', () => {
+    const svg = SVGDebugDevice.create({ width: 100, height: 80 });
+    const debug = Physics2DDebugDraw.create({ graphicsDevice: svg });
+    debug.setPhysics2DViewport([0, 0, 10, 8]);
+    debug.begin();
+    debug.drawLine(2 + 1e20, 3, 2, 3, RED);
+    debug.drawLine(2 - 0.6e20, 3 + 0.8e20, 2, 3, GREEN);
+    debug.end();
+    expect(strokes(svg).map(([, , path]) => path)).toEqual(['M100 30L20 30', 'M0 56.67L20 30']);
+  });
+
+  it.each<[Vec2, string, string]>([
+    [[1, 0], 'M0 40L50 40', 'M50 40L100 40'],
+    [[1, 1], 'M10 0L50 40', 'M50 40L90 80'],
+    [[3, 4], 'M20 0L50 40', 'M50 40L80 80'],
+    [[1, 0.5], 'M0 15L50 40', 'M50 40L100 65'],
+  ])('shows both halves of a line constraint without bounds, along %j', (axis, below, above) => {
+    const svg = SVGDebugDevice.create({ width: 100, height: 80 });
+    const debug = Physics2DDebugDraw.create({ graphicsDevice: svg });
+    debug.setPhysics2DViewport([0, 0, 10, 8]);
+    const [bodyA, bodyB] = [0, 1].map(() => phys2D.createRigidBody({ position: [5, 4] })) as [RigidBody, RigidBody];
+    debug.begin();
+    debug.drawConstraint(phys2D.createLineConstraint({ bodyA, bodyB, axis }));
+    debug.end();
+    const paths = strokes(svg).map(([, , path]) => path);
+    expect(paths.slice(-2)).toEqual([below, above]);
   });
 
   it('leaves out what is too far away for numbers, and nothing else', () => {
