@@ -361,8 +361,13 @@ export class World extends WorldState {
     return removeListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
   }
 
+  /** @internal in a step, or telling of it: handlers and callbacks are being called. Keeps its name */
+  get busy(): boolean {
+    return this.stepping || this.delivering;
+  }
+
   private refuseInside(where: string): void {
-    if (this.stepping || this.delivering) {
+    if (this.busy) {
       throw new Error(`${where}: must not be called from a handler or callback of the same world`);
     }
   }

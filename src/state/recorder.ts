@@ -67,8 +67,6 @@ export class Recorder {
   readonly snapshot: ArrayBuffer;
   private readonly frames: RecordedStep[] = [];
   private calls: RecordedCall[] = [];
-  /** Handlers are being called, or may be. */
-  private stepping = false;
 
   /** @internal use `create` */
   constructor(private readonly world: World) {
@@ -109,7 +107,7 @@ export class Recorder {
   }
 
   private note(call: RecordedCall): void {
-    if (!this.stepping) {
+    if (!this.world.busy) {
       this.calls.push(call);
     }
   }
@@ -117,11 +115,9 @@ export class Recorder {
   /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
   step(deltaTime: number): void {
     const { timeStamp } = this.world;
-    this.stepping = true;
     try {
       this.world.step(deltaTime);
     } finally {
-      this.stepping = false;
       if (this.world.timeStamp !== timeStamp) {
         this.frames.push({ calls: this.calls, deltaTime, hash: this.world.hash() });
         this.calls = [];

@@ -171,6 +171,47 @@ describe('a recording', () => {
     expect(replay(world, recorder.recording)).toBe(-1);
   });
 
+  it('goes on after a replay, in which handlers did what they do through the recorder', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    ball.shapes[0]!.addEventListener('progress', () => {
+      recorder.call(ball, 'applyImpulse', [0.1, 0]);
+      recorder.set(ball, 'bullet', !ball.bullet);
+    });
+    for (let i = 0; i < 100; i += 1) {
+      recorder.step(1 / 60);
+    }
+    expect(replay(world, recorder.recording)).toBe(-1);
+    for (let i = 0; i < 5; i += 1) {
+      recorder.step(1 / 60);
+    }
+    expect(recorder.recording.frames.flatMap(({ calls }) => calls)).toEqual([]);
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
+  it('has nothing of what handlers do after a step of the recorder that was refused there', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    let refused = 0;
+    ball.shapes[0]!.addEventListener('begin', () => {
+      try {
+        recorder.step(1 / 60);
+      } catch {
+        refused += 1;
+      }
+      recorder.call(ball, 'applyImpulse', [0.1, 0]);
+    });
+    for (let i = 0; i < 100; i += 1) {
+      recorder.step(1 / 60);
+    }
+    expect(refused).toBeGreaterThan(0);
+    expect(recorder.recording.frames).toHaveLength(100);
+    expect(recorder.recording.frames.flatMap(({ calls }) => calls)).toEqual([]);
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
   it('tells the first step that went another way', () => {
     const { world, ball } = scene();
     const { recording } = record(world, ball);
