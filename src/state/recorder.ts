@@ -60,7 +60,8 @@ export interface RecordedStep {
 
 /**
  * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
- * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time.
+ * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time, and what one
+ * adds it has to make anew.
  */
 export class Recorder {
   /** The world as it was when the recording began. */
@@ -93,7 +94,7 @@ export class Recorder {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
     const kept = args.map(copyOf);
-    const before = ADDING.includes(method) ? this.world.hash() : null;
+    const before = ADDING.includes(method) && !this.world.busy ? this.world.hash() : null;
     const result = made.apply(object, args);
     const added = before === null ? null : { before, after: this.world.snapshot() };
     this.note({ object, method, args: kept, added });

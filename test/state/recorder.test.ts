@@ -212,6 +212,27 @@ describe('a recording', () => {
     expect(replay(world, recorder.recording)).toBe(-1);
   });
 
+  it('goes on where handlers add something through the recorder, and has nothing of it', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const recorder = Recorder.create(world);
+    const [shape] = ball.shapes as [Shape];
+    const added: unknown[] = [];
+    shape.addEventListener('begin', () => {
+      const other = phys2D.createRigidBody({ position: [-8, -6], shapes: [phys2D.createCircleShape({ radius: 0.2 })] });
+      const rod = phys2D.createPointConstraint({ bodyA: ball, bodyB: other, anchorB: [0, 2], stiff: false });
+      added.push(recorder.call(world, 'addRigidBody', other));
+      added.push(recorder.call(other, 'addShape', phys2D.createCircleShape({ radius: 0.3, origin: [0.3, 0] })));
+      added.push(recorder.call(world, 'addConstraint', rod));
+    });
+    for (let i = 0; i < 100; i += 1) {
+      recorder.step(1 / 60);
+    }
+    expect(added.slice(0, 3)).toEqual([true, true, true]);
+    expect(recorder.recording.frames.flatMap(({ calls }) => calls)).toEqual([]);
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
   it('tells the first step that went another way', () => {
     const { world, ball } = scene();
     const { recording } = record(world, ball);
