@@ -15,13 +15,6 @@ export interface RecordedCall {
   readonly method: string;
   /** As given; arrays and plain objects, and those in them, are copies. */
   readonly args: readonly unknown[];
-  /** Of a call that added something, which may be in another state by now; else `null`. */
-  readonly added: {
-    /** Hash before the call. */
-    readonly before: string;
-    /** Snapshot after it. */
-    readonly after: ArrayBuffer;
-  } | null;
 }
 
 /** What `Recorder.set` sets: of worlds and, the last one, of bodies. */
@@ -52,6 +45,18 @@ export interface Recording {
 export interface RecordedStep {
   /** In the order in which they were made. */
   readonly calls: readonly RecordedCall[];
+  /**
+   * If one of them added something, which may be in another state by now; else `null`. From that one on a replay does not make them again, but takes
+   * the world to where it was after them.
+   */
+  readonly added: {
+    /** Which was the first that did. */
+    readonly first: number;
+    /** Hash before that. */
+    readonly before: string;
+    /** Snapshot after all of them. */
+    readonly after: ArrayBuffer;
+  } | null;
   /** Of the step, s. */
   readonly deltaTime: number;
   /** `world.hash()` after the step. */
@@ -61,13 +66,15 @@ export interface RecordedStep {
 /**
  * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
  * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time, and what one
- * adds it has to make anew.
+ * adds it has to make anew. A step before which something is added keeps a snapshot of the world.
  */
 export class Recorder {
   /** The world as it was when the recording began. */
   readonly snapshot: ArrayBuffer;
   private readonly frames: RecordedStep[] = [];
   private calls: RecordedCall[] = [];
+  /** The first call since the last step that added something, and the hash before it. */
+  private adding: { first: number; before: string } | null = null;
 
   /** @internal use `create` */
   constructor(private readonly world: World) {
@@ -94,17 +101,18 @@ export class Recorder {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
     const kept = args.map(copyOf);
-    const before = ADDING.includes(method) && !this.world.busy ? this.world.hash() : null;
+    const isFirst = ADDING.includes(method) && this.adding === null && !this.world.busy;
+    const before = isFirst ? this.world.hash() : '';
     const result = made.apply(object, args);
-    const added = before === null ? null : { before, after: this.world.snapshot() };
-    this.note({ object, method, args: kept, added });
+    if (isFirst) this.adding = { first: this.calls.length, before };
+    this.note({ object, method, args: kept });
     return result as never;
   }
 
   /** Sets what is a property, not a method, of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. */
   set(object: World | RigidBody, setting: RecordedSetting, value: number | boolean): void {
     assign('Recorder.set', object, setting, value);
-    this.note({ object, method: setting, args: [value], added: null });
+    this.note({ object, method: setting, args: [value] });
   }
 
   private note(call: RecordedCall): void {
@@ -115,13 +123,16 @@ export class Recorder {
 
   /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
   step(deltaTime: number): void {
-    const { timeStamp } = this.world;
+    const { timeStamp, busy } = this.world;
+    const { adding } = this;
+    const added = adding === null || busy ? null : { ...adding, after: this.world.snapshot() };
     try {
       this.world.step(deltaTime);
     } finally {
       if (this.world.timeStamp !== timeStamp) {
-        this.frames.push({ calls: this.calls, deltaTime, hash: this.world.hash() });
+        this.frames.push({ calls: this.calls, added, deltaTime, hash: this.world.hash() });
         this.calls = [];
+        this.adding = null;
       }
     }
   }
@@ -148,14 +159,18 @@ export function replay(world: World, recording: Recording): number {
     throw typeError('replay', 'recording', 'the recording of a Recorder', recording);
   }
   for (const [i, frame] of frames.entries()) {
-    if (!Array.isArray(frame?.calls) || !frame.calls.every(isCall)) {
+    if (!Array.isArray(frame?.calls) || !frame.calls.every(isCall) || frame.added === undefined) {
       throw typeError('replay', `recording.frames[${i}]`, 'a frame of a Recorder', frame);
     }
   }
   world.restore(recording.snapshot);
-  return recording.frames.findIndex(({ calls, deltaTime, hash }) => {
-    if (!calls.every((call) => repeat(world, call))) {
-      return true;
+  return recording.frames.findIndex(({ calls, added, deltaTime, hash }) => {
+    for (const call of calls.slice(0, added?.first)) {
+      repeat(call);
+    }
+    if (added !== null) {
+      if (world.hash() !== added.before) return true;
+      world.restore(added.after);
     }
     stepAgain(world, deltaTime);
     return world.hash() !== hash;
@@ -163,8 +178,7 @@ export function replay(world: World, recording: Recording): number {
 }
 
 function isCall(call: unknown): boolean {
-  const { args, added } = (call ?? {}) as Partial<RecordedCall>;
-  return Array.isArray(args) && added !== undefined;
+  return Array.isArray((call as RecordedCall | null)?.args);
 }
 
 function stepAgain(world: World, deltaTime: number): void {
@@ -221,17 +235,10 @@ function isSetting(name: string): name is RecordedSetting {
   return (SETTINGS as readonly string[]).includes(name);
 }
 
-/** @returns whether all is as it was then. */
-function repeat(world: World, { object, method, args, added }: RecordedCall): boolean {
-  if (added !== null) {
-    const isRight = world.hash() === added.before;
-    world.restore(added.after);
-    return isRight;
-  }
+function repeat({ object, method, args }: RecordedCall): void {
   if (isSetting(method)) {
     assign('replay', object, method, args[0]);
   } else {
     methodOf('replay', object, method).apply(object, args.map(copyOf));
   }
-  return true;
 }

@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
 import { POSE_STRIDE, PoseBuffer, Recorder, replay } from '../../src/state/index.js';
 import { buildPyramid } from '../scenes/pyramid.js';
@@ -231,6 +231,38 @@ describe('a recording', () => {
     expect(added.slice(0, 3)).toEqual([true, true, true]);
     expect(recorder.recording.frames.flatMap(({ calls }) => calls)).toEqual([]);
     expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
+  it('has one snapshot for a frame, however much is added in it, and is replayed whatever became of that', () => {
+    const { world, ball } = scene();
+    world.addRigidBody(ball);
+    const snapshot = vi.spyOn(world, 'snapshot');
+    const recorder = Recorder.create(world);
+    const added: RigidBody[] = [];
+    for (let i = 0; i < 60; i += 1) {
+      recorder.call(ball, 'applyImpulse', [0.1, 0]);
+      for (let k = 0; k < 10 && i % 20 === 0; k += 1) {
+        const body = phys2D.createRigidBody({ position: [k - 4, -8], sleeping: k % 2 === 0 });
+        recorder.call(body, 'addShape', phys2D.createCircleShape({ radius: 0.3 }));
+        added.push(body);
+        recorder.call(world, 'addRigidBody', body);
+        recorder.call(body, 'applyImpulse', [0, 1]);
+      }
+      recorder.step(1 / 60);
+    }
+    expect(snapshot).toHaveBeenCalledTimes(4);
+    const { recording } = recorder;
+    expect(recording.frames.flatMap((frame, i) => (frame.added === null ? [] : i))).toEqual([0, 20, 40]);
+    const end = world.hash();
+    world.removeRigidBody(added[0]!);
+    added[0]!.removeShape(added[0]!.shapes[0]!);
+    added[1]!.setPosition([0, -20]);
+    expect(replay(world, recording)).toBe(-1);
+    expect(world.hash()).toBe(end);
+    const frames = [...recording.frames];
+    const [push, ...others] = frames[20]!.calls;
+    frames[20] = { ...frames[20]!, calls: [{ ...push!, args: [[0.2, 0]] }, ...others] };
+    expect(replay(world, { ...recording, frames })).toBe(20);
   });
 
   it('tells the first step that went another way', () => {
