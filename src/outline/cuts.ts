@@ -1,3 +1,4 @@
+import { VERTEX_TOLERANCE } from '../config.js';
 import type { Vec2 } from '../math/vectors.js';
 import { orient } from './orient.js';
 import { bend, LEFT, RIGHT, type Ring, segmentsTouch } from './ring.js';
@@ -176,10 +177,22 @@ export class Cuts {
           way = this.ways[to]!.indexOf(v, 1) - 1;
           v = to;
         }
-        if (this.isSolid(part)) parts.push(part.map((at): Vec2 => [this.x[at]!, this.y[at]!]));
+        const corners = this.distinct(part);
+        if (this.isSolid(corners)) parts.push(corners.map((at): Vec2 => [this.x[at]!, this.y[at]!]));
       }
     }
     return parts;
+  }
+
+  /** Without corners that are where one beside them is, which no polygon may have: of two, the same one stays in all parts. */
+  private distinct(part: readonly number[]): readonly number[] {
+    const { length } = part;
+    const isRepeat = (v: number, i: number) =>
+      [part[(i + 1) % length]!, part[(i + length - 1) % length]!].some(
+        (w) => w < v && this.square(v, w) <= VERTEX_TOLERANCE * VERTEX_TOLERANCE,
+      );
+    const repeat = part.findIndex(isRepeat);
+    return repeat < 0 ? part : this.distinct(part.filter((_, i) => i !== repeat));
   }
 
   /** Whether a part is more than a line. */

@@ -216,6 +216,53 @@ describe('outlines at random', () => {
   });
 });
 
+describe('corners that nearly meet, though they are no neighbours', () => {
+  it.each([1e-6, 2e-9, 1e-9, 9e-10, 1e-10, 1e-12, 1e-15])('%f m apart are in no part together', (gap) => {
+    const hourglass: Outline = [
+      [-1, -1],
+      [1, -1],
+      [gap / 2, 0],
+      [1, 1],
+      [-1, 1],
+      [-gap / 2, 0],
+    ];
+    expect(check(hourglass)).toHaveLength(2);
+    expect(check([...hourglass].reverse())).toHaveLength(2);
+    const notched: Outline = [
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [0, 4],
+      [0, 3],
+      [1, 2],
+      [0, 1],
+    ];
+    const hole: Outline = [
+      [1 + gap, 2],
+      [2, 1],
+      [3, 2],
+      [2, 3],
+    ];
+    expect(check(notched, [hole]).length).toBeLessThanOrEqual(7);
+  });
+
+  it('are in no part together where there are many, nor is a part that is a point', () => {
+    for (let seed = 1; seed <= 200; seed += 1) {
+      const random = generator(seed);
+      const count = 3 + Math.floor(5 * random());
+      const outline: Vec2[] = [];
+      for (let i = 0; i < count; i += 1) {
+        const [angle, width] = [(i * 2 * Math.PI) / count, Math.PI / count];
+        const gap = 10 ** (-8 - 4 * random());
+        outline.push([gap * Math.cos(angle - width), gap * Math.sin(angle - width)]);
+        outline.push([Math.cos(angle - width / 2), Math.sin(angle - width / 2)]);
+        outline.push([Math.cos(angle + width / 2), Math.sin(angle + width / 2)]);
+      }
+      check(outline);
+    }
+  });
+});
+
 describe('what is refused', () => {
   it.each<[string, unknown, RegExp]>([
     ['no list', 7, /^decomposeOutline: outline must be .* got 7$/],
