@@ -100,6 +100,11 @@ export function integer(where: string, name: string, value: unknown, least: numb
   return value;
 }
 
+/** An integer from 1 to 2^30 - 1, which is what a snapshot has room for. */
+export function count(where: string, name: string, value: unknown): number {
+  return within(where, name, integer(where, name, value, 1), 0x3fffffff);
+}
+
 /** A set of 32 bits given as a number: any integer from -2^31 to 2^32 - 1; returned as an unsigned integer. */
 export function bits(where: string, name: string, value: unknown): number {
   if (!(typeof value === 'number' && Number.isInteger(value) && value >= -0x80000000 && value <= 0xffffffff)) {

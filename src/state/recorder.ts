@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { boolean, integer, typeError } from '../validate.js';
+import { boolean, count, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -228,7 +228,7 @@ function assign(where: string, object: Recorded, setting: string, value: unknown
     throw typeError(where, 'object', `something that has ${setting}`, object);
   }
   const isFlag = typeof holder[setting] === 'boolean';
-  holder[setting] = isFlag ? boolean(where, 'value', value) : integer(where, 'value', value, 1);
+  holder[setting] = isFlag ? boolean(where, 'value', value) : count(where, 'value', value);
 }
 
 function isSetting(name: string): name is RecordedSetting {

@@ -98,6 +98,7 @@ describe('a recording', () => {
     }
     expect(set(ball, 'substeps', 2)).toThrow('Recorder.set: object must be something that has substeps');
     expect(set(world, 'substeps', 0)).toThrow('Recorder.set: value must be an integer >= 1, got 0');
+    expect(set(world, 'substeps', 2 ** 30)).toThrow('Recorder.set: value must be a number of at most 1073741823');
     expect(set(ball, 'bullet', 1)).toThrow('Recorder.set: value must be a boolean, got 1');
     recorder.step(1 / 60);
     expect(recorder.recording.frames[0]!.calls).toEqual([]);

@@ -367,4 +367,15 @@ describe('cost', () => {
       expect(world.hash(), `${i + 1} bodies`).toBe(world.hash());
     }
   });
+
+  it.each(['velocityIterations', 'positionIterations', 'substeps'] as const)(
+    'the most %s there may be come back',
+    (name) => {
+      const world = phys2D.createWorld({ [name]: 2 ** 30 - 1 });
+      const snapshot = world.snapshot();
+      world[name] = 8;
+      world.restore(snapshot);
+      expect(world[name]).toBe(2 ** 30 - 1);
+    },
+  );
 });
