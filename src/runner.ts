@@ -68,12 +68,16 @@ export class FixedStepRunner {
    *
    * @param beforeStep called before each step: the place for forces and input.
    * @returns how many steps were made.
+   * @throws Error when called from a handler of the world: nothing has changed then.
    */
   advance(elapsed: number, beforeStep?: (world: World) => void): number {
     const where = 'FixedStepRunner.advance';
     nonNegative(where, 'elapsed', elapsed);
     if (beforeStep !== undefined) {
       callable(where, 'beforeStep', beforeStep);
+    }
+    if (this.world.busy) {
+      throw new Error(`${where}: must not be called from a handler or callback of the same world`);
     }
     const time = this.waiting + elapsed;
     this.waiting = time % this.deltaTime;

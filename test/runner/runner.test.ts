@@ -192,6 +192,26 @@ describe('refusals', () => {
     expect(runner.interpolation).toBe(0);
   });
 
+  it('of advance in a handler: its time does not pass later', () => {
+    const stepped = weightless();
+    const runner = FixedStepRunner.create({ world: stepped, deltaTime: 0.25 });
+    let refusal: unknown;
+    const nested = () => {
+      stepped.poses = null;
+      try {
+        runner.advance(0.875);
+      } catch (error) {
+        refusal = error;
+      }
+    };
+    stepped.poses = { update: nested };
+    expect([runner.advance(0.625), stepped.timeStamp, runner.interpolation]).toEqual([2, 2, 0.5]);
+    expect(String(refusal)).toBe(
+      'Error: FixedStepRunner.advance: must not be called from a handler or callback of the same world',
+    );
+    expect([runner.advance(0), stepped.timeStamp]).toEqual([0, 2]);
+  });
+
   it('of what is no body', () => {
     const runner = FixedStepRunner.create({ world });
     refuses((body) => runner.getPosition(body), 'FixedStepRunner.getPosition', 'body', [{}, TypeError, 'an object']);
