@@ -306,7 +306,8 @@ export class World extends WorldState {
 
   /**
    * The state of the world: all that `restore` needs to go on from here to the bit. Listeners, user data and the variables of handlers and
-   * callbacks are not in it (but see `state` of custom constraints), nor are bodies that are in no world, unless a constraint in this one has them.
+   * callbacks are not in it (but see `state` of custom constraints), nor are bodies that are in no world: of one that a constraint in this world has,
+   * place and motion are in it, its shapes are not.
    *
    * @param target is written to, if it is large enough, and returned: keep what is returned, and a game that saves each step makes no garbage.
    */
