@@ -100,7 +100,7 @@ export function integer(where: string, name: string, value: unknown, least: numb
   return value;
 }
 
-/** An integer from 1 to 2^30 - 1, which is what a snapshot has room for. */
+/** An integer from 1 to 2^30 - 1: snapshots and arrays have room for no more. */
 export function count(where: string, name: string, value: unknown): number {
   return within(where, name, integer(where, name, value, 1), 0x3fffffff);
 }

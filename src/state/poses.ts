@@ -1,12 +1,12 @@
 import type { RigidBody } from '../body.js';
-import { integer, optional, options, typeError } from '../validate.js';
+import { count, optional, options, typeError } from '../validate.js';
 
 /** Numbers of a body in a pose buffer. */
 export const POSE_STRIDE = 4;
 
 /** Options of `PoseBuffer.create`. */
 export interface PoseBufferParams {
-  /** How many bodies there is room for, integer >= 1. Default 1024. */
+  /** How many bodies there is room for, integer from 1 to 2^30 - 1. Default 1024. */
   capacity?: number | undefined;
   /** What to write to, with room for `capacity` bodies: on a `SharedArrayBuffer`, another thread can read it. Default: a new one. */
   poses?: Float32Array | Float64Array | undefined;
@@ -31,7 +31,7 @@ export class PoseBuffer {
   constructor(params?: PoseBufferParams) {
     const where = 'PoseBuffer.create';
     const given = options(where, params, false);
-    this.capacity = integer(where, 'capacity', optional(given.capacity, 1024), 1);
+    this.capacity = count(where, 'capacity', optional(given.capacity, 1024));
     const { poses } = given;
     const isList = poses instanceof Float32Array || poses instanceof Float64Array;
     if (poses !== undefined && !(isList && poses.length >= POSE_STRIDE * this.capacity)) {

@@ -1,6 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
 import { POSE_STRIDE, PoseBuffer, Recorder, replay } from '../../src/state/index.js';
+import { NOT_SMALL_COUNT, refuses } from '../bad-input/refuses.js';
 import { buildPyramid } from '../scenes/pyramid.js';
 
 function scene(): { world: World; ball: RigidBody } {
@@ -334,7 +335,9 @@ describe('a pose buffer', () => {
     expect([...poses.poses.subarray(0, 5)]).toEqual([0, 0, 0, 0, 1]);
     expect(poses.track(c)).toBe(0);
     expect([...poses.poses]).toEqual([2, 5, 1, 0, 1, 5, 1, 0]);
-    expect(() => PoseBuffer.create({ capacity: 0 })).toThrow(RangeError);
+    for (const bad of NOT_SMALL_COUNT) {
+      refuses((capacity) => PoseBuffer.create({ capacity }), 'PoseBuffer.create', 'capacity', bad);
+    }
     expect(() => PoseBuffer.create({ capacity: 3, poses: new Float32Array(8) })).toThrow(
       'PoseBuffer.create: poses must be a float array of 12 numbers',
     );
