@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { boolean, count, typeError } from '../validate.js';
+import { boolean, count, positive, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -148,7 +148,8 @@ export class Recorder {
  * passed on.
  *
  * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
- * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot.
+ * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot, or a setting or length of
+ * step that is out of range. Nothing has changed then, unless it is the snapshot of a frame that is damaged.
  */
 export function replay(world: World, recording: Recording): number {
   if (typeof world?.restore !== 'function') {
@@ -159,9 +160,7 @@ export function replay(world: World, recording: Recording): number {
     throw typeError('replay', 'recording', 'the recording of a Recorder', recording);
   }
   for (const [i, frame] of frames.entries()) {
-    if (!Array.isArray(frame?.calls) || !frame.calls.every(isCall) || frame.added === undefined) {
-      throw typeError('replay', `recording.frames[${i}]`, 'a frame of a Recorder', frame);
-    }
+    checkFrame(`recording.frames[${i}]`, frame);
   }
   world.restore(recording.snapshot);
   return recording.frames.findIndex(({ calls, added, deltaTime, hash }) => {
@@ -177,8 +176,26 @@ export function replay(world: World, recording: Recording): number {
   });
 }
 
+function checkFrame(name: string, frame: RecordedStep | null | undefined): void {
+  if (!Array.isArray(frame?.calls) || !frame.calls.every(isCall) || !isAdded(frame.added)) {
+    throw typeError('replay', name, 'a frame of a Recorder', frame);
+  }
+  for (const { object, method, args } of frame.calls as readonly RecordedCall[]) {
+    if (isSetting(method)) {
+      checkedValue('replay', object, method, args[0]);
+    } else {
+      methodOf('replay', object, method);
+    }
+  }
+  positive('replay', `${name}.deltaTime`, frame.deltaTime);
+}
+
 function isCall(call: unknown): boolean {
   return Array.isArray((call as RecordedCall | null)?.args);
+}
+
+function isAdded(added: RecordedStep['added'] | undefined): boolean {
+  return added === null || added?.after instanceof ArrayBuffer;
 }
 
 function stepAgain(world: World, deltaTime: number): void {
@@ -218,8 +235,8 @@ function methodOf(where: string, object: Recorded, method: string): (...args: un
   return made as unknown as (...args: unknown[]) => unknown;
 }
 
-/** Sets what `Recorder.set` can, and nothing else. */
-function assign(where: string, object: Recorded, setting: string, value: unknown): void {
+/** What a setting is to be, if it is one of those that `Recorder.set` sets. */
+function checkedValue(where: string, object: Recorded, setting: string, value: unknown): unknown {
   if (!isSetting(setting)) {
     throw typeError(where, 'setting', `one of ${SETTINGS.join(', ')}`, setting);
   }
@@ -228,7 +245,11 @@ function assign(where: string, object: Recorded, setting: string, value: unknown
     throw typeError(where, 'object', `something that has ${setting}`, object);
   }
   const isFlag = typeof holder[setting] === 'boolean';
-  holder[setting] = isFlag ? boolean(where, 'value', value) : count(where, 'value', value);
+  return isFlag ? boolean(where, 'value', value) : count(where, 'value', value);
+}
+
+function assign(where: string, object: Recorded, setting: string, value: unknown): void {
+  Object.assign(object, { [setting]: checkedValue(where, object, setting, value) });
 }
 
 function isSetting(name: string): name is RecordedSetting {

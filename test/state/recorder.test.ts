@@ -387,18 +387,41 @@ describe('a pose buffer', () => {
   });
 });
 
-it('replay refuses frames that are none, before anything is done', () => {
-  const world = phys2D.createWorld();
-  world.addRigidBody(phys2D.createRigidBody());
-  const snapshot = world.snapshot();
-  world.step(1 / 60);
-  const before = world.hash();
-  for (const bad of [undefined, {}, { calls: [{}], deltaTime: 1 / 60, hash: '' }, { calls: [null] }, 5]) {
-    expect(() => replay(world, { snapshot, frames: [bad] as never })).toThrow(
-      'replay: recording.frames[0] must be a frame of a Recorder, got',
-    );
+describe('replay refuses, before anything is done,', () => {
+  function refused(frame: unknown, message: string): void {
+    const world = phys2D.createWorld();
+    world.addRigidBody(phys2D.createRigidBody());
+    const { snapshot, recording } = Recorder.create(world);
+    expect(recording.frames).toEqual([]);
+    world.step(1 / 60);
+    const before = world.hash();
+    const given = typeof frame === 'function' ? frame(world) : frame;
+    expect(() => replay(world, { snapshot, frames: [given] })).toThrow(message);
     expect(world.hash()).toBe(before);
   }
+  const good = { calls: [], added: null, deltaTime: 1 / 60, hash: '' };
+
+  it('frames that are none', () => {
+    const calls = [{}];
+    const added = { first: 0, before: '', after: 'bytes' };
+    for (const bad of [undefined, {}, { ...good, calls }, { ...good, calls: [null] }, { ...good, added }, 5]) {
+      refused(bad, 'replay: recording.frames[0] must be a frame of a Recorder, got');
+    }
+  });
+
+  it('calls that cannot be made', () => {
+    const calling = (method: string, ...args: unknown[]) => {
+      return (object: World) => ({ ...good, calls: [{ object, method, args }] });
+    };
+    refused(calling('explode'), 'replay: method must be the name of a method of object, got "explode"');
+    refused(calling('step', 1), 'replay: step is not to be called so');
+    refused(calling('bullet', true), 'replay: object must be something that has bullet');
+    refused(calling('substeps', 0), 'replay: value must be an integer >= 1, got 0');
+  });
+
+  it('steps of no length', () => {
+    refused({ ...good, deltaTime: -1 }, 'replay: recording.frames[0].deltaTime must be a finite number > 0, got -1');
+  });
 });
 
 it('a Recorder refuses methods whose names are no strings', () => {
