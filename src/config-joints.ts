@@ -125,6 +125,15 @@ export const TOUCHED_MOMENTUM = 0.8;
 export const ROPE_JOINTS = 5;
 
 /**
+ * m, rad. Few joints that hold an angle and stand on something are solved with their contacts to their end, and make no momentum of corrections, as long as one is open by more. Else what the load lets sag in the velocities corrections lift
+ * with momentum, for ever: the legs of a table under ten times its weight are told to move at 1 m/s, which friction takes for true. With 2e-4 they never sleep.
+ */
+export const FRAME_BENT = 1e-5;
+
+/** So many joints at most: half of SHOCK_CONTACTS, as there have to be as few contacts. */
+export const FRAME_JOINTS = 16;
+
+/**
  * m. If no error of what hangs together and touches something is larger, joints with a body that touches nothing make all of their momentum: a pendulum on a tower that stands on the ground then keeps its height, and most hinged bridges with crates come to rest in 30 to 90 s
  * instead of 130 s or never. With 3e-4 a tight one does as well, but of twelve heaps of chains three never sleep instead of two.
  */
@@ -209,3 +218,8 @@ export const BOUND_SLOP = 3e-4;
 
 /** Joints: a matrix whose determinant is below this share of the product of its diagonal has rank 1. */
 export const SINGULAR = 1e-12;
+
+/**
+ * rad⁻¹. How much of what welds that pull against each other give fades as they turn, 1 at most. With 0.1 square frames still lose their spin within a minute; where all welds fade, beams on piers and welded houses come to rest later, or not at all.
+ */
+export const STRESS_FADES = 0.5;

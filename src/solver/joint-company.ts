@@ -15,8 +15,9 @@ let parent = new Int32Array(0);
 let next = new Int32Array(0);
 let first = new Int32Array(0);
 let size = new Int32Array(0);
-/** Something drives it. */
+/** Something drives it; it is held by something that is not dynamic. */
 let driven = new Uint8Array(0);
+let held = new Uint8Array(0);
 
 /** Finds which awake bodies are with which, as contacts and joints of this step are. */
 export function findCompanies({ solver, liveDynamics }: World): void {
@@ -28,12 +29,14 @@ export function findCompanies({ solver, liveDynamics }: World): void {
     first = new Int32Array(room);
     size = new Int32Array(room);
     driven = new Uint8Array(room);
+    held = new Uint8Array(room);
   }
   for (let slot = 0; slot < count; slot += 1) {
     parent[slot] = slot;
     first[slot] = 0;
     size[slot] = 0;
     driven[slot] = slot > liveDynamics.length && isMoving(solver, slot) ? 1 : 0;
+    held[slot] = 0;
   }
   joinTouching(solver.one, liveDynamics.length);
   joinTouching(solver.two, liveDynamics.length);
@@ -41,6 +44,7 @@ export function findCompanies({ solver, liveDynamics }: World): void {
   for (let slot = liveDynamics.length; slot > 0; slot -= 1) {
     const root = rootOf(slot);
     driven[root] = driven[root]! | driven[slot]!;
+    held[root] = held[root]! | held[slot]!;
     next[slot] = first[root]!;
     first[root] = slot;
     size[root] = size[root]! + 1;
@@ -57,6 +61,7 @@ export function findGuests(data: SolverData, group: Group): boolean {
     at = joints.bodies[n]!;
   }
   const root = rootOf(at / d.BODY_STRIDE);
+  group.isAfloat = held[root] === 0;
   if (driven[root] === 1 || size[root]! > group.end - group.start + 1 + MOST_GUESTS) {
     return false;
   }
@@ -77,12 +82,16 @@ function rootOf(slot: number): number {
   return root;
 }
 
-/** Two bodies are with each other if both are dynamic; else one may drive the other. */
+/** Two bodies are with each other if both are dynamic; else one holds the other, and may drive it. */
 function join(a: number, b: number, dynamics: number): void {
+  if (a > 0 && b > 0 && a <= dynamics && b <= dynamics) {
+    parent[rootOf(a)] = rootOf(b);
+    return;
+  }
+  held[a] = 1;
+  held[b] = 1;
   if (a > dynamics || b > dynamics) {
     driven[a] = driven[b] = driven[a]! | driven[b]!;
-  } else if (a > 0 && b > 0) {
-    parent[rootOf(a)] = rootOf(b);
   }
 }
 

@@ -78,14 +78,20 @@ export class Group {
   touched = false;
   /** … but so few that it stands on something, rather than lies in a heap; known of mechanisms. */
   stands = false;
+  /** A frame that stands on something, and whose joints were open as the step began: see `joint-momentum.ts`. */
+  isBent = false;
   /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
   isDriven = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
+  /** There are more welds than are needed: see `joint-stress.ts`. */
+  isOverheld = false;
   /** They may make energy all the same, if sub-steps are too long for them … */
   mayGain = false;
   /** … and are looked at in this step for what they make: see `joint-energy.ts`. */
   isWatched = false;
+  /** Of what is watched and touches something: neither that nor what it is with touches or hangs on something that is not dynamic. */
+  isAfloat = false;
   /** Offsets of the bodies that lie on its own, or on those, then. */
   readonly guests = new List<number>();
   /** J. Of its bodies, as the step begins … */

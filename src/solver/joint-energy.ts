@@ -9,7 +9,7 @@ import * as d from './layout.js';
 // together whirls by itself, whatever it is made of.
 
 /** Sums over the bodies of a group: scratch. J, kg, N·s. */
-const sums = new Float64Array(8);
+const sums = new Float64Array(9);
 /** Kinetic energy, and by how much that of a sub-step is ahead of the true one … */
 const KINETIC = 0;
 const AHEAD = 1;
@@ -22,6 +22,8 @@ const PX = 5;
 const PY = 6;
 /** 1/kg. … and the inverse mass of the lightest. */
 const LIGHTEST = 7;
+/** kg. Their mass without that of who is with them. */
+const OWN_MASS = 8;
 
 /** One of them is moved by something else. */
 let isCarried = false;
@@ -131,17 +133,38 @@ function energyOfLight(data: SolverData, group: Group, x: number, y: number): nu
   return twice / 2;
 }
 
-/** The light bodies, against a common velocity. */
+/** The light bodies, against a common velocity. What nothing holds keeps its momentum: all bodies get back what these lose. */
 function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
+  const { velocity: v } = data;
+  const { bodies } = data.joints;
+  const end = endOfMembers(data, group);
+  let px = 0;
+  let py = 0;
+  for (let n = firstMember(data, group); n < end; n += 1) {
+    const i = bodies[n]!;
+    if (visit(data, i) && isLight(data, i)) {
+      px += ((1 - keep) * (v[i + d.VX]! - x)) / v[i + d.INV_MASS]!;
+      py += ((1 - keep) * (v[i + d.VY]! - y)) / v[i + d.INV_MASS]!;
+      v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
+      v[i + d.VY] = y + keep * (v[i + d.VY]! - y);
+      v[i + d.W] = keep * v[i + d.W]!;
+    }
+  }
+  markMembers(data, group, 0);
+  if (sums[MASS]! < Infinity) {
+    giveBack(data, group, px, py);
+  }
+}
+
+function giveBack(data: SolverData, group: Group, px: number, py: number): void {
   const { velocity: v } = data;
   const { bodies } = data.joints;
   const end = endOfMembers(data, group);
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (visit(data, i) && isLight(data, i)) {
-      v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
-      v[i + d.VY] = y + keep * (v[i + d.VY]! - y);
-      v[i + d.W] = keep * v[i + d.W]!;
+    if (visit(data, i)) {
+      v[i + d.VX] = v[i + d.VX]! + px / sums[OWN_MASS]!;
+      v[i + d.VY] = v[i + d.VY]! + py / sums[OWN_MASS]!;
     }
   }
   markMembers(data, group, 0);
@@ -163,18 +186,19 @@ function measure(data: SolverData, group: Group): void {
   }
   markMembers(data, group, 0);
   const least = sums[LEAST]!;
+  sums[OWN_MASS] = sums[MASS]!;
   const { items, count } = group.guests;
   for (let n = 0; n < count; n += 1) {
     add(data, items[n]!);
   }
   sums[LEAST] = least;
-  if (group.touched) {
+  if (group.touched && !group.isAfloat) {
     sums[MASS] = Infinity;
   }
 }
 
 /** Whether a body has a slot, and comes for the first time: it is marked for that with MEMBER. */
-function visit({ traits }: SolverData, offset: number): boolean {
+export function visit({ traits }: SolverData, offset: number): boolean {
   const slot = offset / d.BODY_STRIDE;
   const isFirst = slot > 0 && (traits[slot]! & d.MEMBER) === 0;
   traits[slot] = traits[slot]! | d.MEMBER;

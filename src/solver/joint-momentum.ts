@@ -2,7 +2,15 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, STRAIN_SPEED } from '../config.js';
-import { FIRM_FEET, HEAVY, ROPE_JOINTS, TOUCHED_MOMENTUM, TOUCHED_QUIET } from '../config-joints.js';
+import {
+  FIRM_FEET,
+  FRAME_BENT,
+  FRAME_JOINTS,
+  HEAVY,
+  ROPE_JOINTS,
+  TOUCHED_MOMENTUM,
+  TOUCHED_QUIET,
+} from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
@@ -20,8 +28,8 @@ const ALIKE = 8;
 
 /**
  * Of a group that touches something; also finds whether it stands on that. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
- * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle, unless what hangs together overlaps
- * itself, those that bear much under a weight, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM. And where errors are as small as those of what swings freely,
+ * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle and those that bear much under a weight, unless what hangs together overlaps
+ * itself, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM; the first not while they are few and solved together with their contacts, see `isBent`. And where errors are as small as those of what swings freely,
  * contacts undo nothing: there joints make all of theirs that have a body which touches nothing.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
@@ -31,15 +39,16 @@ export function steadyTouched(data: SolverData, group: Group): void {
   const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
   const touching = hasLoad || isRope || group.isMechanism || hasBeams(joints, group) ? findTouching(data, group) : 0;
   group.stands = group.isMechanism && (touching & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
-  const isPressed = hasLoad && (touching & HEAVIER) !== 0;
+  const isPressed = hasLoad && (touching & (HEAVIER | ITSELF)) === HEAVIER;
   const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
   const isTaut = isRope && (touching & (ITSELF | ALIKE)) === 0;
+  group.isBent = isBeam && group.error > FRAME_BENT * FRAME_BENT && isFrame(joints, group);
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
     if (isQuiet && reachesOut(data, joint)) {
       continue;
     }
-    if (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
+    if (!group.isBent && (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint)))) {
       const numbers = numbersOf(data, joint);
       const carry = carryAt(joint);
       numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
@@ -81,6 +90,15 @@ function hasBeams(joints: readonly Joint[], { start, end }: Group): boolean {
     }
   }
   return false;
+}
+
+/** Whether joints are few and rigid, some hold an angle, and none may break, which sweeps that try out impulses would do. */
+function isFrame(joints: readonly Joint[], group: Group): boolean {
+  let isFirm = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS && hasBeams(joints, group);
+  for (let k = group.start; k < group.end && isFirm; k += 1) {
+    isFirm = !joints[k]!.constraint.breakUnderForce;
+  }
+  return isFirm;
 }
 
 /** Whether it bears as much as a contact that is strained: about a hundred times what its bodies weigh. What turns bears nothing. */

@@ -42,13 +42,15 @@ import {
 } from './joint-layout.js';
 import { isBlocked, steadyTouched } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
+import { isOverheld } from './joint-stress.js';
 import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
 
 // What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
 
-/** What drives a group, and how hard its springs are, if it has any. */
-export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): void {
+/** What drives a group, how hard its springs are, if it has any, and whether its joints may pull against each other. */
+export function lookAtKinds(data: SolverData, group: Group): void {
+  const { joints } = data.joints;
   group.isDriven = false;
   group.frequency = 0;
   for (let k = group.start; k < group.end; k += 1) {
@@ -56,6 +58,7 @@ export function lookAtKinds({ joints: { joints } }: SolverData, group: Group): v
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
     group.isDriven ||= constraint.drives;
   }
+  group.isOverheld = isOverheld(data, group);
 }
 
 /** Before it is found which joints of a group are strained; blocks and turns note it as they are warm started. */

@@ -30,6 +30,7 @@ import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import { forgetShocks, linkShocks } from './joint-shocks.js';
 import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
+import { turnStress } from './joint-stress.js';
 import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './joint-sweeps.js';
 import {
   beginPoints,
@@ -178,6 +179,7 @@ function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void 
   const { worst, asked } = data.joints;
   beginGroup(data, group);
   group.error = 0;
+  if (group.isOverheld) turnStress(data, group);
   for (let n = 0; n < group.runs.length; n += 1) {
     worst[0] = 0;
     worst[1] = 0;

@@ -25,6 +25,9 @@ export function noteMet(pair: Arbiter): void {
 
 /** Gives all that met the impulses of their impacts, and tells of them. */
 export function settleMet(world: World): void {
+  if (met.length === 0) {
+    return;
+  }
   if (lastSide.length <= world.liveDynamics.length) {
     lastSide = new Int32Array(grown(world.liveDynamics.length + 1));
   }

@@ -2,6 +2,7 @@ import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../config.js';
 import { JOINT_TORN } from '../config-joints.js';
 import * as c from '../contact/layout.js';
 import { type ContactBatch, recordAt, type ShockList, type SolverData } from './data.js';
+import type { Group } from './joint-data.js';
 import { endOfMembers, firstMember } from './joint-numbers.js';
 import type { JointSolver } from './joints.js';
 import * as d from './layout.js';
@@ -10,30 +11,49 @@ import { solveVelocityTwo } from './two-point.js';
 
 // What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
 // So where what was struck is no heap its contacts, and the joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
+// Frames that stand on something, as a table under a load, are solved as well, but go on with what they bear: see `isBent` in `joint-data.ts`.
 
 /** The end of a chain of ends; of a body that hangs on what cannot be solved. */
 const NONE = -1;
 /** Of a body that is part of a heap or a mechanism, for the whole step. */
 const REFUSED = 1;
 
-/** Ends the velocity sweeps of a sub-step: solves what was struck in it. */
+/** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
 export function settleShocks(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
+  const { groups } = data.joints;
   shocks.round += 1;
   for (let i = 0; i < shocks.count; i += 1) {
     const contact = shocks.struck[i]!;
-    if (!isShock(data, contact)) {
-      continue;
+    if (isShock(data, contact)) {
+      const { bodies } = batchOf(data, contact);
+      const a = bodies[contact & -2]! & d.OFFSET;
+      if (settleAround(data, canMove(data, a) ? a : bodies[contact | 1]!, jointSolver)) forgetAll(data);
     }
-    if (!shocks.isLinked) {
-      link(data);
-      jointSolver?.linkShocks(data);
-    }
-    const { bodies } = batchOf(data, contact);
-    const a = bodies[contact & -2]! & d.OFFSET;
-    const count = gather(data, (canMove(data, a) ? a : bodies[contact | 1]!) / d.BODY_STRIDE);
-    if (count > 0) solve(data, count, jointSolver);
   }
+  for (let i = 0; i < groups.length; i += 1) {
+    const group = groups[i]!;
+    if (group.touched && group.isBent) settleAround(data, someBody(data, group), jointSolver);
+  }
+}
+
+/** The offset of one that can be pushed. */
+function someBody(data: SolverData, group: Group): number {
+  const { bodies } = data.joints;
+  let n = firstMember(data, group);
+  while (!canMove(data, bodies[n]!)) n += 1;
+  return bodies[n]!;
+}
+
+/** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, or was found before. */
+function settleAround(data: SolverData, body: number, jointSolver: JointSolver | null): boolean {
+  if (!data.shocks.isLinked) {
+    link(data);
+    jointSolver?.linkShocks(data);
+  }
+  const isSolved = gather(data, body / d.BODY_STRIDE) > 0;
+  if (isSolved) solve(data, jointSolver);
+  return isSolved;
 }
 
 function link({ shocks, one, two, bodyCount }: SolverData): void {
@@ -179,10 +199,10 @@ function isShock(data: SolverData, contact: number): boolean {
   return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
 }
 
-/** Sweeps over so many contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */
-function solve(data: SolverData, count: number, jointSolver: JointSolver | null): void {
+/** Sweeps over the contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */
+function solve(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
-  const { contacts, groups, groupCount } = shocks;
+  const { contacts, contactCount, groups, groupCount } = shocks;
   const size = SHOCK_CONTACTS - shocks.room;
   let changed = true;
   for (let turns = size; turns <= SHOCK_TURNS && changed; turns += size) {
@@ -190,7 +210,7 @@ function solve(data: SolverData, count: number, jointSolver: JointSolver | null)
     for (let i = 0; i < groupCount; i += 1) {
       jointSolver!.sweepShock(data, groups[i]!);
     }
-    for (let i = 0; i < count; i += 1) {
+    for (let i = 0; i < contactCount; i += 1) {
       const contact = contacts[i]!;
       const k = contact >> 1;
       const solveVelocity = (contact & 1) === 1 ? solveVelocityOne : solveVelocityTwo;
@@ -198,12 +218,17 @@ function solve(data: SolverData, count: number, jointSolver: JointSolver | null)
       changed = solveVelocity(data, k, k + 1, 1) || changed;
     }
   }
-  for (let i = 0; i < groupCount; i += 1) {
-    shocks.struckGroups[shocks.struckGroupCount] = groups[i]!;
+}
+
+/** Of all that was just solved: joints are told, and forget when the sub-step ends. */
+function forgetAll(data: SolverData): void {
+  const { shocks } = data;
+  for (let i = 0; i < shocks.groupCount; i += 1) {
+    shocks.struckGroups[shocks.struckGroupCount] = shocks.groups[i]!;
     shocks.struckGroupCount += 1;
   }
-  for (let i = 0; i < count; i += 1) {
-    forget(data, contacts[i]!);
+  for (let i = 0; i < shocks.contactCount; i += 1) {
+    forget(data, shocks.contacts[i]!);
   }
 }
 
