@@ -48,13 +48,22 @@ export function steadyTouched(data: SolverData, group: Group): void {
     if (isQuiet && reachesOut(data, joint)) {
       continue;
     }
-    if (!group.isBent && (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint)))) {
+    if (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
       const numbers = numbersOf(data, joint);
       const carry = carryAt(joint);
       numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
     } else {
       steady(data, joint, 0);
     }
+  }
+}
+
+/** Of a frame that was solved with its contacts: it needs none, but for what swings on it. */
+export function steadyFrame(data: SolverData, group: Group): void {
+  const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
+  for (let k = group.start; k < group.end; k += 1) {
+    const joint = data.joints.joints[k]!;
+    if (!(isQuiet && reachesOut(data, joint))) steady(data, joint, 0);
   }
 }
 

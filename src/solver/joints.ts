@@ -24,6 +24,7 @@ import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run 
 import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { beginGradients, goOn, noteStart } from './joint-gradients.js';
 import { CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
+import { steadyFrame } from './joint-momentum.js';
 import { steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
 import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
@@ -434,6 +435,7 @@ export const jointSolver = {
   store: storeJoints,
   linkShocks,
   sweepShock,
+  steadyFrame,
 };
 
 export type JointSolver = typeof jointSolver;

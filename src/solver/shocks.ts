@@ -21,7 +21,6 @@ const REFUSED = 1;
 /** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
 export function settleShocks(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
-  const { groups } = data.joints;
   shocks.round += 1;
   for (let i = 0; i < shocks.count; i += 1) {
     const contact = shocks.struck[i]!;
@@ -31,18 +30,33 @@ export function settleShocks(data: SolverData, jointSolver: JointSolver | null):
       if (settleAround(data, canMove(data, a) ? a : bodies[contact | 1]!, jointSolver)) forgetAll(data);
     }
   }
-  for (let i = 0; i < groups.length; i += 1) {
-    const group = groups[i]!;
-    if (group.touched && group.isBent) settleAround(data, someBody(data, group), jointSolver);
+  if (jointSolver !== null) {
+    settleFrames(data, jointSolver);
   }
 }
 
-/** The offset of one that can be pushed. */
+function settleFrames(data: SolverData, jointSolver: JointSolver): void {
+  const { shocks } = data;
+  const { groups } = data.joints;
+  for (let i = 0; i < groups.length; i += 1) {
+    const group = groups[i]!;
+    const body = group.touched && group.isBent ? someBody(data, group) : 0;
+    if (body > 0) {
+      settleAround(data, body, jointSolver);
+      // Also if it was found with what was struck.
+      if (shocks.known[body / d.BODY_STRIDE] === shocks.round) jointSolver.steadyFrame(data, group);
+    }
+  }
+}
+
+/** The offset of one that can be pushed; 0 if none can. */
 function someBody(data: SolverData, group: Group): number {
   const { bodies } = data.joints;
-  let n = firstMember(data, group);
-  while (!canMove(data, bodies[n]!)) n += 1;
-  return bodies[n]!;
+  const end = endOfMembers(data, group);
+  for (let n = firstMember(data, group); n < end; n += 1) {
+    if (canMove(data, bodies[n]!)) return bodies[n]!;
+  }
+  return 0;
 }
 
 /** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, or was found before. */
