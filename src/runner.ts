@@ -7,7 +7,7 @@
 import type { RigidBody } from './body.js';
 import { ANGLE, writePose, X, Y } from './body-pose.js';
 import { type NumberSink, type Vec2, vec2 } from './math/vectors.js';
-import { callable, integer, nonNegative, optional, options, positive, typeError } from './validate.js';
+import { callable, integer, nonNegative, options, positive, typeError } from './validate.js';
 import type { World } from './world.js';
 
 /** Options of `FixedStepRunner.create`. */
@@ -16,7 +16,7 @@ export interface FixedStepRunnerParams {
   world: World;
   /** Length of each step, s, > 0. Default 1/60. */
   deltaTime?: number | undefined;
-  /** Most steps for one frame, integer >= 1. Default 5. */
+  /** Most steps for one frame, integer from 1 to 1e9. Default 5. */
   maxSteps?: number | undefined;
 }
 
@@ -42,14 +42,13 @@ export class FixedStepRunner {
   /** @internal use `create` */
   constructor(params: FixedStepRunnerParams) {
     const where = 'FixedStepRunner.create';
-    const given = options(where, params, true);
-    const { world } = given;
+    const { world, deltaTime = 1 / 60, maxSteps = 5 } = options(where, params, true);
     if (typeof world?.step !== 'function') {
       throw typeError(where, 'world', 'a World', world);
     }
     this.world = world;
-    this.deltaTime = positive(where, 'deltaTime', optional(given.deltaTime, 1 / 60));
-    this.maxSteps = integer(where, 'maxSteps', optional(given.maxSteps, 5), 1);
+    this.deltaTime = positive(where, 'deltaTime', deltaTime);
+    this.maxSteps = integer(where, 'maxSteps', maxSteps, 1);
   }
 
   /** A runner of a world. @throws if an option is not valid. */
@@ -76,9 +75,7 @@ export class FixedStepRunner {
     if (beforeStep !== undefined) {
       callable(where, 'beforeStep', beforeStep);
     }
-    if (this.world.busy) {
-      throw new Error(`${where}: must not be called from a handler or callback of the same world`);
-    }
+    this.world.refuseInside(where);
     const time = this.waiting + elapsed;
     this.waiting = time % this.deltaTime;
     this.due = Math.min(this.due + Math.round((time - this.waiting) / this.deltaTime), this.maxSteps);

@@ -92,17 +92,12 @@ export function nonNegativeOrInfinite(where: string, name: string, value: unknow
   return value;
 }
 
-/** An integer >= `least`. */
+/** An integer from `least` to 1e9: snapshots and arrays have room for no more. */
 export function integer(where: string, name: string, value: unknown, least: number): number {
-  if (!(typeof value === 'number' && Number.isInteger(value) && value >= least)) {
-    throw noNumber(where, name, `an integer >= ${least}`, value);
+  if (!(typeof value === 'number' && Number.isInteger(value) && value >= least && value <= 1e9)) {
+    throw noNumber(where, name, `an integer from ${least} to 1e9`, value);
   }
   return value;
-}
-
-/** An integer from 1 to 2^30 - 1: snapshots and arrays have room for no more. */
-export function count(where: string, name: string, value: unknown): number {
-  return within(where, name, integer(where, name, value, 1), 0x3fffffff);
 }
 
 /** A set of 32 bits given as a number: any integer from -2^31 to 2^32 - 1; returned as an unsigned integer. */

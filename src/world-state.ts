@@ -19,7 +19,7 @@ import { JointData } from './solver/joint-data.js';
 import type { JointSolver } from './solver/joints.js';
 import { Movers } from './solver/movers.js';
 import type { Tape } from './state/tape.js';
-import { boolean, callable, count, instance, optional, options, typeError, vector } from './validate.js';
+import { boolean, callable, instance, integer, optional, options, typeError, vector } from './validate.js';
 import type { World } from './world.js';
 
 /** What `World.poses` is: a `PoseBuffer`, or anything with such a method. */
@@ -60,11 +60,11 @@ export interface WorldParams {
   broadphase?: Broadphase | undefined;
   /** m/s². Default `[0, 10]`: down, as y points down. */
   gravity?: Vec2Like | undefined;
-  /** Total per step, integer from 1 to 2^30 - 1. Default 8. */
+  /** Total per step, integer from 1 to 1e9. Default 8. */
   velocityIterations?: number | undefined;
-  /** Total per step, integer from 1 to 2^30 - 1. Default 8. */
+  /** Total per step, integer from 1 to 1e9. Default 8. */
   positionIterations?: number | undefined;
-  /** Equal parts in which a step is integrated, integer from 1 to 2^30 - 1; the iterations are spread over them. Default 4. */
+  /** Equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them. Default 4. */
   substeps?: number | undefined;
   /** Whether bodies at rest fall asleep by themselves. Default `true`. */
   allowSleeping?: boolean | undefined;
@@ -177,9 +177,19 @@ export abstract class WorldState {
     const gravity = given.gravity === undefined ? [0, 10] : vector(where, 'gravity', given.gravity, 2);
     this.gravityX = gravity[0]!;
     this.gravityY = gravity[1]!;
-    this.velocityTotal = count(where, 'velocityIterations', optional(given.velocityIterations, DEFAULT_ITERATIONS));
-    this.positionTotal = count(where, 'positionIterations', optional(given.positionIterations, DEFAULT_ITERATIONS));
-    this.substepCount = count(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS));
+    this.velocityTotal = integer(
+      where,
+      'velocityIterations',
+      optional(given.velocityIterations, DEFAULT_ITERATIONS),
+      1,
+    );
+    this.positionTotal = integer(
+      where,
+      'positionIterations',
+      optional(given.positionIterations, DEFAULT_ITERATIONS),
+      1,
+    );
+    this.substepCount = integer(where, 'substeps', optional(given.substeps, DEFAULT_SUBSTEPS), 1);
     this.mayRest = boolean(where, 'allowSleeping', optional(given.allowSleeping, true));
     this.saving = given.state === undefined ? saving : checkedSaving(where, given.state);
     this.solver = new SolverData(
@@ -210,31 +220,31 @@ export abstract class WorldState {
     return this.stamp;
   }
 
-  /** Velocity iterations per step in total, integer from 1 to 2^30 - 1. */
+  /** Velocity iterations per step in total, integer from 1 to 1e9. */
   get velocityIterations(): number {
     return this.velocityTotal;
   }
 
   set velocityIterations(value: number) {
-    this.velocityTotal = count('World', 'velocityIterations', value);
+    this.velocityTotal = integer('World', 'velocityIterations', value, 1);
   }
 
-  /** Position iterations per step in total, integer from 1 to 2^30 - 1. */
+  /** Position iterations per step in total, integer from 1 to 1e9. */
   get positionIterations(): number {
     return this.positionTotal;
   }
 
   set positionIterations(value: number) {
-    this.positionTotal = count('World', 'positionIterations', value);
+    this.positionTotal = integer('World', 'positionIterations', value, 1);
   }
 
-  /** Equal parts in which a step is integrated, integer from 1 to 2^30 - 1; the iterations are spread over them, at least one each. */
+  /** Equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them, at least one each. */
   get substeps(): number {
     return this.substepCount;
   }
 
   set substeps(value: number) {
-    this.substepCount = count('World', 'substeps', value);
+    this.substepCount = integer('World', 'substeps', value, 1);
   }
 
   /**

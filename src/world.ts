@@ -367,7 +367,8 @@ export class World extends WorldState {
     return this.stepping || this.delivering;
   }
 
-  private refuseInside(where: string): void {
+  /** @internal Keeps its name */
+  refuseInside(where: string): void {
     if (this.busy) {
       throw new Error(`${where}: must not be called from a handler or callback of the same world`);
     }

@@ -1,4 +1,4 @@
-import { optional, options, positive, typeError } from '../validate.js';
+import { options, positive, typeError } from '../validate.js';
 import { alphaOf, Cutter, packedColor, redGreenBlue } from './cutter.js';
 import type { DebugGraphicsDevice, DebugLines } from './device.js';
 
@@ -40,12 +40,11 @@ export class CanvasDebugDevice implements DebugGraphicsDevice {
   /** @internal use `create` */
   constructor(params: CanvasDebugDeviceParams) {
     const where = 'CanvasDebugDevice.create';
-    const given = options(where, params, true);
-    const context = given.context;
+    const { context, lineWidth = 1 } = options(where, params, true);
     if (typeof context?.lineTo !== 'function' || typeof context.canvas !== 'object') {
       throw typeError(where, 'context', 'the 2D context of a canvas', context);
     }
-    this.lineWidth = positive(where, 'lineWidth', optional(given.lineWidth, 1));
+    this.lineWidth = positive(where, 'lineWidth', lineWidth);
     this.context = context;
   }
 

@@ -13,7 +13,7 @@ export class Cutter {
   private readonly offset = new Float64Array(2);
   private readonly least = new Float64Array(2);
   private readonly most = new Float64Array(2);
-  /** Where the segment comes between the sides, and where it leaves, for x and y: 0 at its start, 1 at its end. */
+  /** Where the segment comes between the sides, and where it leaves, for x and y: 0 at its nearer end, the other one at 1 or −1. */
   private readonly enter = new Float64Array(2);
   private readonly leave = new Float64Array(2);
 
@@ -33,7 +33,7 @@ export class Cutter {
   /** Finds the ends of a segment. @returns whether any of it is to be seen. */
   cut(lines: DebugLines, segment: number): boolean {
     const { vertices } = lines;
-    const { ends, factor, offset } = this;
+    const { ends, factor, offset, enter, leave } = this;
     const at = segment * SEGMENT;
     for (let i = 0; i < 2; i += 1) {
       ends[i] = factor[i]! * vertices[at + i]! + offset[i]!;
@@ -41,49 +41,32 @@ export class Cutter {
     }
     // From the nearer end on: what is added to one that is very far away gets lost.
     const away = Math.abs(ends[0]!) + Math.abs(ends[1]!);
-    const isTurned = away < Infinity && away > Math.abs(ends[2]!) + Math.abs(ends[3]!);
-    if (isTurned) this.turn();
-    const isSeen = this.cutEnds();
-    if (isTurned) this.turn();
-    return isSeen;
-  }
-
-  private cutEnds(): boolean {
-    const { ends, enter, leave } = this;
-    this.meetSides(0);
-    this.meetSides(1);
-    const start = Math.max(0, enter[0]!, enter[1]!);
-    const end = Math.min(1, leave[0]!, leave[1]!);
+    const near = away < Infinity && away > Math.abs(ends[2]!) + Math.abs(ends[3]!) ? 1 : 0;
+    this.meetSides(0, near);
+    this.meetSides(1, near);
+    const start = Math.max(-near, enter[0]!, enter[1]!);
+    const end = Math.min(1 - near, leave[0]!, leave[1]!);
     // Nor is it if one of them is no number: of ends that are too far away to be told in px.
     if (!(start <= end)) {
       return false;
     }
     for (let i = 0; i < 2; i += 1) {
-      const from = ends[i]!;
-      const way = ends[i + 2]! - from;
+      const from = ends[i + 2 * near]!;
+      const way = ends[i + 2]! - ends[i]!;
       // What is cut by a side ends right there, which the sum would miss if the segment is very long.
-      if (start > 0) {
+      if (start > -near) {
         ends[i] = start === enter[i] ? this.side(i, way < 0) : from + start * way;
       }
-      if (end < 1) {
+      if (end < 1 - near) {
         ends[i + 2] = end === leave[i] ? this.side(i, way > 0) : from + end * way;
       }
     }
     return true;
   }
 
-  private turn(): void {
-    const { ends } = this;
-    for (let i = 0; i < 2; i += 1) {
-      const from = ends[i]!;
-      ends[i] = ends[i + 2]!;
-      ends[i + 2] = from;
-    }
-  }
-
-  private meetSides(i: number): void {
-    const from = this.ends[i]!;
-    const way = this.ends[i + 2]! - from;
+  private meetSides(i: number, near: number): void {
+    const from = this.ends[i + 2 * near]!;
+    const way = this.ends[i + 2]! - this.ends[i]!;
     const toLeast = this.least[i]! - from;
     const toMost = this.most[i]! - from;
     if (way === 0) {

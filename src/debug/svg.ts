@@ -1,4 +1,4 @@
-import { optional, options, positive, typeError } from '../validate.js';
+import { options, positive, typeError } from '../validate.js';
 import { alphaOf, Cutter, packedColor, redGreenBlue } from './cutter.js';
 import type { DebugGraphicsDevice, DebugLines } from './device.js';
 
@@ -29,12 +29,12 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
   /** @internal use `create` */
   constructor(params: SVGDebugDeviceParams) {
     const where = 'SVGDebugDevice.create';
-    const given = options(where, params, true);
-    this.width = positive(where, 'width', given.width);
-    this.height = positive(where, 'height', given.height);
-    this.lineWidth = positive(where, 'lineWidth', optional(given.lineWidth, 1));
-    this.background = escaped(where, 'background', optional(given.background, ''));
-    this.title = escaped(where, 'title', optional(given.title, ''));
+    const { width, height, lineWidth = 1, background = '', title = '' } = options(where, params, true);
+    this.width = positive(where, 'width', width);
+    this.height = positive(where, 'height', height);
+    this.lineWidth = positive(where, 'lineWidth', lineWidth);
+    this.background = escaped(where, 'background', background);
+    this.title = escaped(where, 'title', title);
   }
 
   /** A device that collects what is drawn as a picture. */

@@ -1,4 +1,4 @@
-import { optional, options, positive, typeError } from '../validate.js';
+import { options, positive, typeError } from '../validate.js';
 import { Cutter, packedColor } from './cutter.js';
 import type { DebugGraphicsDevice, DebugLines } from './device.js';
 import { SEGMENT } from './lines.js';
@@ -143,12 +143,11 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
   /** @internal use `create` */
   constructor(params: WebGLDebugDeviceParams) {
     const where = 'WebGLDebugDevice.create';
-    const given = options(where, params, true);
-    const context = given.context;
+    const { context, lineWidth = 1 } = options(where, params, true);
     if (typeof context?.bindVertexArray !== 'function') {
       throw typeError(where, 'context', 'a WebGL 2 context', context);
     }
-    this.lineWidth = positive(where, 'lineWidth', optional(given.lineWidth, 1));
+    this.lineWidth = positive(where, 'lineWidth', lineWidth);
     this.context = context;
   }
 

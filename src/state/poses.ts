@@ -1,12 +1,12 @@
 import type { RigidBody } from '../body.js';
-import { count, optional, options, typeError } from '../validate.js';
+import { integer, options, typeError } from '../validate.js';
 
 /** Numbers of a body in a pose buffer. */
 export const POSE_STRIDE = 4;
 
 /** Options of `PoseBuffer.create`. */
 export interface PoseBufferParams {
-  /** How many bodies there is room for, integer from 1 to 2^30 - 1. Default 1024. */
+  /** How many bodies there is room for, integer from 1 to 1e9. Default 1024. */
   capacity?: number | undefined;
   /** What to write to, with room for `capacity` bodies: on a `SharedArrayBuffer`, another thread can read it. Default: a new one. */
   poses?: Float32Array | Float64Array | undefined;
@@ -30,9 +30,8 @@ export class PoseBuffer {
   /** @internal use `create` */
   constructor(params?: PoseBufferParams) {
     const where = 'PoseBuffer.create';
-    const given = options(where, params, false);
-    this.capacity = count(where, 'capacity', optional(given.capacity, 1024));
-    const { poses } = given;
+    const { capacity = 1024, poses } = options(where, params, false);
+    this.capacity = integer(where, 'capacity', capacity, 1);
     const isList = poses instanceof Float32Array || poses instanceof Float64Array;
     if (poses !== undefined && !(isList && poses.length >= POSE_STRIDE * this.capacity)) {
       throw typeError(where, 'poses', `a float array of ${POSE_STRIDE * this.capacity} numbers`, poses);

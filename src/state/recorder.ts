@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { boolean, count, positive, typeError } from '../validate.js';
+import { boolean, integer, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -27,8 +27,6 @@ const SETTINGS: readonly RecordedSetting[] = [
   'allowSleeping',
   'bullet',
 ];
-
-const ADDING = ['addRigidBody', 'addConstraint', 'addShape'];
 
 /** Of a method with two signatures; one with one has it twice. */
 type Overloads<A extends unknown[], B extends unknown[], R, S> = { (...args: A): R; (...args: B): S };
@@ -73,8 +71,8 @@ export class Recorder {
   readonly snapshot: ArrayBuffer;
   private readonly frames: RecordedStep[] = [];
   private calls: RecordedCall[] = [];
-  /** The first call since the last step that added something, and the hash before it. */
-  private adding: { first: number; before: string } | null = null;
+  /** The first call since the last step that was to add something, and the hash before it; the snapshot comes with the step. */
+  private adding: { first: number; before: string; after: ArrayBuffer } | null = null;
 
   /** @internal use `create` */
   constructor(private readonly world: World) {
@@ -101,17 +99,18 @@ export class Recorder {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
     const kept = args.map(copyOf);
-    const isFirst = ADDING.includes(method) && this.adding === null && !this.world.busy;
-    const before = isFirst ? this.world.hash() : '';
+    // A body, a shape or a constraint.
+    if (method.startsWith('add') && !this.world.busy) {
+      this.adding ??= { first: this.calls.length, before: this.world.hash(), after: this.snapshot };
+    }
     const result = made.apply(object, args);
-    if (isFirst) this.adding = { first: this.calls.length, before };
     this.note({ object, method, args: kept });
     return result as never;
   }
 
   /** Sets what is a property, not a method, of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. */
   set(object: World | RigidBody, setting: RecordedSetting, value: number | boolean): void {
-    assign('Recorder.set', object, setting, value);
+    Object.assign(object, { [setting]: checkedValue('Recorder.set', object, setting, value) });
     this.note({ object, method: setting, args: [value] });
   }
 
@@ -123,14 +122,14 @@ export class Recorder {
 
   /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
   step(deltaTime: number): void {
-    const { timeStamp, busy } = this.world;
-    const { adding } = this;
-    const added = adding === null || busy ? null : { ...adding, after: this.world.snapshot() };
+    const { world, adding } = this;
+    const { timeStamp } = world;
+    if (adding !== null) adding.after = world.snapshot();
     try {
-      this.world.step(deltaTime);
+      world.step(deltaTime);
     } finally {
-      if (this.world.timeStamp !== timeStamp) {
-        this.frames.push({ calls: this.calls, added, deltaTime, hash: this.world.hash() });
+      if (world.timeStamp !== timeStamp) {
+        this.frames.push({ calls: this.calls, added: adding, deltaTime, hash: world.hash() });
         this.calls = [];
         this.adding = null;
       }
@@ -148,54 +147,33 @@ export class Recorder {
  * passed on.
  *
  * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
- * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot, or a setting or length of
- * step that is out of range. Nothing has changed then, unless it is the snapshot of a frame that is damaged.
+ * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot, or a setting that is out
+ * of range. Nothing has changed then, unless it is the snapshot of a step that is damaged.
  */
 export function replay(world: World, recording: Recording): number {
   if (typeof world?.restore !== 'function') {
     throw typeError('replay', 'world', 'a World', world);
   }
-  const frames: unknown = recording?.frames;
-  if (!(recording?.snapshot instanceof ArrayBuffer) || !Array.isArray(frames)) {
+  const { snapshot, frames }: Partial<Recording> = recording ?? {};
+  if (!(snapshot instanceof ArrayBuffer) || !Array.isArray(frames)) {
     throw typeError('replay', 'recording', 'the recording of a Recorder', recording);
   }
-  for (const [i, frame] of frames.entries()) {
-    checkFrame(`recording.frames[${i}]`, frame);
-  }
-  world.restore(recording.snapshot);
-  return recording.frames.findIndex(({ calls, added, deltaTime, hash }) => {
-    for (const call of calls.slice(0, added?.first)) {
-      repeat(call);
+  frames.forEach((frame, i) => {
+    if (!Array.isArray(frame?.calls) || !frame.calls.every((call: RecordedCall | null) => Array.isArray(call?.args))) {
+      throw typeError('replay', `recording.frames[${i}]`, 'a frame of a Recorder', frame);
     }
-    if (added !== null) {
+    frame.calls.forEach(again);
+  });
+  world.restore(snapshot);
+  return frames.findIndex(({ calls, added, deltaTime, hash }: RecordedStep) => {
+    for (const call of calls.slice(0, added?.first)) again(call)();
+    if (added) {
       if (world.hash() !== added.before) return true;
       world.restore(added.after);
     }
     stepAgain(world, deltaTime);
     return world.hash() !== hash;
   });
-}
-
-function checkFrame(name: string, frame: RecordedStep | null | undefined): void {
-  if (!Array.isArray(frame?.calls) || !frame.calls.every(isCall) || !isAdded(frame.added)) {
-    throw typeError('replay', name, 'a frame of a Recorder', frame);
-  }
-  for (const { object, method, args } of frame.calls as readonly RecordedCall[]) {
-    if (isSetting(method)) {
-      checkedValue('replay', object, method, args[0]);
-    } else {
-      methodOf('replay', object, method);
-    }
-  }
-  positive('replay', `${name}.deltaTime`, frame.deltaTime);
-}
-
-function isCall(call: unknown): boolean {
-  return Array.isArray((call as RecordedCall | null)?.args);
-}
-
-function isAdded(added: RecordedStep['added'] | undefined): boolean {
-  return added === null || added?.after instanceof ArrayBuffer;
 }
 
 function stepAgain(world: World, deltaTime: number): void {
@@ -227,7 +205,7 @@ function methodOf(where: string, object: Recorded, method: string): (...args: un
   if (typeof made !== 'function') {
     throw typeError(where, 'method', 'the name of a method of object', method);
   }
-  if (method === 'step' || method === 'restore' || method.endsWith('EventListener')) {
+  if (/^(?:step|restore)$|EventListener$/.test(method)) {
     throw new Error(
       `${where}: ${method} is not to be called so: step has its own method, and restore and listeners cannot be recorded`,
     );
@@ -245,21 +223,20 @@ function checkedValue(where: string, object: Recorded, setting: string, value: u
     throw typeError(where, 'object', `something that has ${setting}`, object);
   }
   const isFlag = typeof holder[setting] === 'boolean';
-  return isFlag ? boolean(where, 'value', value) : count(where, 'value', value);
-}
-
-function assign(where: string, object: Recorded, setting: string, value: unknown): void {
-  Object.assign(object, { [setting]: checkedValue(where, object, setting, value) });
+  return isFlag ? boolean(where, 'value', value) : integer(where, 'value', value, 1);
 }
 
 function isSetting(name: string): name is RecordedSetting {
   return (SETTINGS as readonly string[]).includes(name);
 }
 
-function repeat({ object, method, args }: RecordedCall): void {
+/** What makes a call again, if it can be made. */
+function again({ object, method, args }: RecordedCall): () => unknown {
+  const where = 'replay';
   if (isSetting(method)) {
-    assign('replay', object, method, args[0]);
-  } else {
-    methodOf('replay', object, method).apply(object, args.map(copyOf));
+    const value = checkedValue(where, object, method, args[0]);
+    return () => Object.assign(object, { [method]: value });
   }
+  const made = methodOf(where, object, method);
+  return () => made.apply(object, args.map(copyOf));
 }

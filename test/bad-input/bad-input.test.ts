@@ -12,7 +12,6 @@ import {
   NOT_NON_NEGATIVE,
   NOT_NUMBERS,
   NOT_POSITIVE,
-  NOT_SMALL_COUNT,
   NOT_VECTOR,
   refuses,
 } from './refuses.js';
@@ -89,9 +88,9 @@ factory(
   {},
   {
     gravity: NOT_VECTOR,
-    velocityIterations: NOT_SMALL_COUNT,
-    positionIterations: NOT_SMALL_COUNT,
-    substeps: NOT_SMALL_COUNT,
+    velocityIterations: NOT_COUNT,
+    positionIterations: NOT_COUNT,
+    substeps: NOT_COUNT,
     allowSleeping: NOT_BOOLEAN,
     broadphase: [
       [1, TypeError],
@@ -479,9 +478,9 @@ describe('worlds', () => {
   });
 
   it.each([
-    ['velocityIterations', NOT_SMALL_COUNT],
-    ['positionIterations', NOT_SMALL_COUNT],
-    ['substeps', NOT_SMALL_COUNT],
+    ['velocityIterations', NOT_COUNT],
+    ['positionIterations', NOT_COUNT],
+    ['substeps', NOT_COUNT],
     ['allowSleeping', NOT_BOOLEAN],
   ] as [keyof World, readonly Bad[]][])('%s is checked when set', (name, values) => {
     const world = weightless();

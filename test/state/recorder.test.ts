@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { phys2D, type RigidBody, type Shape, type World } from '../../src/index.js';
 import { POSE_STRIDE, PoseBuffer, Recorder, replay } from '../../src/state/index.js';
-import { NOT_SMALL_COUNT, refuses } from '../bad-input/refuses.js';
+import { NOT_COUNT, refuses } from '../bad-input/refuses.js';
 import { buildPyramid } from '../scenes/pyramid.js';
 
 function scene(): { world: World; ball: RigidBody } {
@@ -98,8 +98,8 @@ describe('a recording', () => {
       expect(set(world, name, 2)).toThrow('Recorder.set: setting must be one of substeps, ');
     }
     expect(set(ball, 'substeps', 2)).toThrow('Recorder.set: object must be something that has substeps');
-    expect(set(world, 'substeps', 0)).toThrow('Recorder.set: value must be an integer >= 1, got 0');
-    expect(set(world, 'substeps', 2 ** 30)).toThrow('Recorder.set: value must be a number of at most 1073741823');
+    expect(set(world, 'substeps', 0)).toThrow('Recorder.set: value must be an integer from 1 to 1e9, got 0');
+    expect(set(world, 'substeps', 2 ** 30)).toThrow('Recorder.set: value must be an integer from 1 to 1e9');
     expect(set(ball, 'bullet', 1)).toThrow('Recorder.set: value must be a boolean, got 1');
     recorder.step(1 / 60);
     expect(recorder.recording.frames[0]!.calls).toEqual([]);
@@ -335,7 +335,7 @@ describe('a pose buffer', () => {
     expect([...poses.poses.subarray(0, 5)]).toEqual([0, 0, 0, 0, 1]);
     expect(poses.track(c)).toBe(0);
     expect([...poses.poses]).toEqual([2, 5, 1, 0, 1, 5, 1, 0]);
-    for (const bad of NOT_SMALL_COUNT) {
+    for (const bad of NOT_COUNT) {
       refuses((capacity) => PoseBuffer.create({ capacity }), 'PoseBuffer.create', 'capacity', bad);
     }
     expect(() => PoseBuffer.create({ capacity: 3, poses: new Float32Array(8) })).toThrow(
@@ -403,8 +403,7 @@ describe('replay refuses, before anything is done,', () => {
 
   it('frames that are none', () => {
     const calls = [{}];
-    const added = { first: 0, before: '', after: 'bytes' };
-    for (const bad of [undefined, {}, { ...good, calls }, { ...good, calls: [null] }, { ...good, added }, 5]) {
+    for (const bad of [undefined, {}, { ...good, calls }, { ...good, calls: [null] }, 5]) {
       refused(bad, 'replay: recording.frames[0] must be a frame of a Recorder, got');
     }
   });
@@ -416,11 +415,7 @@ describe('replay refuses, before anything is done,', () => {
     refused(calling('explode'), 'replay: method must be the name of a method of object, got "explode"');
     refused(calling('step', 1), 'replay: step is not to be called so');
     refused(calling('bullet', true), 'replay: object must be something that has bullet');
-    refused(calling('substeps', 0), 'replay: value must be an integer >= 1, got 0');
-  });
-
-  it('steps of no length', () => {
-    refused({ ...good, deltaTime: -1 }, 'replay: recording.frames[0].deltaTime must be a finite number > 0, got -1');
+    refused(calling('substeps', 0), 'replay: value must be an integer from 1 to 1e9, got 0');
   });
 });
 

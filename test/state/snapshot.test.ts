@@ -371,11 +371,11 @@ describe('cost', () => {
   it.each(['velocityIterations', 'positionIterations', 'substeps'] as const)(
     'the most %s there may be come back',
     (name) => {
-      const world = phys2D.createWorld({ [name]: 2 ** 30 - 1 });
+      const world = phys2D.createWorld({ [name]: 1e9 });
       const snapshot = world.snapshot();
       world[name] = 8;
       world.restore(snapshot);
-      expect(world[name]).toBe(2 ** 30 - 1);
+      expect(world[name]).toBe(1e9);
     },
   );
 });
