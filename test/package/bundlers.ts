@@ -71,7 +71,7 @@ globalThis.used = [createMaterial(), createPolygonShape, createCollisionUtils(),
       name: `one kind of constraint, ${kind}`,
       code: `import { ${FREE}, ${MARKS[kind]} } from 'phys2d';\nglobalThis.used = ${MARKS[kind]};${DROP}`,
       parts: [kind, 'joints'],
-      budget: 79_200,
+      budget: 79_400,
     }),
   ),
   {
@@ -99,7 +99,7 @@ debug.drawWorld(phys2D.createWorld());
 debug.end();
 ${DEVICE}${DROP}`,
     parts: [...ALL, 'debug'],
-    budget: 108_300,
+    budget: 108_400,
   },
 ];
 
