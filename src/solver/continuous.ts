@@ -6,6 +6,7 @@ import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC, SAME_TIME } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED } from '../contact/bits.js';
+import { List } from '../math/list.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
@@ -19,7 +20,7 @@ import { squareAround } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 /** The meetings that come at once: scratch. */
-const together: Meeting[] = [];
+const together = /* @__PURE__ */ new List<Meeting>();
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -64,14 +65,14 @@ function settle(world: World): void {
     }
     gather(world, next);
     const struck = strike(world, together);
-    for (let i = 0; i < struck.length; i += 1) {
-      const { bodyA, bodyB } = struck[i]!;
-      halt(world, movers.of(bodyA), movers.of(bodyB), struck[i]!);
-      halt(world, movers.of(bodyB), movers.of(bodyA), struck[i]!);
+    for (let i = 0; i < struck.count; i += 1) {
+      const { bodyA, bodyB } = struck.items[i]!;
+      halt(world, movers.of(bodyA), movers.of(bodyB), struck.items[i]!);
+      halt(world, movers.of(bodyB), movers.of(bodyA), struck.items[i]!);
     }
-    for (let i = 0; i < struck.length; i += 1) {
-      lookAgain(world, movers.of(struck[i]!.bodyA));
-      lookAgain(world, movers.of(struck[i]!.bodyB));
+    for (let i = 0; i < struck.count; i += 1) {
+      lookAgain(world, movers.of(struck.items[i]!.bodyA));
+      lookAgain(world, movers.of(struck.items[i]!.bodyB));
     }
   }
   for (let i = 0; i < movers.count; i += 1) {
@@ -83,34 +84,36 @@ function settle(world: World): void {
 
 /** Takes out of the queue, to `together`, a meeting and those of its dynamic bodies that come at once with it, and puts all bodies to where they are then. */
 function gather(world: World, first: Meeting): void {
-  const { movers } = world;
-  together.length = 0;
-  take(world, first, first.time);
-  for (const { owner } of [first.a, first.b]) {
-    const mover = movers.of(owner!);
-    for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
-      if (isDue(world, other, first.time)) take(world, other, first.time);
-    }
+  together.clear();
+  take(world, first, first);
+  addThoseOf(world, first.a.owner!, first);
+  addThoseOf(world, first.b.owner!, first);
+}
+
+function addThoseOf(world: World, body: RigidBody, first: Meeting): void {
+  const mover = world.movers.of(body);
+  for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
+    if (isDue(world, other, first)) take(world, other, first);
   }
 }
 
-/** Of what waits for its turn, whether that is at once with what comes at a time. */
-function isDue(world: World, meeting: Meeting, time: number): boolean {
-  if (meeting.slot >= 0 && meeting.isOpen && meeting.time <= time + SAME_TIME) {
+/** Whether a meeting waits for its turn, and comes at once with the first. */
+function isDue(world: World, meeting: Meeting, first: Meeting): boolean {
+  if (meeting.slot >= 0 && meeting.isOpen && meeting.time <= first.time + SAME_TIME) {
     findTime(world, meeting);
   }
-  return meeting.slot >= 0 && !meeting.isOpen && meeting.time <= time + SAME_TIME;
+  return meeting.slot >= 0 && !meeting.isOpen && meeting.time <= first.time + SAME_TIME;
 }
 
-function take({ movers }: World, meeting: Meeting, time: number): void {
+function take({ movers }: World, meeting: Meeting, first: Meeting): void {
   movers.meetings.remove(meeting);
-  together.push(meeting);
-  come(movers.of(meeting.a.owner!), time);
-  come(movers.of(meeting.b.owner!), time);
+  together.add(meeting);
+  come(movers.of(meeting.a.owner!), first);
+  come(movers.of(meeting.b.owner!), first);
 }
 
-/** Puts a body to where it is when something meets it. */
-function come(mover: Mover, time: number): void {
+/** Puts a body to where it is when something meets it. The meeting in place of its time, which would be boxed. */
+function come(mover: Mover, { time }: Meeting): void {
   mover.at = time;
   mover.put();
   mover.met = mover.body.kind !== STATIC;

@@ -12,6 +12,7 @@ import {
 import type { Arbiter } from '../contact/arbiter.js';
 import { USED } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
+import { List } from '../math/list.js';
 import type { World } from '../world.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
@@ -63,7 +64,7 @@ const impacts: Impact[] = [];
 let count = 0;
 
 /** Of all bodies that these move what they weigh, `[m, m, inertia]`, and their velocities, `[vx, vy, w]`: before, after, and after as they would be without friction: scratch. */
-const bodies: RigidBody[] = [];
+const bodies = /* @__PURE__ */ new List<RigidBody>();
 let weights = new Float64Array(0);
 let before = new Float64Array(0);
 let after = new Float64Array(0);
@@ -74,14 +75,14 @@ let without = new Float64Array(0);
  * together, and so on, until nothing changes. One after the other a box that falls flat on two tiles would be thrown over by the first. They are added to those of the step, and nothing is kept for the next one to start
  * from, as an impact does not go on.
  */
-export function solveImpacts({ solver }: World, pairs: readonly Arbiter[]): void {
-  count = pairs.length;
-  bodies.length = 0;
+export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
+  count = pairs.count;
+  bodies.clear();
   for (let i = 0; i < count; i += 1) {
     if (i === impacts.length) {
       impacts.push(new Impact());
     }
-    begin(solver, impacts[i]!, pairs[i]!);
+    begin(solver, impacts[i]!, pairs.items[i]!);
   }
   makeRoom();
   noteVelocities(before);
@@ -110,13 +111,20 @@ function begin(data: SolverData, impact: Impact, pair: Arbiter): void {
 }
 
 function listBody(body: RigidBody): void {
-  if (body.kind === DYNAMIC && !bodies.includes(body)) {
-    bodies.push(body);
+  if (body.kind === DYNAMIC && !isListed(body)) {
+    bodies.add(body);
   }
 }
 
+function isListed(body: RigidBody): boolean {
+  for (let k = 0; k < bodies.count; k += 1) {
+    if (bodies.items[k] === body) return true;
+  }
+  return false;
+}
+
 function makeRoom(): void {
-  const size = 3 * bodies.length;
+  const size = 3 * bodies.count;
   if (weights.length < size) {
     weights = new Float64Array(2 * size);
     before = new Float64Array(2 * size);
@@ -126,8 +134,8 @@ function makeRoom(): void {
 }
 
 function noteVelocities(into: Float64Array): void {
-  for (let k = 0; k < bodies.length; k += 1) {
-    const { vx, vy, w } = bodies[k]!;
+  for (let k = 0; k < bodies.count; k += 1) {
+    const { vx, vy, w } = bodies.items[k]!;
     into[3 * k] = vx;
     into[3 * k + 1] = vy;
     into[3 * k + 2] = w;
@@ -135,8 +143,8 @@ function noteVelocities(into: Float64Array): void {
 }
 
 function setVelocities(from: Float64Array): void {
-  for (let k = 0; k < bodies.length; k += 1) {
-    const body = bodies[k]!;
+  for (let k = 0; k < bodies.count; k += 1) {
+    const body = bodies.items[k]!;
     body.vx = from[3 * k]!;
     body.vy = from[3 * k + 1]!;
     body.w = from[3 * k + 2]!;
@@ -144,8 +152,8 @@ function setVelocities(from: Float64Array): void {
 }
 
 function noteWeights(): void {
-  for (let k = 0; k < bodies.length; k += 1) {
-    const { mass, inertia } = bodies[k]!;
+  for (let k = 0; k < bodies.count; k += 1) {
+    const { mass, inertia } = bodies.items[k]!;
     weights[3 * k] = mass < Infinity ? mass : 0;
     weights[3 * k + 1] = weights[3 * k]!;
     weights[3 * k + 2] = inertia < Infinity ? inertia : 0;
@@ -176,7 +184,7 @@ function keepEnergy(): void {
   for (let i = 0; i < count; i += 1) {
     if (mayGain(impacts[i]!)) return;
   }
-  if (!gains(weights, before, after, 3 * bodies.length)) {
+  if (!gains(weights, before, after, 3 * bodies.count)) {
     return;
   }
   setVelocities(before);
@@ -185,7 +193,7 @@ function keepEnergy(): void {
   }
   solve();
   noteVelocities(without);
-  const kept = lessen(weights, before, without, after, 3 * bodies.length);
+  const kept = lessen(weights, before, without, after, 3 * bodies.count);
   setVelocities(without);
   for (let i = 0; i < count; i += 1) {
     for (const point of impacts[i]!.points) {

@@ -9,6 +9,7 @@ import { touch, touchAtPoint } from '../contact/touch.js';
 import { FOUND_LATE } from '../events/events.js';
 import { preSolve } from '../events/pre-solve.js';
 import { BEGIN } from '../listeners.js';
+import { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { joinLists } from './arbiter-lists.js';
@@ -18,7 +19,7 @@ import { smoothMeeting } from './seams.js';
 import { wakeBody } from './sleep.js';
 
 /** The pairs that meet at once: scratch. */
-const struck: Arbiter[] = [];
+const struck = /* @__PURE__ */ new List<Arbiter>();
 
 /** An interaction begins in the course of a step. */
 export function beginLate(world: World, pair: Arbiter): void {
@@ -39,13 +40,13 @@ export function beginSensing(world: World, a: Shape, b: Shape): void {
 }
 
 /** Shapes meet on their ways, all at once, where their bodies are now, or get too deep into each other. @returns the pairs, as long as nothing else is struck; those that are refused are not among them. */
-export function strike(world: World, meetings: readonly Meeting[]): readonly Arbiter[] {
-  struck.length = 0;
-  for (let i = 0; i < meetings.length; i += 1) {
-    meet(world, meetings[i]!);
+export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
+  struck.clear();
+  for (let i = 0; i < meetings.count; i += 1) {
+    meet(world, meetings.items[i]!);
   }
-  for (let i = 0; i < struck.length; i += 1) {
-    const pair = struck[i]!;
+  for (let i = 0; i < struck.count; i += 1) {
+    const pair = struck.items[i]!;
     rouse(world, pair.bodyA, begins(pair));
     rouse(world, pair.bodyB, begins(pair));
     if (begins(pair)) {
@@ -53,11 +54,11 @@ export function strike(world: World, meetings: readonly Meeting[]): readonly Arb
     }
   }
   if (world.profile !== null) {
-    world.profile.impacts += struck.length;
+    world.profile.impacts += struck.count;
   }
   solveImpacts(world, struck);
-  for (let i = 0; i < struck.length; i += 1) {
-    const pair = struck[i]!;
+  for (let i = 0; i < struck.count; i += 1) {
+    const pair = struck.items[i]!;
     if (begins(pair)) {
       pair.unmark(3 << FRESH);
       pair.mark(pair.usedPoints << FRESH);
@@ -92,7 +93,7 @@ function meet(world: World, { a, b }: Meeting): void {
     bodyB.wakeTime = world.timeStamp;
   }
   if (pair.is(ACCEPTED)) {
-    struck.push(pair);
+    struck.add(pair);
   } else {
     pair.dropPoints();
   }
