@@ -97,12 +97,21 @@ function addThoseOf(world: World, body: RigidBody, first: Meeting): void {
   }
 }
 
-/** Whether a meeting waits for its turn, and comes at once with the first. */
+/** Whether a meeting waits for its turn, and comes at once with the first: its surfaces are as near then as those that touch. */
 function isDue(world: World, meeting: Meeting, first: Meeting): boolean {
   if (meeting.slot >= 0 && meeting.isOpen && meeting.time <= first.time + SAME_TIME) {
     findTime(world, meeting);
   }
-  return meeting.slot >= 0 && !meeting.isOpen && meeting.time <= first.time + SAME_TIME;
+  const wait = meeting.time - first.time;
+  return meeting.slot >= 0 && !meeting.isOpen && wait <= SAME_TIME && wait * wayOf(world, meeting) <= CONTACT_SLOP;
+}
+
+/** How far two shapes may come nearer to each other in the step. */
+function wayOf({ movers }: World, { a, b }: Meeting): number {
+  const one = movers.of(a.owner!);
+  const two = movers.of(b.owner!);
+  const turning = Math.abs(one.turn) * one.body.radius + Math.abs(two.turn) * two.body.radius;
+  return Math.abs(one.dx - two.dx) + Math.abs(one.dy - two.dy) + turning;
 }
 
 function take({ movers }: World, meeting: Meeting, first: Meeting): void {

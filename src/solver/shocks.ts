@@ -27,7 +27,8 @@ export function settleShocks(data: SolverData, jointSolver: JointSolver | null):
     if (isShock(data, contact)) {
       const { bodies } = batchOf(data, contact);
       const a = bodies[contact & -2]! & d.OFFSET;
-      if (settleAround(data, canMove(data, a) ? a : bodies[contact | 1]!, jointSolver)) forgetAll(data);
+      const body = canMove(data, a) ? a : bodies[contact | 1]!;
+      if (settleAround(data, body, jointSolver, SHOCK_CONTACTS)) forgetAll(data);
     }
   }
   if (jointSolver !== null) {
@@ -35,37 +36,37 @@ export function settleShocks(data: SolverData, jointSolver: JointSolver | null):
   }
 }
 
+/** Those that were found with what was struck are solved already; and those that bear each other are not, as few sweeps are enough for so many joints, and towers of frames would fall. */
 function settleFrames(data: SolverData, jointSolver: JointSolver): void {
   const { shocks } = data;
   const { groups } = data.joints;
   for (let i = 0; i < groups.length; i += 1) {
-    const group = groups[i]!;
-    const body = group.touched && group.isBent ? someBody(data, group) : 0;
-    if (body > 0) {
-      settleAround(data, body, jointSolver);
-      // Also if it was found with what was struck.
-      if (shocks.known[body / d.BODY_STRIDE] === shocks.round) jointSolver.steadyFrame(data, group);
-    }
+    const body = someBodyOfFrame(data, groups[i]!);
+    if (body > 0 && shocks.known[body / d.BODY_STRIDE] === shocks.round) jointSolver.steadyFrame(data, groups[i]!);
+  }
+  for (let i = 0; i < groups.length; i += 1) {
+    const body = someBodyOfFrame(data, groups[i]!);
+    if (body > 0 && settleAround(data, body, jointSolver, 1)) jointSolver.steadyFrame(data, groups[i]!);
   }
 }
 
-/** The offset of one that can be pushed; 0 if none can. */
-function someBody(data: SolverData, group: Group): number {
+/** The offset of one that can be pushed; 0 if none can, or it is no frame that is to be solved. */
+function someBodyOfFrame(data: SolverData, group: Group): number {
   const { bodies } = data.joints;
-  const end = endOfMembers(data, group);
+  const end = group.touched && group.isBent ? endOfMembers(data, group) : 0;
   for (let n = firstMember(data, group); n < end; n += 1) {
     if (canMove(data, bodies[n]!)) return bodies[n]!;
   }
   return 0;
 }
 
-/** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, or was found before. */
-function settleAround(data: SolverData, body: number, jointSolver: JointSolver | null): boolean {
+/** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, has too many groups of joints, or was found before. */
+function settleAround(data: SolverData, body: number, jointSolver: JointSolver | null, mostGroups: number): boolean {
   if (!data.shocks.isLinked) {
     link(data);
     jointSolver?.linkShocks(data);
   }
-  const isSolved = gather(data, body / d.BODY_STRIDE) > 0;
+  const isSolved = gather(data, body / d.BODY_STRIDE) > 0 && data.shocks.groupCount <= mostGroups;
   if (isSolved) solve(data, jointSolver);
   return isSolved;
 }

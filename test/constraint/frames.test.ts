@@ -108,6 +108,60 @@ describe('a table of a top and two legs', () => {
   });
 });
 
+describe('towers of frames', () => {
+  /** A rod between two points. */
+  function bar(world: World, from: Vec2, to: Vec2): RigidBody {
+    const [x, y] = [to[0] - from[0], to[1] - from[1]];
+    const rod = phys2D.createRigidBody({
+      position: [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2],
+      rotation: Math.atan2(y, x),
+      shapes: [box(Math.hypot(x, y), 0.1)],
+    });
+    add(world, rod);
+    return rod;
+  }
+
+  it.each([5, 8, 10])('%d tables on each other stand, and rest', (count) => {
+    const world = heavy();
+    add(world, staticBody({ position: [0, 0.5], shapes: [box(30, 1)] }));
+    for (let i = 0; i < count; i += 1) {
+      const foot = -1.55 * i;
+      const top = bar(world, [-1, foot - 1.5], [1, foot - 1.5]);
+      for (const x of [-0.9, 0.9]) {
+        weld(world, top, bar(world, [x, foot - 1.45], [x, foot]), [x, foot - 1.45]);
+      }
+    }
+    const tops = world.rigidBodies.slice(1).map((body) => body.getPosition());
+    steps(world, 600);
+    world.rigidBodies.slice(1).forEach((body, i) => {
+      const [x, y] = body.getPosition();
+      expect(Math.hypot(x - tops[i]![0], y - tops[i]![1])).toBeLessThan(0.1);
+    });
+    expect(world.liveDynamics.length).toBe(0);
+  });
+
+  it('five squares on each other', () => {
+    const world = heavy();
+    add(world, staticBody({ position: [0, 0.5], shapes: [box(30, 1)] }));
+    for (let i = 0; i < 5; i += 1) {
+      const foot = -1.1 * i;
+      const low = bar(world, [-0.5, foot - 0.05], [0.5, foot - 0.05]);
+      const high = bar(world, [-0.5, foot - 1.05], [0.5, foot - 1.05]);
+      for (const x of [-0.45, 0.45]) {
+        const side = bar(world, [x, foot - 0.1], [x, foot - 1]);
+        weld(world, low, side, [x, foot - 0.1]);
+        weld(world, high, side, [x, foot - 1]);
+      }
+    }
+    const places = world.rigidBodies.slice(1).map((body) => body.getPosition());
+    steps(world, 600);
+    world.rigidBodies.slice(1).forEach((body, i) => {
+      const [x, y] = body.getPosition();
+      expect(Math.hypot(x - places[i]![0], y - places[i]![1])).toBeLessThan(0.1);
+    });
+  });
+});
+
 describe('frames of welds that turn', () => {
   it.each([4, 6])('%d rods in a ring keep turning', (count) => {
     const world = weightless();
