@@ -58,12 +58,12 @@ export function steadyTouched(data: SolverData, group: Group): void {
   }
 }
 
-/** Of a frame that was solved with its contacts: it needs none, but for what swings on it. */
+/** Of a frame that was solved with its contacts: those that hold an angle need none, but for what swings. */
 export function steadyFrame(data: SolverData, group: Group): void {
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = data.joints.joints[k]!;
-    if (!(isQuiet && reachesOut(data, joint))) steady(data, joint, 0);
+    if (holdsAngle(joint) && !(isQuiet && reachesOut(data, joint))) steady(data, joint, 0);
   }
 }
 
