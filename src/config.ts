@@ -210,9 +210,6 @@ export const FLUSH_TOLERANCE = 5e-4;
 /** How often friction and normals of an impact are solved at most, by turns. */
 export const IMPACT_ITERATIONS = 10;
 
-/** The same of each of several that come at once, which come near slowly where they look almost the same way: with 10 a circle between two walls gains 4 % of its energy. */
-export const IMPACT_ITERATIONS_AT_ONCE = 200;
-
 /** m/s. An impact is solved once another turn changes no velocity by more. */
 export const IMPACT_TOLERANCE = 1e-9;
 

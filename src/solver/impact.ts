@@ -5,7 +5,6 @@ import {
   BOUNCE_THRESHOLD,
   CONTACT_SLOP,
   IMPACT_ITERATIONS,
-  IMPACT_ITERATIONS_AT_ONCE,
   IMPACT_TOLERANCE,
   MAX_CONDITION,
   STATIC_FRICTION_SPEED_SQUARED,
@@ -162,7 +161,7 @@ function noteWeights(): void {
 }
 
 function solve(): void {
-  const most = count === 1 ? IMPACT_ITERATIONS : IMPACT_ITERATIONS_AT_ONCE * count;
+  const most = IMPACT_ITERATIONS * count;
   for (let i = 0, changed = true; i < most && changed; i += 1) {
     changed = false;
     for (let k = 0; k < count; k += 1) {
