@@ -31,6 +31,11 @@ export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): num
   return at + (kernel === TURN ? TURN_IMPULSE : layout.impulse) + row;
 }
 
+/** How many of its rows hold: the last one does not where its bounds lie apart. */
+export function heldRows({ layout, constraint: { bounded, lower, upper } }: Joint): number {
+  return layout.rows - (bounded && lower < upper ? 1 : 0);
+}
+
 /** What position sweeps have corrected of it in this sub-step. */
 export function pushAt({ kernel, at, slot, layout }: Joint, row: number): number {
   if (kernel === POINT) {

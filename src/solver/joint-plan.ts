@@ -41,7 +41,7 @@ import {
   TURN_VALUE,
 } from './joint-layout.js';
 import { isBlocked, steadyTouched } from './joint-momentum.js';
-import { steady } from './joint-numbers.js';
+import { heldRows, steady } from './joint-numbers.js';
 import { isOverheld } from './joint-stress.js';
 import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
@@ -122,7 +122,7 @@ function weighFirmness(data: SolverData, group: Group): void {
     const { constraint, kernel, first, layout } = joints[k]!;
     may = kernel !== CUSTOM && !constraint.breakUnderForce;
     welds += layout.rows === 3 ? 1 : 0;
-    rows += layout.rows === 3 ? 0 : layout.rows - (constraint.bounded && constraint.lower < constraint.upper ? 1 : 0);
+    rows += layout.rows === 3 ? 0 : heldRows(joints[k]!);
     for (let m = first; m < first + layout.members; m += 1) {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
     }

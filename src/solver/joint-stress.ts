@@ -4,7 +4,7 @@ import { cos, sin } from '../math/trig.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { visit } from './joint-energy.js';
-import { markMembers } from './joint-numbers.js';
+import { heldRows, markMembers } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Where there are more welds than hold the bodies together, as in frames and wheels, they may pull against each other, which moves nothing: no sweep sees such a stress, and it stays. As the bodies turn what welds give
@@ -20,7 +20,7 @@ export function isOverheld(data: SolverData, group: Group): boolean {
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint, first, layout } = joints[k]!;
     if (!constraint.isElastic && !constraint.drives) {
-      rows += layout.rows - (constraint.bounded && constraint.lower < constraint.upper ? 1 : 0);
+      rows += heldRows(joints[k]!);
       hasWelds ||= constraint.type === 'WELD';
     }
     for (let n = 0; n < layout.members; n += 1) {
