@@ -10,7 +10,7 @@ import {
 } from '../config.js';
 import { type BounceList, recordAt, type SolverData } from './data.js';
 import * as d from './layout.js';
-import { gains, lessen } from './no-gain.js';
+import { Ledger } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
 import { isTied } from './ties.js';
 import { solveVelocityTwo } from './two-point.js';
@@ -163,7 +163,7 @@ function bouncesNow({ bias, hit }: BounceList, k: number): boolean {
 function solveRound(data: SolverData, h: number, count: number, round: number): void {
   const { bounces: list } = data;
   const isFree = collect(data, count, round);
-  noteVelocities(data, before);
+  noteVelocities(data, ledger.before);
   dropAll(list, count);
   let changed = true;
   for (let i = 0; i < BOUNCE_RUBS && changed; i += 1) {
@@ -174,20 +174,17 @@ function solveRound(data: SolverData, h: number, count: number, round: number): 
     changed = sweepBouncing(data, h, count);
   }
   swapFriction(list, count);
-  noteVelocities(data, after);
-  if (isFree && gains(weights, before, after, 3 * bodyCount)) {
+  noteVelocities(data, ledger.after);
+  if (isFree && ledger.gains()) {
     lessenFriction(data, h, count);
   }
   dropAll(list, count);
 }
 
-/** The bodies of a round, by the offsets of their records, what these weigh, and their velocities before it, after it, and after it as it would be without friction: scratch. */
+/** The bodies of a round, by the offsets of their records, and their energy: scratch. */
 const involved: number[] = [];
 let bodyCount = 0;
-let weights = new Float64Array(0);
-let before = new Float64Array(0);
-let after = new Float64Array(0);
-let without = new Float64Array(0);
+const ledger = /* @__PURE__ */ new Ledger();
 /** What the contacts of a round gave with friction: scratch. */
 const given: number[] = [];
 
@@ -209,13 +206,8 @@ function collect({ bounces: list, velocity: v }: SolverData, count: number, roun
       }
     }
   }
-  if (weights.length < 3 * bodyCount) {
-    const size = 6 * bodyCount;
-    weights = new Float64Array(size);
-    before = new Float64Array(size);
-    after = new Float64Array(size);
-    without = new Float64Array(size);
-  }
+  ledger.open(bodyCount);
+  const { weights } = ledger;
   for (let n = 0; n < bodyCount; n += 1) {
     const at = involved[n]!;
     const mass = v[at + d.INV_MASS]!;
@@ -254,7 +246,7 @@ const OF_ONE = [d.NORMAL1, d.TANGENT, d.ROLL];
 /** Leaves as much of friction in a round as makes no energy: see `no-gain.ts`. */
 function lessenFriction(data: SolverData, h: number, count: number): void {
   const { bounces: list } = data;
-  setVelocities(data, before);
+  setVelocities(data, ledger.before);
   let size = 0;
   for (let n = 0; n < count; n += 1) {
     const { records: r, stride } = list.batches[list.bouncing[n]!]!;
@@ -270,9 +262,9 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
     changed = sweepBouncing(data, h, count);
   }
   swapFriction(list, count);
-  noteVelocities(data, without);
-  const kept = lessen(weights, before, without, after, 3 * bodyCount);
-  setVelocities(data, without);
+  noteVelocities(data, ledger.without);
+  const kept = ledger.lessen();
+  setVelocities(data, ledger.without);
   size = 0;
   for (let n = 0; n < count; n += 1) {
     const { records: r, stride } = list.batches[list.bouncing[n]!]!;

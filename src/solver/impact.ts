@@ -17,7 +17,7 @@ import type { World } from '../world.js';
 import { normalGain } from './bounce.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
-import { gains, lessen } from './no-gain.js';
+import { Ledger } from './no-gain.js';
 import { isMoving } from './pack-contacts.js';
 
 /** One point of an impact. */
@@ -63,12 +63,9 @@ class Impact {
 const impacts: Impact[] = [];
 let count = 0;
 
-/** Of all bodies that these move what they weigh, `[m, m, inertia]`, and their velocities, `[vx, vy, w]`: before, after, and after as they would be without friction: scratch. */
+/** All bodies that these move, and their energy: scratch. */
 const bodies = /* @__PURE__ */ new List<RigidBody>();
-let weights = new Float64Array(0);
-let before = new Float64Array(0);
-let after = new Float64Array(0);
-let without = new Float64Array(0);
+const ledger = /* @__PURE__ */ new Ledger();
 
 /**
  * Gives the bodies of pairs that meet at once, and have to do with each other, the impulses of their impacts: restitution and friction as in the solver, of each pair first the friction of each point, then both normals
@@ -84,8 +81,8 @@ export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
     }
     begin(solver, impacts[i]!, pairs.items[i]!);
   }
-  makeRoom();
-  noteVelocities(before);
+  ledger.open(bodies.count);
+  noteVelocities(ledger.before);
   solve();
   keepEnergy();
   for (let i = 0; i < count; i += 1) {
@@ -123,16 +120,6 @@ function isListed(body: RigidBody): boolean {
   return false;
 }
 
-function makeRoom(): void {
-  const size = 3 * bodies.count;
-  if (weights.length < size) {
-    weights = new Float64Array(2 * size);
-    before = new Float64Array(2 * size);
-    after = new Float64Array(2 * size);
-    without = new Float64Array(2 * size);
-  }
-}
-
 function noteVelocities(into: Float64Array): void {
   for (let k = 0; k < bodies.count; k += 1) {
     const { vx, vy, w } = bodies.items[k]!;
@@ -152,6 +139,7 @@ function setVelocities(from: Float64Array): void {
 }
 
 function noteWeights(): void {
+  const { weights } = ledger;
   for (let k = 0; k < bodies.count; k += 1) {
     const { mass, inertia } = bodies.items[k]!;
     weights[3 * k] = mass < Infinity ? mass : 0;
@@ -180,21 +168,21 @@ function solveOne(impact: Impact): boolean {
 /** Takes as much of friction from the impacts as makes energy; what drives or is set to bounce higher may make it. */
 function keepEnergy(): void {
   noteWeights();
-  noteVelocities(after);
+  noteVelocities(ledger.after);
   for (let i = 0; i < count; i += 1) {
     if (mayGain(impacts[i]!)) return;
   }
-  if (!gains(weights, before, after, 3 * bodies.count)) {
+  if (!ledger.gains()) {
     return;
   }
-  setVelocities(before);
+  setVelocities(ledger.before);
   for (let i = 0; i < count; i += 1) {
     impacts[i]!.points.forEach(beginWithoutFriction);
   }
   solve();
-  noteVelocities(without);
-  const kept = lessen(weights, before, without, after, 3 * bodies.count);
-  setVelocities(without);
+  noteVelocities(ledger.without);
+  const kept = ledger.lessen();
+  setVelocities(ledger.without);
   for (let i = 0; i < count; i += 1) {
     for (const point of impacts[i]!.points) {
       point.normal += kept * (point.normalRubbed - point.normal);
