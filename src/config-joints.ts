@@ -139,6 +139,9 @@ export const FRAME_JOINTS = 16;
  */
 export const TOUCHED_QUIET = 2e-4;
 
+/** m. The same of what touches nothing but itself and does not overlap, all of it: with a larger error it is contacts that hold it open, or it was joined while it was apart. */
+export const ALONE_ERROR = 0.005;
+
 /**
  * Share of the kinetic energy of what hangs together that joints may make; what is more is taken back. Chains that crack make and lose a hundredth by turns. Without it tight bridges, and planks lighter to turn than they look, whirl for ever.
  */
@@ -220,6 +223,15 @@ export const BOUND_SLOP = 3e-4;
 export const SINGULAR = 1e-12;
 
 /**
- * rad⁻¹. How much of what welds that pull against each other give fades as they turn, 1 at most. With 0.1 square frames still lose their spin within a minute; where all welds fade, beams on piers and welded houses come to rest later, or not at all.
+ * rad⁻¹. How much of what joints that pull against each other give fades as they turn, 1 at most. With 0.1 square frames still lose their spin within a minute; where all welds fade, beams on piers and welded houses come to rest later, or not at all.
  */
 export const STRESS_FADES = 0.5;
+
+/** rad. What turns by less in a sub-step takes what they give as it is; … */
+export const STRESS_STILL = 1e-4;
+
+/** rad/s. … and what is of more than FEW_JOINTS if it turns slower, as nets that hang, which would take a third longer. Nets that turn at 1 rad/s lose nothing by it, at 3 rad/s half of their energy in 10 s. */
+export const STRESS_SLOW = 1;
+
+/** What turns faster than this share of the rate at which a soft joint swings makes it give more as it did with arms to its own anchors: from 1 on a ball on a soft joint in the middle of a rotor flies off. */
+export const WHIRL = 0.7;

@@ -112,6 +112,28 @@ export class BounceList {
   }
 }
 
+/** How many numbers are kept of each. */
+export const TURNING_STRIDE = 6;
+
+/** Contacts of bodies that turn together, see `turning.ts`. What lies beyond the count is old. */
+export class TurningList {
+  /** Index times two, and one more for those of one point. */
+  readonly contacts: number[] = [];
+  kept = new Float64Array(8 * TURNING_STRIDE);
+  count = 0;
+
+  /** @returns where its numbers are to be kept. */
+  add(contact: number): number {
+    const at = TURNING_STRIDE * this.count;
+    if (at === this.kept.length) {
+      this.kept = widened(this.kept, new Float64Array(2 * at));
+    }
+    this.contacts[this.count] = contact;
+    this.count += 1;
+    return at;
+  }
+}
+
 /** What was struck in a step, see `shocks.ts`. A contact is told by twice its index, plus 1 if it is of one point; its ends by twice that, plus 1 for B. */
 export class ShockList {
   /** Contacts whose surfaces come together fast as the step begins; what lies beyond the count is old. */
@@ -183,6 +205,7 @@ export class SolverData {
   readonly two = new ContactBatch(d.TWO_STRIDE, this);
   readonly bounces = new BounceList();
   readonly shocks = new ShockList();
+  readonly turning = new TurningList();
   /**
    * Parts of the contacts that are hard to solve, HARD_STRIDE numbers each. What lies beyond the count is old: shortening the list would cost its
    * storage.
@@ -230,6 +253,7 @@ export class SolverData {
     this.two.count = 0;
     this.bounces.count = 0;
     this.shocks.clear();
+    this.turning.count = 0;
     this.hardCount = 0;
   }
 

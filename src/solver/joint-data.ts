@@ -84,7 +84,7 @@ export class Group {
   isDriven = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
-  /** There are more welds than are needed: see `joint-stress.ts`. */
+  /** There are more welds or points than are needed: see `joint-stress.ts`. */
   isOverheld = false;
   /** They may make energy all the same, if sub-steps are too long for them … */
   mayGain = false;

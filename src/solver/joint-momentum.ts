@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, STRAIN_SPEED } from '../config.js';
 import {
+  ALONE_ERROR,
   FIRM_FEET,
   FRAME_BENT,
   FRAME_JOINTS,
@@ -30,14 +31,20 @@ const ALIKE = 8;
  * Of a group that touches something; also finds whether it stands on that. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
  * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle and those that bear much under a weight, unless what hangs together overlaps
  * itself, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM; the first not while they are few and solved together with their contacts, see `isBent`. And where errors are as small as those of what swings freely,
- * contacts undo nothing: there joints make all of theirs that have a body which touches nothing.
+ * contacts undo nothing: there joints make all of theirs that have a body which touches nothing; and so do those of what touches nothing but itself, as welded blocks and coiled chains.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
   const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
-  const touching = hasLoad || isRope || group.isMechanism || hasBeams(joints, group) ? findTouching(data, group) : 0;
+  const isAsked = hasLoad || isRope || group.isMechanism || hasBeams(joints, group);
+  const touching = findTouching(data, group, isAsked);
+  if (touching === 0 && group.error < ALONE_ERROR * ALONE_ERROR) {
+    group.stands = false;
+    group.isBent = false;
+    return;
+  }
   group.stands = group.isMechanism && (touching & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
   const isPressed = hasLoad && (touching & (HEAVIER | ITSELF)) === HEAVIER;
   const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
@@ -127,7 +134,7 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
 
 /** Whether something is in its way that is none of its bodies, and nothing far heavier lies on one: a wrecking ball that its last link reaches into does not lie on that. */
 export function isBlocked(data: SolverData, group: Group): boolean {
-  return (findTouching(data, group) & (OTHERS | HEAVIER)) === OTHERS;
+  return (findTouching(data, group, true) & (OTHERS | HEAVIER)) === OTHERS;
 }
 
 /** How many of the bodies of a group are in contact: three at most. */
@@ -148,12 +155,12 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
   return two > 0 ? 2 : one > 0 ? 1 : 0;
 }
 
-/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart. */
-function findTouching(data: SolverData, group: Group): number {
+/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart; if not all are asked for, only whether there are some. */
+function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
   const { joints } = data.joints;
   let found = 0;
   markMembers(data, group, MEMBER);
-  for (let k = group.start; k < group.end; k += 1) {
+  for (let k = group.start; k < group.end && (areAllAsked || found === 0); k += 1) {
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {
       found |= members[n]!.kind === DYNAMIC ? touchingOf(data, members[n]!) : 0;

@@ -1,3 +1,4 @@
+import type { Constraint } from '../constraint/constraint.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import {
@@ -32,8 +33,8 @@ export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): num
 }
 
 /** How many of its rows hold: the last one does not where its bounds lie apart. */
-export function heldRows({ layout, constraint: { bounded, lower, upper } }: Joint): number {
-  return layout.rows - (bounded && lower < upper ? 1 : 0);
+export function heldRows({ dimension, bounded, lower, upper }: Constraint): number {
+  return dimension - (bounded && lower < upper ? 1 : 0);
 }
 
 /** What position sweeps have corrected of it in this sub-step. */

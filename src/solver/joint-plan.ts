@@ -122,7 +122,7 @@ function weighFirmness(data: SolverData, group: Group): void {
     const { constraint, kernel, first, layout } = joints[k]!;
     may = kernel !== CUSTOM && !constraint.breakUnderForce;
     welds += layout.rows === 3 ? 1 : 0;
-    rows += layout.rows === 3 ? 0 : heldRows(joints[k]!);
+    rows += layout.rows === 3 ? 0 : heldRows(constraint);
     for (let m = first; m < first + layout.members; m += 1) {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
     }

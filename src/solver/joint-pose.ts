@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { MAX_SPEED } from '../config.js';
-import { isCustom } from '../constraint/constraint.js';
+import { WHIRL } from '../config-joints.js';
+import { type Constraint, isCustom } from '../constraint/constraint.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
@@ -230,4 +231,47 @@ export function hidePoses(data: SolverData): void {
     body.angle = start[ANGLE]!;
   }
   shown.clear();
+}
+
+/**
+ * Whether a joint holds two points together, and gives what it gives to both bodies at one place between these: where they lie apart, as a soft joint lets them, what is given at either would turn both bodies together,
+ * out of nothing. Rigid points do not: of these, and of how they are corrected, pendulums keep their energy only with their own arms.
+ */
+export function givesAtOnePlace({ type, isElastic }: Constraint): boolean {
+  return type === 'WELD' || (type === 'POINT' && isElastic);
+}
+
+/**
+ * Moves the arms of the first two rows of the Jacobian for velocities to there. A soft joint then damps as seen from what turns, between as A and as B, as the line between the anchors does, so that a wheel on a soft joint that gives way turns on, and what hangs
+ * on the rim of one goes with it. But what turns faster than the joint swings would be whirled ever farther, as a shaft by damping that turns with it: there they are moved by less.
+ */
+export function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joint): void {
+  const { velocity: v, joints } = data;
+  const { records: r, bodies } = joints;
+  const a = bodies[first]!;
+  const b = bodies[first + 1]!;
+  // What cannot be turned takes what the other one gives.
+  if (v[a + d.INV_INERTIA] === 0 || v[b + d.INV_INERTIA] === 0) return;
+  const k = at + layout.jacobian;
+  const wA = v[a + d.W]!;
+  const wB = v[b + d.W]!;
+  const x = r[at + layout.error]!;
+  const y = r[at + layout.error + 1]!;
+  const square = x * x + y * y;
+  const vx = v[b + d.VX]! - v[a + d.VX]! + r[k + 2]! * wA + r[k + 5]! * wB;
+  const vy = v[b + d.VY]! - v[a + d.VY]! + r[k + 8]! * wA + r[k + 11]! * wB;
+  const turns = square > 0 ? (x * vy - y * vx) / square : 0;
+  // What part of the way from A's anchor to B's it is.
+  const between = wA === wB ? 0.5 : (turns - wB) / (wA - wB);
+  // 0, too, where numbers are so large that there is none.
+  const share = between > 0 ? Math.min(1, between) : 0;
+  const turning = Math.abs(share * wA + (1 - share) * wB);
+  const most = constraint.isElastic ? WHIRL * 2 * Math.PI * constraint.frequency : Infinity;
+  const part = turning > most ? most / turning : 1;
+  const partA = part * share;
+  const partB = part - partA;
+  r[k + 2] = r[k + 2]! + partA * y;
+  r[k + 5] = r[k + 5]! + partB * y;
+  r[k + 8] = r[k + 8]! - partA * x;
+  r[k + 11] = r[k + 11]! - partB * x;
 }

@@ -1,26 +1,29 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { STRESS_FADES } from '../config-joints.js';
-import { cos, sin } from '../math/trig.js';
+import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-joints.js';
+import type { Constraint } from '../constraint/constraint.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { visit } from './joint-energy.js';
-import { heldRows, markMembers } from './joint-numbers.js';
+import { endOfMembers, firstMember, heldRows, impulseAt, markMembers, numbersOf } from './joint-numbers.js';
 import * as d from './layout.js';
 
-// Where there are more welds than hold the bodies together, as in frames and wheels, they may pull against each other, which moves nothing: no sweep sees such a stress, and it stays. As the bodies turn what welds give
-// would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
+// Where there are more welds or points than hold the bodies together, as in frames and wheels, in nets, and between two bodies that are hinged twice, they may pull against each other, which moves nothing: no sweep sees such a
+// stress, and it stays. As the bodies turn what joints give would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
 
-/** Whether what rigid joints of a group give may be against each other, welds among them: they have more rows than their bodies can move. */
+/**
+ * Whether what rigid joints of a group give may be against each other: they have more rows than their bodies can move, or those between two bodies have. Points alone may with as many: a net of 3 × 3 folds all the same.
+ */
 export function isOverheld(data: SolverData, group: Group): boolean {
   const { joints, bodies } = data.joints;
   let rows = 0;
   let movers = 0;
-  let hasWelds = false;
   let isHeld = false;
+  let hasWelds = false;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint, first, layout } = joints[k]!;
-    if (!constraint.isElastic && !constraint.drives) {
-      rows += heldRows(joints[k]!);
+    if (isRigid(constraint)) {
+      rows += heldRows(constraint);
       hasWelds ||= constraint.type === 'WELD';
     }
     for (let n = 0; n < layout.members; n += 1) {
@@ -31,27 +34,78 @@ export function isOverheld(data: SolverData, group: Group): boolean {
     }
   }
   markMembers(data, group, 0);
-  return hasWelds && rows > 3 * (movers - (isHeld ? 0 : 1));
+  const most = 3 * (movers - (isHeld ? 0 : 1));
+  return rows > most || (rows === most && !hasWelds) || hasOverheldPair(data, group);
 }
 
-/** Turns what the welds of a group gave in the last sub-step as their bodies turned in it. */
-export function turnStress(data: SolverData, { start, end }: Group): void {
-  const { joints } = data.joints;
+function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Group): boolean {
   for (let k = start; k < end; k += 1) {
-    if (joints[k]!.constraint.type === 'WELD') turnImpulse(data, joints[k]!);
+    const { members } = joints[k]!.constraint;
+    if (members.length === 2 && rowsBetween(members[0]!, members[1]!) > 3) return true;
+  }
+  return false;
+}
+
+/** How many rows of rigid joints that act hold two bodies together. */
+function rowsBetween(a: RigidBody, b: RigidBody): number {
+  const { constraints } = a.constraints.length < b.constraints.length ? a : b;
+  let rows = 0;
+  for (let i = 0; i < constraints.length; i += 1) {
+    const constraint = constraints[i]!;
+    const { members, liveIndex } = constraint;
+    const isBetween = members.length === 2 && members.includes(a) && members.includes(b);
+    if (isBetween && liveIndex >= 0 && isRigid(constraint)) {
+      rows += heldRows(constraint);
+    }
+  }
+  return rows;
+}
+
+function isRigid({ isElastic, drives }: Constraint): boolean {
+  return !isElastic && !drives;
+}
+
+/**
+ * Ends a sub-step: turns what welds and points of a group gave in it as their bodies have turned. By velocities, which corrections have a part in, a truss of bars that is at rest would turn it to and fro, and
+ * correct what that makes, for ever.
+ */
+export function turnStress(data: SolverData, group: Group): void {
+  const { joints } = data.joints;
+  for (let k = turns(data, group) ? group.start : group.end; k < group.end; k += 1) {
+    const { constraint } = joints[k]!;
+    const { type } = constraint;
+    if ((type === 'WELD' || type === 'POINT') && isRigid(constraint)) turnImpulse(data, joints[k]!);
   }
 }
 
-function turnImpulse({ velocity: v, joints }: SolverData, { at, layout, first }: Joint): void {
-  const { records: r, bodies, h } = joints;
-  const turn = 0.5 * h * (v[bodies[first]! + d.W]! + v[bodies[first + 1]! + d.W]!);
-  const kept = 1 - STRESS_FADES * Math.min(1, Math.abs(turn));
-  const c = kept * cos(turn);
-  const s = kept * sin(turn);
-  const i = at + layout.impulse;
-  const x = r[i]!;
-  const y = r[i + 1]!;
-  r[i] = c * x - s * y;
-  r[i + 1] = s * x + c * y;
-  r[i + 2] = kept * r[i + 2]!;
+/** Whether some body turns so much that it matters. */
+function turns(data: SolverData, group: Group): boolean {
+  const { motion: q, joints } = data;
+  const { bodies, h } = joints;
+  const least = group.end - group.start > FEW_JOINTS ? STRESS_SLOW * h : STRESS_STILL;
+  const end = endOfMembers(data, group);
+  for (let n = firstMember(data, group); n < end; n += 1) {
+    if (Math.abs(q[bodies[n]! + d.QW]!) > least) return true;
+  }
+  return false;
+}
+
+/** By the mean of its bodies; for this the sine of an angle need not be exact. */
+function turnImpulse(data: SolverData, joint: Joint): void {
+  const { motion: q, joints } = data;
+  const { bodies } = joints;
+  const { first, layout } = joint;
+  const r = numbersOf(data, joint);
+  const half = 0.25 * (q[bodies[first]! + d.QW]! + q[bodies[first + 1]! + d.QW]!);
+  const kept = 1 - STRESS_FADES * Math.min(1, 2 * Math.abs(half));
+  const share = kept / (1 + half * half);
+  const c = share * (1 - half * half);
+  const s = share * 2 * half;
+  const atX = impulseAt(joint, 0);
+  const atY = impulseAt(joint, 1);
+  const x = r[atX]!;
+  const y = r[atY]!;
+  r[atX] = c * x - s * y;
+  r[atY] = s * x + c * y;
+  if (layout.rows === 3) r[atY + 1] = kept * r[atY + 1]!;
 }

@@ -180,7 +180,6 @@ function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void 
   const { worst, asked } = data.joints;
   beginGroup(data, group);
   group.error = 0;
-  if (group.isOverheld) turnStress(data, group);
   for (let n = 0; n < group.runs.length; n += 1) {
     worst[0] = 0;
     worst[1] = 0;
@@ -384,6 +383,7 @@ function finishJoints(data: SolverData): void {
     } else {
       finishGroup(data, group);
       closeOpen(data, group);
+      if (group.isOverheld) turnStress(data, group);
     }
   }
   enterSprings(data);

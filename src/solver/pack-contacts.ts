@@ -12,6 +12,7 @@ import {
   SHOCK_SPEED,
   SPECULATIVE_MARGIN,
   STATIC_FRICTION_SPEED_SQUARED,
+  TURNS_TOGETHER,
   UNEVEN,
 } from '../config.js';
 import { HEAVY } from '../config-joints.js';
@@ -24,6 +25,7 @@ import { type BounceList, type ContactBatch, recordAt, type SolverData } from '.
 import { markHard, markOf } from './hard-contacts.js';
 import { canGiveWay } from './interaction.js';
 import * as d from './layout.js';
+import { keepNormal } from './turning.js';
 
 /**
  * Brings the world's lists of arbiters up to date, in the order of their shapes and without those that fell asleep in this step; and writes the records of all contacts, a
@@ -321,6 +323,10 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   drive[b + d.LOAD]! += load;
   if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC || (either & d.RUBS) !== 0) {
     packSurfaces(data, batch, index, pair);
+  }
+  // In heaps of single dynamic bodies it would only take its time, and tracks open where links run on wheels.
+  if (wA * wB > TURNS_TOGETHER && (mA === 0 || mB === 0 || (either & (d.LINKED | d.COMPOUND)) !== 0)) {
+    if (pair.shapeA.kind === POLYGON && pair.shapeB.kind === POLYGON) keepNormal(data, batch, index);
   }
   if (n[o + c.ELASTICITY]! > 0) {
     addBounces(data.bounces, batch, index);

@@ -12,6 +12,7 @@ import { refreshMoved } from './refresh.js';
 import { settleShocks } from './shocks.js';
 import { sleepKinematics } from './sleep.js';
 import { store } from './store.js';
+import { turnContacts } from './turning.js';
 
 /**
  * One step: the table of contents of the engine. Collision is found once; then the step is integrated in `substeps` equal
@@ -51,6 +52,7 @@ function integrate(world: World, h: number): void {
   const { solver, profile, jointSolver } = world;
   const { substeps } = solver;
   for (let substep = 0; substep < substeps; substep += 1) {
+    turnContacts(solver, h);
     planBounces(solver, h);
     integrateVelocities(solver);
     jointSolver?.warmStart(solver, substep === 0);

@@ -1,51 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { type Constraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
-import { add, box, disc, heavy, staticBody, steps, weightless } from '../conformance/setting.js';
+import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { add, box, heavy, staticBody, steps, weightless } from '../conformance/setting.js';
 import { generator as random } from '../scenes/mixed.js';
+import { dense, free, turn, weld } from './welded.js';
 
-// Things of several bodies that welds hold together: they stand under loads as if they were one, and turn as one.
-
-function dense(width: number, height: number, density: number) {
-  const material = phys2D.createMaterial({ density, staticFriction: 0.7, dynamicFriction: 0.7 });
-  return box(width, height, { material });
-}
-
-function free(params: Parameters<typeof phys2D.createRigidBody>[0]): RigidBody {
-  return phys2D.createRigidBody({ linearDrag: 0, angularDrag: 0, ...params });
-}
-
-/** Welds a body to another one where a point of it is. */
-function weld(world: World, bodyA: RigidBody, bodyB: RigidBody, point: Vec2): Constraint {
-  const constraint = phys2D.createWeldConstraint({
-    bodyA,
-    bodyB,
-    anchorA: bodyA.transformWorldPointToLocal(point),
-    anchorB: bodyB.transformWorldPointToLocal(point),
-    phase: bodyB.getRotation() - bodyA.getRotation(),
-    ignoreInteractions: true,
-  });
-  world.addConstraint(constraint);
-  return constraint;
-}
-
-/** N·m·s, about the origin. */
-function angularMomentum(world: World): number {
-  let sum = 0;
-  for (const body of world.rigidBodies) {
-    const [x, y] = body.getPosition();
-    const [vx, vy] = body.getVelocity();
-    sum += body.getMass() * (x * vy - y * vx) + body.getInertia() * body.getAngularVelocity();
-  }
-  return sum;
-}
-
-/** Lets a body turn with others about the origin. */
-function turn(body: RigidBody, rate: number): RigidBody {
-  const [x, y] = body.getPosition();
-  body.setVelocity([-rate * y, rate * x]);
-  body.setAngularVelocity(rate);
-  return body;
-}
+// Things of several bodies that welds hold together: they stand under loads as if they were one.
 
 describe('a table of a top and two legs', () => {
   type Load = readonly [x: number, level: number, mass: number];
@@ -159,85 +118,6 @@ describe('towers of frames', () => {
       const [x, y] = body.getPosition();
       expect(Math.hypot(x - places[i]![0], y - places[i]![1])).toBeLessThan(0.1);
     });
-  });
-});
-
-describe('frames of welds that turn', () => {
-  it.each([4, 6])('%d rods in a ring keep turning', (count) => {
-    const world = weightless();
-    const radius = 1 / Math.tan(Math.PI / count);
-    const rods = Array.from({ length: count }, (_, i) => {
-      const angle = (2 * Math.PI * i) / count;
-      const position: Vec2 = [radius * Math.cos(angle), radius * Math.sin(angle)];
-      return turn(free({ position, rotation: angle + Math.PI / 2, shapes: [box(2, 0.08, { mask: 0 })] }), 3);
-    });
-    add(world, ...rods);
-    rods.forEach((rod, i) => {
-      weld(world, rod, rods[(i + 1) % count]!, rod.transformLocalPointToWorld([1, 0]));
-    });
-    const before = angularMomentum(world);
-    steps(world, 1800);
-    const kept = angularMomentum(world) / before;
-    console.log(`${count} rods in a ring, 30 s: angular momentum × ${kept.toFixed(4)}`);
-    expect(Math.abs(kept - 1)).toBeLessThan(0.05);
-  });
-
-  it('a plate of 6 × 6 blocks', () => {
-    const world = weightless();
-    const blocks = Array.from({ length: 36 }, (_, i) => {
-      const position: Vec2 = [0.5 * ((i % 6) - 2.5), 0.5 * (Math.floor(i / 6) - 2.5)];
-      return turn(free({ position, shapes: [box(0.44, 0.44)] }), 3);
-    });
-    add(world, ...blocks);
-    blocks.forEach((block, i) => {
-      const [x, y] = block.getPosition();
-      if (i % 6 < 5) weld(world, block, blocks[i + 1]!, [x + 0.25, y]);
-      if (i < 30) weld(world, block, blocks[i + 6]!, [x, y + 0.25]);
-    });
-    const before = angularMomentum(world);
-    steps(world, 1800);
-    const [x, y] = blocks[0]!.getPosition();
-    expect(Math.abs(angularMomentum(world) / before - 1)).toBeLessThan(0.05);
-    expect(Math.abs(Math.hypot(x, y) - Math.hypot(1.25, 1.25))).toBeLessThan(0.01);
-  });
-
-  it.each([4, 12])('a wheel of %d spokes that a motor drives under gravity', (count) => {
-    const world = heavy();
-    const post = staticBody();
-    const hub = free({ shapes: [disc(0.3, { mask: 0 })] });
-    add(world, hub);
-    world.addConstraint(phys2D.createPointConstraint({ bodyA: post, bodyB: hub }));
-    world.addConstraint(phys2D.createMotorConstraint({ bodyA: post, bodyB: hub, rate: 2, maxForce: 3000 }));
-    const length = 6 * Math.sin(Math.PI / count);
-    const spokes: RigidBody[] = [];
-    const rim: RigidBody[] = [];
-    for (let i = 0; i < count; i += 1) {
-      const angle = (2 * Math.PI * i) / count;
-      const half = angle + Math.PI / count;
-      const far = 3 * Math.cos(Math.PI / count);
-      const middle: Vec2 = [1.5 * Math.cos(angle), 1.5 * Math.sin(angle)];
-      const edge: Vec2 = [far * Math.cos(half), far * Math.sin(half)];
-      spokes.push(turn(free({ position: middle, rotation: angle, shapes: [box(3, 0.08, { mask: 0 })] }), 2));
-      rim.push(
-        turn(free({ position: edge, rotation: half + Math.PI / 2, shapes: [box(length, 0.08, { mask: 0 })] }), 2),
-      );
-    }
-    hub.setAngularVelocity(2);
-    add(world, ...spokes, ...rim);
-    spokes.forEach((spoke, i) => {
-      weld(world, hub, spoke, [0, 0]);
-      weld(world, spoke, rim[i]!, spoke.transformLocalPointToWorld([1.5, 0]));
-    });
-    spokes.forEach((spoke, i) => {
-      weld(world, spoke, rim[(i + count - 1) % count]!, spoke.transformLocalPointToWorld([1.5, 0]));
-    });
-    let fastest = 0;
-    for (let i = 0; i < 1500; i += 1) {
-      steps(world, 1);
-      fastest = Math.max(fastest, ...world.rigidBodies.map((body) => Math.hypot(...body.getVelocity())));
-    }
-    console.log(`wheel of ${count} spokes, 25 s: at most ${fastest.toFixed(2)} m/s, a rim goes 6`);
-    expect(fastest).toBeLessThan(7);
   });
 });
 

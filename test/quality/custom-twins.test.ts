@@ -121,9 +121,19 @@ const KINDS: readonly Kind[] = [
         [a, b],
         3,
         () => {
+          // A weld gives to both bodies at one place on the line between its anchors, that turns as this does.
+          const [x, y] = between(at(a, P), at(b, ON_B));
           const r = at(a, P).arm;
           const s = at(b, ON_B).arm;
-          return [-1, 0, r[1], 1, 0, -s[1], 0, -1, -r[0], 0, 1, s[0], 0, 0, -1, 0, 0, 1];
+          const [wA, wB] = [a.getAngularVelocity(), b.getAngularVelocity()];
+          const [vA, vB] = [a.getVelocity(), b.getVelocity()];
+          const vx = vB[0] - wB * s[1] - vA[0] + wA * r[1];
+          const vy = vB[1] + wB * s[0] - vA[1] - wA * r[0];
+          const turns = x * x + y * y > 0 ? (x * vy - y * vx) / (x * x + y * y) : 0;
+          const share = wA === wB ? 0.5 : Math.max(0, Math.min(1, (turns - wB) / (wA - wB)));
+          const [rx, ry] = [r[0] + share * x, r[1] + share * y];
+          const [sx, sy] = [s[0] - (1 - share) * x, s[1] - (1 - share) * y];
+          return [-1, 0, ry, 1, 0, -sy, 0, -1, -rx, 0, 1, sx, 0, 0, -1, 0, 0, 1];
         },
         () => [...between(at(a, P), at(b, ON_B)), b.getRotation() - a.getRotation() - TURN_B],
       ),

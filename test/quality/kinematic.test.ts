@@ -187,7 +187,7 @@ describe('a platform', () => {
     expect(free).toBeLessThan(1e-4);
   });
 
-  it('that tilts has the box on it, but for the chords of its circle, up to nine tenths of the angle of friction', () => {
+  it('that tilts has the box on it, up to nine tenths of the angle of friction', () => {
     let worst = 0;
     for (const spin of [1e-3, 5e-3, 0.02, 0.1]) {
       for (const x of [0, 1, 3]) {
@@ -202,12 +202,11 @@ describe('a platform', () => {
         for (let i = 1; i <= steps; i += 1) {
           world.step(DT);
           const slip = Math.abs(under.transformWorldPointToLocal(boxes[0]!.getPosition())[0] - from);
-          const chords = 0.5 * x * (spin * DT) ** 2 * i;
-          worst = Math.max(worst, slip - chords);
+          worst = Math.max(worst, slip);
         }
       }
     }
-    console.log(`tilted: slipped ${(1000 * worst).toFixed(3)} mm more than along the chords`);
+    console.log(`tilted: slipped ${(1000 * worst).toFixed(3)} mm`);
     expect(worst).toBeLessThan(6e-4);
   });
 });

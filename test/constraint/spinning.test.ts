@@ -1,0 +1,307 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { add, box, disc, heavy, kineticOf, pin, staticBody, steps, weightless } from '../conformance/setting.js';
+import { generator as random } from '../scenes/mixed.js';
+import { angularMomentum, free, turn, weld } from './welded.js';
+
+// Things of several bodies that turn as one, and go on with it where nothing stops them.
+
+describe('frames', () => {
+  it.each([4, 6])('%d rods in a ring keep turning', (count) => {
+    const world = weightless();
+    const radius = 1 / Math.tan(Math.PI / count);
+    const rods = Array.from({ length: count }, (_, i) => {
+      const angle = (2 * Math.PI * i) / count;
+      const position: Vec2 = [radius * Math.cos(angle), radius * Math.sin(angle)];
+      return turn(free({ position, rotation: angle + Math.PI / 2, shapes: [box(2, 0.08, { mask: 0 })] }), 3);
+    });
+    add(world, ...rods);
+    rods.forEach((rod, i) => {
+      weld(world, rod, rods[(i + 1) % count]!, rod.transformLocalPointToWorld([1, 0]));
+    });
+    const before = angularMomentum(world);
+    steps(world, 1800);
+    const kept = angularMomentum(world) / before;
+    console.log(`${count} rods in a ring, 30 s: angular momentum × ${kept.toFixed(4)}`);
+    expect(Math.abs(kept - 1)).toBeLessThan(0.05);
+  });
+
+  it('a plate of 6 × 6 blocks', () => {
+    const world = weightless();
+    const blocks = Array.from({ length: 36 }, (_, i) => {
+      const position: Vec2 = [0.5 * ((i % 6) - 2.5), 0.5 * (Math.floor(i / 6) - 2.5)];
+      return turn(free({ position, shapes: [box(0.44, 0.44)] }), 3);
+    });
+    add(world, ...blocks);
+    blocks.forEach((block, i) => {
+      const [x, y] = block.getPosition();
+      if (i % 6 < 5) weld(world, block, blocks[i + 1]!, [x + 0.25, y]);
+      if (i < 30) weld(world, block, blocks[i + 6]!, [x, y + 0.25]);
+    });
+    const before = angularMomentum(world);
+    steps(world, 1800);
+    const [x, y] = blocks[0]!.getPosition();
+    expect(Math.abs(angularMomentum(world) / before - 1)).toBeLessThan(0.05);
+    expect(Math.abs(Math.hypot(x, y) - Math.hypot(1.25, 1.25))).toBeLessThan(0.01);
+  });
+
+  it.each([4, 12])('a wheel of %d spokes that a motor drives under gravity', (count) => {
+    const world = heavy();
+    const post = staticBody();
+    const hub = free({ shapes: [disc(0.3, { mask: 0 })] });
+    add(world, hub);
+    world.addConstraint(phys2D.createPointConstraint({ bodyA: post, bodyB: hub }));
+    world.addConstraint(phys2D.createMotorConstraint({ bodyA: post, bodyB: hub, rate: 2, maxForce: 3000 }));
+    const length = 6 * Math.sin(Math.PI / count);
+    const spokes: RigidBody[] = [];
+    const rim: RigidBody[] = [];
+    for (let i = 0; i < count; i += 1) {
+      const angle = (2 * Math.PI * i) / count;
+      const half = angle + Math.PI / count;
+      const far = 3 * Math.cos(Math.PI / count);
+      const middle: Vec2 = [1.5 * Math.cos(angle), 1.5 * Math.sin(angle)];
+      const edge: Vec2 = [far * Math.cos(half), far * Math.sin(half)];
+      spokes.push(turn(free({ position: middle, rotation: angle, shapes: [box(3, 0.08, { mask: 0 })] }), 2));
+      rim.push(
+        turn(free({ position: edge, rotation: half + Math.PI / 2, shapes: [box(length, 0.08, { mask: 0 })] }), 2),
+      );
+    }
+    hub.setAngularVelocity(2);
+    add(world, ...spokes, ...rim);
+    spokes.forEach((spoke, i) => {
+      weld(world, hub, spoke, [0, 0]);
+      weld(world, spoke, rim[i]!, spoke.transformLocalPointToWorld([1.5, 0]));
+    });
+    spokes.forEach((spoke, i) => {
+      weld(world, spoke, rim[(i + count - 1) % count]!, spoke.transformLocalPointToWorld([1.5, 0]));
+    });
+    let fastest = 0;
+    for (let i = 0; i < 1500; i += 1) {
+      steps(world, 1);
+      fastest = Math.max(fastest, ...world.rigidBodies.map((body) => Math.hypot(...body.getVelocity())));
+    }
+    console.log(`wheel of ${count} spokes, 25 s: at most ${fastest.toFixed(2)} m/s, a rim goes 6`);
+    expect(fastest).toBeLessThan(7);
+  });
+});
+
+describe('blocks that touch, and are welded to their neighbours', () => {
+  /** In a grid, about the origin. */
+  function plate(world: World, columns: number, rows: number, rate: number, ignores: boolean): void {
+    const blocks = Array.from({ length: columns * rows }, (_, i) => {
+      const position: Vec2 = [(i % columns) - (columns - 1) / 2, Math.floor(i / columns) - (rows - 1) / 2];
+      return turn(free({ position, shapes: [box(1, 1)] }), rate);
+    });
+    add(world, ...blocks);
+    blocks.forEach((block, i) => {
+      const [x, y] = block.getPosition();
+      if (i % columns < columns - 1) weld(world, block, blocks[i + 1]!, [x + 0.5, y], ignores);
+      if (i < columns * (rows - 1)) weld(world, block, blocks[i + columns]!, [x, y + 0.5], ignores);
+    });
+  }
+
+  it.each([
+    [2, 2, 3, false],
+    [2, 2, 3, true],
+    [3, 3, 3, false],
+    [3, 3, 3, true],
+    [6, 4, 2, false],
+    [6, 4, 2, true],
+    [5, 1, 3, false],
+    [3, 3, 0.5, false],
+  ])('%d × %d at %f rad/s keep turning; ignoring each other: %s', (columns, rows, rate, ignores) => {
+    const world = weightless();
+    plate(world, columns, rows, rate, ignores);
+    const before = angularMomentum(world);
+    steps(world, 600);
+    const kept = angularMomentum(world) / before;
+    console.log(`${columns} × ${rows} blocks at ${rate} rad/s, 10 s: angular momentum × ${kept.toFixed(4)}`);
+    expect(kept).toBeGreaterThan(0.998);
+    expect(kept).toBeLessThan(1.0001);
+  });
+});
+
+describe('what is joined, and touches itself', () => {
+  /** As `pin`, but they take notice of each other. */
+  function hinge(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): void {
+    world.addConstraint(phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB }));
+  }
+
+  /** Bars one behind the other, which take notice of each other. */
+  function chain(world: World, kind: 'weld' | 'point', length: number): RigidBody[] {
+    const bars = Array.from({ length: 10 }, (_, i) => {
+      const position: Vec2 = [0.3 * (i - 4.5), 0];
+      return turn(free({ position, shapes: [box(length, 0.1)] }), 3);
+    });
+    add(world, ...bars);
+    for (let i = 1; i < bars.length; i += 1) {
+      if (kind === 'weld') {
+        weld(world, bars[i - 1]!, bars[i]!, [0.3 * (i - 5), 0], false);
+      } else {
+        hinge(world, bars[i - 1]!, [0.15, 0], bars[i]!, [-0.15, 0]);
+      }
+    }
+    return bars;
+  }
+
+  it.each([
+    ['weld', 0.3],
+    ['point', 0.3],
+    ['point', 0.28],
+  ] as const)('a chain of %s constraints between bars of %f m keeps turning', (kind, length) => {
+    const world = weightless();
+    chain(world, kind, length);
+    const before = angularMomentum(world);
+    steps(world, 600);
+    const kept = angularMomentum(world) / before;
+    console.log(`chain by ${kind}, bars of ${length} m, 10 s: angular momentum × ${kept.toFixed(4)}`);
+    expect(Math.abs(kept - 1)).toBeLessThan(0.002);
+  });
+
+  it('a ring of six welded rods, whose ends are pushed apart, does not drive itself', () => {
+    const world = weightless();
+    const side = 2 * Math.tan(Math.PI / 6);
+    const rods = Array.from({ length: 6 }, (_, i) => {
+      const angle = (Math.PI * i) / 3;
+      const position: Vec2 = [Math.cos(angle), Math.sin(angle)];
+      return turn(free({ position, rotation: angle + Math.PI / 2, shapes: [box(0.98 * side, 0.08)] }), 3);
+    });
+    add(world, ...rods);
+    rods.forEach((rod, i) => {
+      weld(world, rod, rods[(i + 1) % 6]!, rod.transformLocalPointToWorld([side / 2, 0]), false);
+    });
+    const before = angularMomentum(world);
+    const energy = kineticOf(world);
+    for (let i = 0; i < 10; i += 1) {
+      steps(world, 60);
+      expect(kineticOf(world) / energy).toBeLessThan(1);
+    }
+    const kept = angularMomentum(world) / before;
+    console.log(`ring of six rods whose ends overlap, 10 s: angular momentum × ${kept.toFixed(4)}`);
+    expect(kept).toBeGreaterThan(0.6);
+    expect(kept).toBeLessThan(1);
+  });
+});
+
+describe('soft joints', () => {
+  it('of a chain that they let hang apart keep its angular momentum', () => {
+    const world = weightless();
+    const bars = Array.from({ length: 10 }, (_, i) =>
+      turn(free({ position: [0.3 * (i - 4.5), 0], shapes: [box(0.3, 0.1, { mask: 0 })] }), 3),
+    );
+    add(world, ...bars);
+    for (let i = 1; i < bars.length; i += 1) {
+      const joint = { bodyA: bars[i - 1]!, bodyB: bars[i]!, anchorA: [0.15, 0], anchorB: [-0.15, 0] } as const;
+      world.addConstraint(phys2D.createPointConstraint({ ...joint, stiff: false, frequency: 5, damping: 1 }));
+    }
+    const before = angularMomentum(world);
+    steps(world, 600);
+    expect(Math.abs(angularMomentum(world) / before - 1)).toBeLessThan(1e-9);
+  });
+
+  it.each([0, 0.5])('one that starts stretched, of two bodies that turn at %f rad/s, sets nothing turning', (rate) => {
+    const world = weightless();
+    const bodyA = turn(free({ position: [-1, 0], shapes: [box(0.6, 0.3, { mask: 0 })] }), rate);
+    const bodyB = turn(free({ position: [1, 0], shapes: [box(0.4, 0.6, { mask: 0 })] }), rate);
+    add(world, bodyA, bodyB);
+    const anchors = { anchorA: [0.3, 0.15], anchorB: [-0.2, -0.3] } as const;
+    world.addConstraint(
+      phys2D.createPointConstraint({ bodyA, bodyB, ...anchors, stiff: false, frequency: 4, damping: 1 }),
+    );
+    const before = angularMomentum(world);
+    steps(world, 600);
+    expect(Math.abs(angularMomentum(world) - before)).toBeLessThan(1e-9);
+  });
+});
+
+describe('more points than are needed', () => {
+  it('rods that are hinged twice make no energy', () => {
+    let most = 0;
+    for (let seed = 1; seed <= 60; seed += 1) {
+      const next = random(seed);
+      const world = weightless();
+      const rods = Array.from({ length: 2 + Math.floor(7 * next()) }, (_, i) =>
+        free({ position: [0.4 * i, 0], shapes: [box(0.4, 0.1, { mask: 0 })] }),
+      );
+      const middle = 0.2 * (rods.length - 1);
+      const rate = 1 + 9 * next();
+      for (const rod of rods) {
+        rod.setVelocity([1, rate * (rod.getPosition()[0] - middle)]);
+        rod.setAngularVelocity(rate);
+      }
+      add(world, ...rods);
+      for (let i = 1; i < rods.length; i += 1) {
+        pin(world, rods[i - 1]!, [0.2, 0], rods[i]!, [-0.2, 0]);
+        if (next() < 0.6) {
+          const [x, y] = [0.6 * next() - 0.3, 0.6 * next() - 0.3];
+          pin(world, rods[i - 1]!, [x, y], rods[i]!, [x - 0.4, y]);
+        }
+      }
+      const before = kineticOf(world);
+      for (let i = 0; i < 180; i += 1) {
+        steps(world, 1);
+        most = Math.max(most, kineticOf(world) / before);
+      }
+    }
+    console.log(`rods hinged twice, 3 s: at most ${most.toFixed(4)} of the energy at the start`);
+    expect(most).toBeLessThan(1.02);
+  });
+
+  it.each([
+    [8, 8],
+    [20, 3],
+  ])('a net of %d discs a side turns at %d rad/s', (side, rate) => {
+    const world = weightless();
+    const discs = Array.from({ length: side * side }, (_, i) => {
+      const position: Vec2 = [(i % side) - (side - 1) / 2, Math.floor(i / side) - (side - 1) / 2];
+      return turn(free({ position, shapes: [disc(0.4, { mask: 0 })] }), rate);
+    });
+    add(world, ...discs);
+    discs.forEach((body, i) => {
+      if (i % side < side - 1) pin(world, body, [0.5, 0], discs[i + 1]!, [-0.5, 0]);
+      if (i < side * (side - 1)) pin(world, body, [0, 0.5], discs[i + side]!, [0, -0.5]);
+    });
+    const before = kineticOf(world);
+    steps(world, 600);
+    const kept = kineticOf(world) / before;
+    console.log(`net of ${side} × ${side} at ${rate} rad/s, 10 s: energy × ${kept.toFixed(4)}`);
+    expect(kept).toBeGreaterThan(0.85);
+    expect(kept).toBeLessThan(1);
+  });
+});
+
+describe('a ring of many shapes with boxes at rest inside it', () => {
+  it.each([1, 3])('turns on at %d rad/s', (rate) => {
+    const world = weightless();
+    const sides = 24;
+    const at = (i: number, radius: number): Vec2 => {
+      const angle = (2 * Math.PI * i) / sides;
+      return [radius * Math.cos(angle), radius * Math.sin(angle)];
+    };
+    const material = phys2D.createMaterial({ staticFriction: 0.8, dynamicFriction: 0.6 });
+    const walls = Array.from({ length: sides }, (_, i) =>
+      phys2D.createPolygonShape({ vertices: [at(i, 5), at(i, 5.5), at(i + 1, 5.5), at(i + 1, 5)], material }),
+    );
+    const inside = 5 * Math.cos(Math.PI / sides) - 0.31;
+    const boxes = Array.from({ length: sides }, (_, i) =>
+      free({
+        position: at(i + 0.5, inside),
+        rotation: (2 * Math.PI * (i + 0.5)) / sides,
+        shapes: [box(0.6, 0.6, { material })],
+      }),
+    );
+    add(world, free({ shapes: walls }), ...boxes);
+    for (const body of world.rigidBodies) turn(body, rate);
+    const before = angularMomentum(world);
+    const energy = kineticOf(world);
+    steps(world, 600);
+    const kept = angularMomentum(world) / before;
+    const keptEnergy = kineticOf(world) / energy;
+    console.log(
+      `ring with ${boxes.length} boxes at ${rate} rad/s, 10 s: angular momentum × ${kept}, energy × ${keptEnergy}`,
+    );
+    expect(Math.abs(kept - 1)).toBeLessThan(1e-4);
+    expect(keptEnergy).toBeGreaterThan(0.99);
+    expect(keptEnergy).toBeLessThan(1);
+  });
+});
