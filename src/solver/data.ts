@@ -12,6 +12,11 @@ export function recordAt(index: number, stride: number): number {
   return (index & d.PAIR) * stride + (index & 1);
 }
 
+/** The batch of a contact that is told by twice its index, plus 1 if it is of one point. */
+export function batchOf({ one, two }: SolverData, contact: number): ContactBatch {
+  return (contact & 1) === 1 ? one : two;
+}
+
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {
   count = 0;
@@ -117,7 +122,7 @@ export const TURNING_STRIDE = 6;
 
 /** Contacts of bodies that turn together, see `turning.ts`. What lies beyond the count is old. */
 export class TurningList {
-  /** Index times two, and one more for those of one point. */
+  /** As `batchOf` is told them. */
   readonly contacts: number[] = [];
   kept = new Float64Array(8 * TURNING_STRIDE);
   count = 0;
@@ -134,7 +139,7 @@ export class TurningList {
   }
 }
 
-/** What was struck in a step, see `shocks.ts`. A contact is told by twice its index, plus 1 if it is of one point; its ends by twice that, plus 1 for B. */
+/** What was struck in a step, see `shocks.ts`. Contacts are as `batchOf` is told them; their ends are told by twice that, plus 1 for B. */
 export class ShockList {
   /** Contacts whose surfaces come together fast as the step begins; what lies beyond the count is old. */
   readonly struck: number[] = [];

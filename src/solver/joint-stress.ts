@@ -70,8 +70,11 @@ function isRigid({ isElastic, drives }: Constraint): boolean {
  * correct what that makes, for ever.
  */
 export function turnStress(data: SolverData, group: Group): void {
+  if (!turns(data, group)) {
+    return;
+  }
   const { joints } = data.joints;
-  for (let k = turns(data, group) ? group.start : group.end; k < group.end; k += 1) {
+  for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
     const { type } = constraint;
     if ((type === 'WELD' || type === 'POINT') && isRigid(constraint)) turnImpulse(data, joints[k]!);

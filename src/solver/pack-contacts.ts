@@ -294,6 +294,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   const either = traits[bodyA.slot]! | traits[bodyB.slot]!;
 
   const isTwo = stride === d.TWO_STRIDE;
+  const contact = 2 * index + (isTwo ? 0 : 1);
   const comes = nx * vx + ny * vy;
   const other = isTwo ? at + d.SECOND : at;
   if (
@@ -301,7 +302,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     comes + r[at + d.RN_B1]! * wB - r[at + d.RN_A1]! * wA < -SHOCK_SPEED ||
     comes + r[other + d.RN_B1]! * wB - r[other + d.RN_A1]! * wA < -SHOCK_SPEED
   ) {
-    data.shocks.add(2 * index + (isTwo ? 0 : 1));
+    data.shocks.add(contact);
   }
 
   let share = PUSH_SHARE_STATIC;
@@ -325,8 +326,13 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     packSurfaces(data, batch, index, pair);
   }
   // In heaps of single dynamic bodies it would only take its time, and tracks open where links run on wheels.
-  if (wA * wB > TURNS_TOGETHER && (mA === 0 || mB === 0 || (either & (d.LINKED | d.COMPOUND)) !== 0)) {
-    if (pair.shapeA.kind === POLYGON && pair.shapeB.kind === POLYGON) keepNormal(data, batch, index);
+  if (
+    wA * wB > TURNS_TOGETHER &&
+    (mA === 0 || mB === 0 || (either & (d.LINKED | d.COMPOUND)) !== 0) &&
+    pair.shapeA.kind === POLYGON &&
+    pair.shapeB.kind === POLYGON
+  ) {
+    keepNormal(data, contact);
   }
   if (n[o + c.ELASTICITY]! > 0) {
     addBounces(data.bounces, batch, index);

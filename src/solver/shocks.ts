@@ -1,7 +1,7 @@
 import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../config.js';
 import { JOINT_TORN } from '../config-joints.js';
 import * as c from '../contact/layout.js';
-import { type ContactBatch, recordAt, type ShockList, type SolverData } from './data.js';
+import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData } from './data.js';
 import type { Group } from './joint-data.js';
 import { endOfMembers, firstMember } from './joint-numbers.js';
 import type { JointSolver } from './joints.js';
@@ -169,10 +169,6 @@ function gatherContacts(data: SolverData, slot: number): void {
     }
     if (moves) visit(shocks, other / d.BODY_STRIDE);
   }
-}
-
-function batchOf({ one, two }: SolverData, contact: number): ContactBatch {
-  return (contact & 1) === 1 ? one : two;
 }
 
 /** By the offset of its record. */

@@ -1,5 +1,5 @@
 import { BOUNCE_THRESHOLD } from '../config.js';
-import { type ContactBatch, recordAt, type SolverData, TURNING_STRIDE } from './data.js';
+import { batchOf, recordAt, type SolverData, TURNING_STRIDE } from './data.js';
 import * as d from './layout.js';
 
 // Normals and arms of contacts are those with which the step began. Two bodies that turn together at a rate w, their centres d apart, would so be told to come together at w²·d·t after a time t: what contacts make of that takes from the turn, and in seconds stops a ship of welded blocks.
@@ -10,12 +10,12 @@ import * as d from './layout.js';
 const MOST_BEND = 0.5;
 
 /** Keeps the normal of a contact, both separations, and what its surfaces move by. */
-export function keepNormal({ turning }: SolverData, batch: ContactBatch, index: number): void {
-  const { records: r, stride } = batch;
-  const at = recordAt(index, stride);
-  const isTwo = stride === d.TWO_STRIDE;
-  const other = isTwo ? at + d.SECOND : at;
-  const k = turning.add(2 * index + (isTwo ? 0 : 1));
+export function keepNormal(data: SolverData, contact: number): void {
+  const { turning } = data;
+  const { records: r, stride } = batchOf(data, contact);
+  const at = recordAt(contact >> 1, stride);
+  const other = stride === d.TWO_STRIDE ? at + d.SECOND : at;
+  const k = turning.add(contact);
   const { kept } = turning;
   kept[k] = r[at + d.NX]!;
   kept[k + 1] = r[at + d.NY]!;
@@ -29,8 +29,7 @@ export function keepNormal({ turning }: SolverData, batch: ContactBatch, index: 
 export function turnContacts(data: SolverData, h: number): void {
   const { contacts, count } = data.turning;
   for (let i = 0; i < count; i += 1) {
-    const contact = contacts[i]!;
-    turn(data, (contact & 1) === 1 ? data.one : data.two, contact >> 1, TURNING_STRIDE * i, h);
+    turn(data, contacts[i]!, TURNING_STRIDE * i, h);
   }
 }
 
@@ -39,19 +38,14 @@ export function turnContacts(data: SolverData, h: number): void {
  * would change of them goes into that. What moves as one goes along arcs, in a sub-step by −w²·h/2 times the way between the centres off the tangents: by its velocity alone what sits on a platform that rocks would creep
  * outwards, by 2 mm a second at 2 m. What bounces does not.
  */
-function turn(
-  { turning, velocity: v, motion: q, substeps }: SolverData,
-  batch: ContactBatch,
-  index: number,
-  k: number,
-  h: number,
-): void {
-  const { kept } = turning;
-  const { records: r, bodies, stride } = batch;
-  const at = recordAt(index, stride);
+function turn(data: SolverData, contact: number, k: number, h: number): void {
+  const { velocity: v, motion: q, substeps } = data;
+  const { kept } = data.turning;
+  const { records: r, bodies, stride } = batchOf(data, contact);
+  const at = recordAt(contact >> 1, stride);
   const other = stride === d.TWO_STRIDE ? at + d.SECOND : at;
-  const a = bodies[2 * index]! & d.OFFSET;
-  const b = bodies[2 * index + 1]! & d.OFFSET;
+  const a = bodies[contact & -2]! & d.OFFSET;
+  const b = bodies[contact | 1]! & d.OFFSET;
   const nx = kept[k]!;
   const ny = kept[k + 1]!;
   // From A's centre to B's, along n and t, as the step began and now.

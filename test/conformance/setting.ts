@@ -74,9 +74,16 @@ export function staticBody(params: RigidBodyParams = {}): RigidBody {
   return phys2D.createRigidBody({ type: 'static', ...params });
 }
 
-/** Joins two bodies, which do not interact, at a point of either. */
-export function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): PointConstraint {
-  const joint = phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions: true });
+/** Joins two bodies, which do not interact if nothing else is said, at a point of either. */
+export function pin(
+  world: World,
+  bodyA: RigidBody,
+  anchorA: Vec2,
+  bodyB: RigidBody,
+  anchorB: Vec2,
+  ignoreInteractions = true,
+): PointConstraint {
+  const joint = phys2D.createPointConstraint({ bodyA, anchorA, bodyB, anchorB, ignoreInteractions });
   tie(world, joint);
   return joint;
 }

@@ -6,6 +6,28 @@ import { angularMomentum, free, turn, weld } from './welded.js';
 
 // Things of several bodies that turn as one, and go on with it where nothing stops them.
 
+/** Square blocks in a grid, which are welded to their neighbours and turn about the origin. */
+function plate(
+  world: World,
+  columns: number,
+  rows: number,
+  rate: number,
+  { pitch = 1, size = 1, ignores = true },
+): RigidBody[] {
+  const blocks = Array.from({ length: columns * rows }, (_, i) => {
+    const x = (i % columns) - (columns - 1) / 2;
+    const y = Math.floor(i / columns) - (rows - 1) / 2;
+    return turn(free({ position: [pitch * x, pitch * y], shapes: [box(size, size)] }), rate);
+  });
+  add(world, ...blocks);
+  blocks.forEach((block, i) => {
+    const [x, y] = block.getPosition();
+    if (i % columns < columns - 1) weld(world, block, blocks[i + 1]!, [x + pitch / 2, y], ignores);
+    if (i < columns * (rows - 1)) weld(world, block, blocks[i + columns]!, [x, y + pitch / 2], ignores);
+  });
+  return blocks;
+}
+
 describe('frames', () => {
   it.each([4, 6])('%d rods in a ring keep turning', (count) => {
     const world = weightless();
@@ -28,16 +50,7 @@ describe('frames', () => {
 
   it('a plate of 6 × 6 blocks', () => {
     const world = weightless();
-    const blocks = Array.from({ length: 36 }, (_, i) => {
-      const position: Vec2 = [0.5 * ((i % 6) - 2.5), 0.5 * (Math.floor(i / 6) - 2.5)];
-      return turn(free({ position, shapes: [box(0.44, 0.44)] }), 3);
-    });
-    add(world, ...blocks);
-    blocks.forEach((block, i) => {
-      const [x, y] = block.getPosition();
-      if (i % 6 < 5) weld(world, block, blocks[i + 1]!, [x + 0.25, y]);
-      if (i < 30) weld(world, block, blocks[i + 6]!, [x, y + 0.25]);
-    });
+    const blocks = plate(world, 6, 6, 3, { pitch: 0.5, size: 0.44 });
     const before = angularMomentum(world);
     steps(world, 1800);
     const [x, y] = blocks[0]!.getPosition();
@@ -86,20 +99,6 @@ describe('frames', () => {
 });
 
 describe('blocks that touch, and are welded to their neighbours', () => {
-  /** In a grid, about the origin. */
-  function plate(world: World, columns: number, rows: number, rate: number, ignores: boolean): void {
-    const blocks = Array.from({ length: columns * rows }, (_, i) => {
-      const position: Vec2 = [(i % columns) - (columns - 1) / 2, Math.floor(i / columns) - (rows - 1) / 2];
-      return turn(free({ position, shapes: [box(1, 1)] }), rate);
-    });
-    add(world, ...blocks);
-    blocks.forEach((block, i) => {
-      const [x, y] = block.getPosition();
-      if (i % columns < columns - 1) weld(world, block, blocks[i + 1]!, [x + 0.5, y], ignores);
-      if (i < columns * (rows - 1)) weld(world, block, blocks[i + columns]!, [x, y + 0.5], ignores);
-    });
-  }
-
   it.each([
     [2, 2, 3, false],
     [2, 2, 3, true],
@@ -111,7 +110,7 @@ describe('blocks that touch, and are welded to their neighbours', () => {
     [3, 3, 0.5, false],
   ])('%d × %d at %f rad/s keep turning; ignoring each other: %s', (columns, rows, rate, ignores) => {
     const world = weightless();
-    plate(world, columns, rows, rate, ignores);
+    plate(world, columns, rows, rate, { ignores });
     const before = angularMomentum(world);
     steps(world, 600);
     const kept = angularMomentum(world) / before;
@@ -122,11 +121,6 @@ describe('blocks that touch, and are welded to their neighbours', () => {
 });
 
 describe('what is joined, and touches itself', () => {
-  /** As `pin`, but they take notice of each other. */
-  function hinge(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): void {
-    world.addConstraint(phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB }));
-  }
-
   /** Bars one behind the other, which take notice of each other. */
   function chain(world: World, kind: 'weld' | 'point', length: number): RigidBody[] {
     const bars = Array.from({ length: 10 }, (_, i) => {
@@ -138,7 +132,7 @@ describe('what is joined, and touches itself', () => {
       if (kind === 'weld') {
         weld(world, bars[i - 1]!, bars[i]!, [0.3 * (i - 5), 0], false);
       } else {
-        hinge(world, bars[i - 1]!, [0.15, 0], bars[i]!, [-0.15, 0]);
+        pin(world, bars[i - 1]!, [0.15, 0], bars[i]!, [-0.15, 0], false);
       }
     }
     return bars;
