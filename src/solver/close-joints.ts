@@ -85,9 +85,9 @@ function closePart(data: SolverData, index: number): void {
     }
   }
   if (joint.kernel === POINT) {
-    pushPoints(data, index, index + 1);
+    pushPoints(data, index, index + 1, false);
   } else if (joint.kernel === TURN) {
-    pushTurns(data, index, index + 1);
+    pushTurns(data, index, index + 1, false);
   } else {
     lineariseBlock(data, joint);
     pushBlock(data, joint);

@@ -33,7 +33,7 @@ export function hasHub(data: SolverData, group: Group): boolean {
     const { first, layout } = joints[k]!;
     for (let n = first; n < first + layout.members; n += 1) {
       const at = sumAt(bodies[n]!);
-      sums.fill(0, at, at + SUM);
+      for (let i = at; i < at + SUM; i += 1) sums[i] = 0;
     }
   }
   let isFound = false;

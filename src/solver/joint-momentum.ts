@@ -17,7 +17,7 @@ import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, TURN } from './joint-layout.js';
 import { carryAt, impulseAt, markMembers, numbersOf, steady } from './joint-numbers.js';
-import { INV_MASS, MEMBER, TOUCHED } from './layout.js';
+import { INV_MASS, MEMBER, SEEN, TOUCHED } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
 
@@ -157,13 +157,18 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
 
 /** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart; if not all are asked for, only whether there are some. */
 function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
+  const { traits } = data;
   const { joints } = data.joints;
   let found = 0;
   markMembers(data, group, MEMBER);
   for (let k = group.start; k < group.end && (areAllAsked || found === 0); k += 1) {
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {
-      found |= members[n]!.kind === DYNAMIC ? touchingOf(data, members[n]!) : 0;
+      const body = members[n]!;
+      if (body.kind === DYNAMIC && (traits[body.slot]! & SEEN) === 0) {
+        traits[body.slot] = traits[body.slot]! | SEEN;
+        found |= touchingOf(data, body);
+      }
     }
   }
   markMembers(data, group, 0);

@@ -16,7 +16,7 @@ import {
   TURN_IMPULSE,
   TURN_PUSH,
 } from './joint-layout.js';
-import { BODY_STRIDE, MEMBER } from './layout.js';
+import { BODY_STRIDE, MEMBER, SEEN } from './layout.js';
 
 // Where the numbers of a joint are in a step, whatever kernel it has.
 
@@ -89,14 +89,14 @@ export function endOfMembers({ joints: { joints } }: SolverData, { end }: Group)
   return first + layout.members;
 }
 
-/** Sets or clears MEMBER in the slots of all bodies of a group that have one: those that are awake. */
+/** Sets MEMBER, or clears it and SEEN, in the slots of all bodies of a group that have one: those that are awake. */
 export function markMembers(data: SolverData, group: Group, mark: number): void {
   const { traits } = data;
   const { bodies } = data.joints;
   const end = endOfMembers(data, group);
   for (let n = firstMember(data, group); n < end; n += 1) {
     const slot = bodies[n]! / BODY_STRIDE;
-    traits[slot] = (traits[slot]! & ~MEMBER) | (slot > 0 ? mark : 0);
+    traits[slot] = (traits[slot]! & ~(MEMBER | SEEN)) | (slot > 0 ? mark : 0);
   }
 }
 

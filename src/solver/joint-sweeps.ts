@@ -8,8 +8,8 @@ import { pushTurns, solveVelocityTurns } from './turn-joints.js';
 
 // Sweeps over the runs of a group, each by its kernel.
 
-/** Solves a part of a run. @returns whether it was worth another sweep. */
-type Solve = (data: SolverData, kernel: number, start: number, end: number) => boolean;
+/** Solves a part of a run, from its first joint to its last, or back. @returns whether it was worth another sweep. */
+type Solve = (data: SolverData, kernel: number, start: number, end: number, isBack: boolean) => boolean;
 
 /** The sweep of that number: over all joints of a group, or over those that are strained and near that; to and fro it is over all. */
 export function sweepOver(data: SolverData, group: Group, sweep: number, isWhole: boolean, solve: Solve): boolean {
@@ -23,7 +23,7 @@ export function sweepOver(data: SolverData, group: Group, sweep: number, isWhole
   for (let k = 0; k < runs.length; k += 1) {
     const { kernel, start, end } = runs[k]!;
     if (start < to && end > from) {
-      found = solve(data, kernel, start > from ? start : from, end < to ? end : to) || found;
+      found = solve(data, kernel, start > from ? start : from, end < to ? end : to, false) || found;
     }
   }
   return found;
@@ -34,52 +34,62 @@ function sweepBack(data: SolverData, runs: readonly Run[], solve: Solve): boolea
   let found = false;
   for (let n = runs.length - 1; n >= 0; n -= 1) {
     const { kernel, start, end } = runs[n]!;
-    for (let k = end - 1; k >= start; k -= 1) {
-      found = solve(data, kernel, k, k + 1) || found;
-    }
+    found = solve(data, kernel, start, end, true) || found;
   }
   return found;
 }
 
-export function solveVelocityRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+export function solveVelocityRun(
+  data: SolverData,
+  kernel: number,
+  start: number,
+  end: number,
+  isBack: boolean,
+): boolean {
   if (kernel === POINT) {
-    solveVelocityPoints(data, start, end);
+    solveVelocityPoints(data, start, end, isBack);
   } else if (kernel === TURN) {
-    solveVelocityTurns(data, start, end);
+    solveVelocityTurns(data, start, end, isBack);
   } else if (kernel === ROW) {
-    solveVelocityRows(data, start, end);
+    solveVelocityRows(data, start, end, isBack);
   } else if (kernel === BLOCK) {
     for (let k = start; k < end; k += 1) {
-      solveVelocityBlock(data, data.joints.joints[k]!);
+      solveVelocityBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
     }
   }
   return false;
 }
 
 /** What is left of the errors of rows and blocks is not known. */
-export function pushRun(data: SolverData, kernel: number, start: number, end: number): boolean {
+export function pushRun(data: SolverData, kernel: number, start: number, end: number, isBack: boolean): boolean {
   if (kernel === POINT) {
-    return pushPoints(data, start, end);
+    return pushPoints(data, start, end, isBack);
   }
   if (kernel === TURN) {
-    return pushTurns(data, start, end);
+    return pushTurns(data, start, end, isBack);
   }
   if (kernel === ROW) {
-    pushRows(data, start, end);
+    pushRows(data, start, end, isBack);
   } else if (kernel === BLOCK) {
     for (let k = start; k < end; k += 1) {
-      pushBlock(data, data.joints.joints[k]!);
+      pushBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
     }
   }
   return kernel !== CUSTOM;
 }
 
-export function pushRunLinearly(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushPointsLinearly(data, start, end) : pushRun(data, kernel, start, end);
+export function pushRunLinearly(
+  data: SolverData,
+  kernel: number,
+  start: number,
+  end: number,
+  isBack: boolean,
+): boolean {
+  return kernel === POINT ? pushPointsLinearly(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
 }
 
-export function pushTurnedRun(data: SolverData, kernel: number, start: number, end: number): boolean {
-  return kernel === POINT ? pushTurnedPoints(data, start, end) : pushRun(data, kernel, start, end);
+export function pushTurnedRun(data: SolverData, kernel: number, start: number, end: number, isBack: boolean): boolean {
+  return kernel === POINT ? pushTurnedPoints(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
 }
 
 export function linearise(data: SolverData, { runs }: Group): void {

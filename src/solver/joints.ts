@@ -221,7 +221,7 @@ function solveVelocityJoints(data: SolverData, i: number, count: number): void {
     solveVelocityGroup(data, group, i, count, areTwo);
     if (areTwo) {
       solveVelocityGroup(data, beside, i, count, true);
-      if (i === count - 1) solveVelocityPoints(data, group.start, beside.end);
+      if (i === count - 1) solveVelocityPoints(data, group.start, beside.end, false);
       k += 1;
     }
   }
@@ -295,7 +295,7 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
   const { worst } = data.joints;
   worst[0] = 0;
   worst[1] = 0;
-  pushPoints(data, first.start, second.end);
+  pushPoints(data, first.start, second.end, false);
   first.pushed = worst[0]!;
   second.pushed = worst[1]!;
 }

@@ -46,11 +46,12 @@ export const TOUCHED = 6;
 /** N·s. The normal impulses that all contacts of the body together start the step with. */
 export const LOAD = 7;
 
-/** Bits of `SolverData.traits`: some joint that is no custom constraint holds the body, it has several shapes, its surface moves, or it is of the group of joints that is looked at. */
+/** Bits of `SolverData.traits`: some joint that is no custom constraint holds the body, it has several shapes, its surface moves, or it is of the group of joints that is looked at, and was itself looked at. */
 export const LINKED = 1;
 export const COMPOUND = 2;
 export const RUBS = 4;
 export const MEMBER = 8;
+export const SEEN = 16;
 
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the

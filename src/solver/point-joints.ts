@@ -27,7 +27,7 @@ export interface PointKernels {
   readonly finish: FastLoop;
 }
 
-/** The same in TypeScript, over each record or, with a `step` of 2, every second one. @returns `true` if an error was worth another iteration. */
+/** The same in TypeScript, over each record or, with a `step` of 2, every second one, or back with a negative one. @returns `true` if an error was worth another iteration. */
 type Loop = (data: SolverData, from: number, to: number, step: number) => unknown;
 
 /** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
@@ -150,15 +150,26 @@ function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Join
  * Joints from one to another, by a fast loop, if there is one, and by the plain one what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
  * at once if both are wanted. @returns what they find together.
  */
-function solve(data: SolverData, start: number, end: number, fast: FastLoop | undefined, loop: Loop): boolean {
+function solve(
+  data: SolverData,
+  start: number,
+  end: number,
+  isBack: boolean,
+  fast: FastLoop | undefined,
+  loop: Loop,
+): boolean {
   const { pointBodies } = data;
   const { joints } = data.joints;
   const { slot, isPaired } = joints[start]!;
-  const to = joints[end - 1]!.slot + 1;
+  const last = joints[end - 1]!.slot;
   const step = stepOf(data, start, end);
-  if (fast === undefined || !isPaired || step === 2) {
-    return loop(data, slot, to, step) === true;
+  if (isBack) {
+    return loop(data, last, slot - step, -step) === true;
   }
+  if (fast === undefined || !isPaired || step === 2) {
+    return loop(data, slot, last + step, step) === true;
+  }
+  const to = last + 1;
   let k = slot;
   let found = false;
   if (k % 2 === 1) {
@@ -186,30 +197,33 @@ function stepOf({ joints: { joints } }: SolverData, start: number, end: number):
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, data.pointKernels?.warmStart, plain.warmStartPoints);
+  solve(data, start, end, false, data.pointKernels?.warmStart, plain.warmStartPoints);
 }
 
 /** One sweep over velocities. */
-export function solveVelocityPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
+export function solveVelocityPoints(data: SolverData, start: number, end: number, isBack: boolean): void {
+  solve(data, start, end, isBack, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
 }
 
 /** One exact sweep over positions. @returns whether an error was worth another iteration. */
-export function pushPoints(data: SolverData, start: number, end: number): boolean {
-  return solve(data, start, end, data.pointKernels?.push, plain.pushPoints);
+export function pushPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+  return solve(data, start, end, isBack, data.pointKernels?.push, plain.pushPoints);
 }
 
 /** Another sweep, linear. @returns as the others. */
-export function pushPointsLinearly(data: SolverData, start: number, end: number): boolean {
-  return solve(data, start, end, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
+export function pushPointsLinearly(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+  return solve(data, start, end, isBack, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
 }
 
 /** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
-export function pushTurnedPoints(data: SolverData, start: number, end: number): boolean {
+export function pushTurnedPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
   let found = false;
-  for (let k = start; k < end; k += FAR_BLOCK) {
-    const to = Math.min(k + FAR_BLOCK, end);
-    found = (haveTurned(data, k, to) ? pushPoints(data, k, to) : pushPointsLinearly(data, k, to)) || found;
+  const block = isBack ? 1 : FAR_BLOCK;
+  for (let n = start; n < end; n += block) {
+    const k = isBack ? start + end - 1 - n : n;
+    const to = Math.min(k + block, end);
+    found =
+      (haveTurned(data, k, to) ? pushPoints(data, k, to, isBack) : pushPointsLinearly(data, k, to, isBack)) || found;
   }
   return found;
 }
@@ -217,12 +231,13 @@ export function pushTurnedPoints(data: SolverData, start: number, end: number): 
 /** The largest error now, m, to `left`. */
 export function measurePoints(data: SolverData, start: number, end: number): void {
   const { joints } = data.joints;
-  plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + 1, stepOf(data, start, end));
+  const step = stepOf(data, start, end);
+  plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + step, step);
 }
 
 /** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
 export function finishPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, data.pointKernels?.finish, plain.finishPoints);
+  solve(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);
 }
 
 function haveTurned(data: SolverData, start: number, end: number): boolean {

@@ -6,7 +6,7 @@ import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';
 
-// The loops over rigid point joints, from one of their records to another: over each, or every second one.
+// The loops over rigid point joints, from one of their records to another, which is left out: over each, or every second one, or back. The way is a whole number of steps.
 
 /** Angle, cosine, sine: scratch. */
 const turn = new Float64Array(3);
@@ -15,7 +15,7 @@ const turn = new Float64Array(3);
 export function warmStartPoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, velocity: v, pose: p } = data;
   const { worst } = data.joints;
-  for (let k = from; k < to; k += step) {
+  for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -93,7 +93,7 @@ function invert(r: Float64Array, i: number): void {
 /** One sweep: Δλ = −K⁻¹C'. */
 export function solveVelocityPoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, velocity: v } = data;
-  for (let k = from; k < to; k += step) {
+  for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -138,7 +138,7 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
   const { points: r, pointBodies: bodies, motion: q } = data;
   const { worst } = data.joints;
   let found = false;
-  for (let k = from; k < to; k += step) {
+  for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -236,7 +236,7 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
 export function pushPointsLinearly(data: SolverData, from: number, to: number, step: number): boolean {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let found = false;
-  for (let k = from; k < to; k += step) {
+  for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -279,7 +279,7 @@ export function pushPointsLinearly(data: SolverData, from: number, to: number, s
 export function measurePoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let most = 0;
-  for (let k = from; k < to; k += step) {
+  for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
@@ -302,7 +302,7 @@ export function measurePoints(data: SolverData, from: number, to: number, step: 
 export function finishPoints(data: SolverData, from: number, to: number, step: number): void {
   const share = data.joints.share[0]!;
   const { points: r, pointBodies: bodies, velocity: v } = data;
-  for (let k = from; k < to; k += step) {
+  for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }

@@ -4,15 +4,17 @@ import * as d from './layout.js';
 
 /** The sweeps of block joints for one row between two bodies, straight-line. All else is done there. */
 
-/** One velocity sweep: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
-export function solveVelocityRows(data: SolverData, start: number, end: number): void {
+/** One velocity sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
+export function solveVelocityRows(data: SolverData, start: number, end: number, isBack: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = data.velocity;
   const { layout } = joints[start]!;
   const { impulse, bias, jacobian, matrix, low, high, total, size } = layout;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  const step = isBack ? -1 : 1;
+  let k = isBack ? end - 1 : start;
+  let i = joints[k]!.at;
+  let n = joints[k]!.first;
+  for (; k >= start && k < end; k += step, i = (i + step * size) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     const row = (i + jacobian) & d.OFFSET;
@@ -57,15 +59,17 @@ export function solveVelocityRows(data: SolverData, start: number, end: number):
   }
 }
 
-/** One sweep of a position iteration: moves the bodies by −M⁻¹·Jᵀ·C / K, C as its linear part has it. */
-export function pushRows(data: SolverData, start: number, end: number): void {
+/** One sweep of a position iteration, from the first to the last, or back: moves the bodies by −M⁻¹·Jᵀ·C / K, C as its linear part has it. */
+export function pushRows(data: SolverData, start: number, end: number, isBack: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const { motion: q } = data;
   const { layout } = joints[start]!;
   const { push, error, turned, matrix, low, high, size } = layout;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + size) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  const step = isBack ? -1 : 1;
+  let k = isBack ? end - 1 : start;
+  let i = joints[k]!.at;
+  let n = joints[k]!.first;
+  for (; k >= start && k < end; k += step, i = (i + step * size) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     if (r[i + j.PUSH] === 0) {
       continue;
     }

@@ -122,13 +122,14 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
   }
 }
 
-/** One velocity sweep: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
-export function solveVelocityTurns(data: SolverData, start: number, end: number): void {
+/** One velocity sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
+export function solveVelocityTurns(data: SolverData, start: number, end: number, isBack: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const { velocity: v } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  const step = isBack ? -1 : 1;
+  let i = joints[isBack ? end - 1 : start]!.at;
+  let n = joints[isBack ? end - 1 : start]!.first;
+  for (let k = start; k < end; k += 1, i = (i + step * j.TURN_STRIDE) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     const ratio = r[i + j.TURN_RATIO]!;
@@ -149,14 +150,15 @@ export function solveVelocityTurns(data: SolverData, start: number, end: number)
   }
 }
 
-/** One position sweep. @returns whether an error was worth another iteration. */
-export function pushTurns(data: SolverData, start: number, end: number): boolean {
+/** One position sweep, from the first to the last, or back. @returns whether an error was worth another iteration. */
+export function pushTurns(data: SolverData, start: number, end: number, isBack: boolean): boolean {
   const { records: r, bodies, joints } = data.joints;
   const { motion: q } = data;
-  let i = joints[start]!.at;
-  let n = joints[start]!.first;
+  const step = isBack ? -1 : 1;
+  let i = joints[isBack ? end - 1 : start]!.at;
+  let n = joints[isBack ? end - 1 : start]!.first;
   let found = false;
-  for (let k = start; k < end; k += 1, i = (i + j.TURN_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+  for (let k = start; k < end; k += 1, i = (i + step * j.TURN_STRIDE) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     if (r[i + j.PUSH] === 0) {
       continue;
     }

@@ -242,7 +242,7 @@ describe.each([
             const data = filledWithPoints(kernels, drawn, bodies);
             data.joints.worst[0] = share;
             data.joints.share[0] = share;
-            const result = loop(data, from, to);
+            const result = loop(data, from, to, false);
             const { velocity, motion, points, joints } = data;
             const records = joints.joints.map(({ slot }) =>
               Array.from({ length: POINT_STRIDE }, (_, n) => points[recordAt(slot, POINT_STRIDE) + 2 * n]),
