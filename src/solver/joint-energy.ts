@@ -2,7 +2,7 @@ import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_E
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
-import { endOfMembers, firstMember, markMembers } from './joint-numbers.js';
+import { endOfMembers, firstMember, markMembers, visit } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
@@ -40,7 +40,7 @@ export function mayMakeEnergy(data: SolverData, group: Group): boolean {
     const joint = joints[k]!;
     const { kernel, first, layout } = joint;
     for (let member = 0; member < layout.members; member += 1) {
-      count += visit(data, bodies[first + member]!) ? 1 : 0;
+      count += visit(data, bodies[first + member]!, d.MEMBER) ? 1 : 0;
       isFound ||= kernel === POINT ? turnsEasily(data, joint, member) : kernel !== TURN;
     }
   }
@@ -121,7 +121,7 @@ function energyOfLight(data: SolverData, group: Group, x: number, y: number): nu
   let twice = 0;
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (visit(data, i) && isLight(data, i)) {
+    if (visit(data, i, d.MEMBER) && isLight(data, i)) {
       const vx = v[i + d.VX]! - x;
       const vy = v[i + d.VY]! - y;
       const w = v[i + d.W]!;
@@ -142,7 +142,7 @@ function slowDown(data: SolverData, group: Group, keep: number, x: number, y: nu
   let py = 0;
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (visit(data, i) && isLight(data, i)) {
+    if (visit(data, i, d.MEMBER) && isLight(data, i)) {
       px += ((1 - keep) * (v[i + d.VX]! - x)) / v[i + d.INV_MASS]!;
       py += ((1 - keep) * (v[i + d.VY]! - y)) / v[i + d.INV_MASS]!;
       v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
@@ -162,7 +162,7 @@ function giveBack(data: SolverData, group: Group, px: number, py: number): void 
   const end = endOfMembers(data, group);
   for (let n = firstMember(data, group); n < end; n += 1) {
     const i = bodies[n]!;
-    if (visit(data, i)) {
+    if (visit(data, i, d.MEMBER)) {
       v[i + d.VX] = v[i + d.VX]! + px / sums[OWN_MASS]!;
       v[i + d.VY] = v[i + d.VY]! + py / sums[OWN_MASS]!;
     }
@@ -179,7 +179,7 @@ function measure(data: SolverData, group: Group): void {
     const i = bodies[n]!;
     if (i === 0) {
       sums[MASS] = Infinity;
-    } else if (visit(data, i)) {
+    } else if (visit(data, i, d.MEMBER)) {
       add(data, i);
       sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, data.velocity[i + d.INV_MASS]!);
     }
@@ -195,14 +195,6 @@ function measure(data: SolverData, group: Group): void {
   if (group.touched && !group.isAfloat) {
     sums[MASS] = Infinity;
   }
-}
-
-/** Whether a body has a slot, and comes for the first time: it is marked for that with MEMBER. */
-export function visit({ traits }: SolverData, offset: number): boolean {
-  const slot = offset / d.BODY_STRIDE;
-  const isFirst = slot > 0 && (traits[slot]! & d.MEMBER) === 0;
-  traits[slot] = traits[slot]! | d.MEMBER;
-  return isFirst;
 }
 
 /**

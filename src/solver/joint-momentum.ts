@@ -16,8 +16,8 @@ import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, TURN } from './joint-layout.js';
-import { carryAt, impulseAt, markMembers, numbersOf, steady } from './joint-numbers.js';
-import { INV_MASS, MEMBER, SEEN, TOUCHED } from './layout.js';
+import { carryAt, impulseAt, markMembers, numbersOf, steady, visit } from './joint-numbers.js';
+import { BODY_STRIDE, INV_MASS, MEMBER, SEEN, TOUCHED } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
 
@@ -157,7 +157,6 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
 
 /** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart; if not all are asked for, only whether there are some. */
 function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
-  const { traits } = data;
   const { joints } = data.joints;
   let found = 0;
   markMembers(data, group, MEMBER);
@@ -165,10 +164,7 @@ function findTouching(data: SolverData, group: Group, areAllAsked: boolean): num
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {
       const body = members[n]!;
-      if (body.kind === DYNAMIC && (traits[body.slot]! & SEEN) === 0) {
-        traits[body.slot] = traits[body.slot]! | SEEN;
-        found |= touchingOf(data, body);
-      }
+      if (body.kind === DYNAMIC && visit(data, body.slot * BODY_STRIDE, SEEN)) found |= touchingOf(data, body);
     }
   }
   markMembers(data, group, 0);

@@ -100,6 +100,14 @@ export function markMembers(data: SolverData, group: Group, mark: number): void 
   }
 }
 
+/** Whether a body has a slot, and comes for the first time: it is marked for that. */
+export function visit({ traits }: SolverData, offset: number, mark: number): boolean {
+  const slot = offset / BODY_STRIDE;
+  const isFirst = slot > 0 && (traits[slot]! & mark) === 0;
+  traits[slot] = traits[slot]! | mark;
+  return isFirst;
+}
+
 /** By what speed a motor misses its rate, if it gives less than it may; its impulse is at that offset of its record. */
 export function noteLag({ joints: { records: r, lag } }: SolverData, i: number, impulse: number, speed: number): void {
   const miss = Math.abs(speed);

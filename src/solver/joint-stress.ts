@@ -4,8 +4,7 @@ import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-j
 import type { Constraint } from '../constraint/constraint.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
-import { visit } from './joint-energy.js';
-import { endOfMembers, firstMember, heldRows, impulseAt, markMembers, numbersOf } from './joint-numbers.js';
+import { endOfMembers, firstMember, heldRows, impulseAt, markMembers, numbersOf, visit } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Where there are more welds or points than hold the bodies together, as in frames and wheels, in nets, and between two bodies that are hinged twice, they may pull against each other, which moves nothing: no sweep sees such a
@@ -29,7 +28,7 @@ export function isOverheld(data: SolverData, group: Group): boolean {
     for (let n = 0; n < layout.members; n += 1) {
       const body = bodies[first + n]!;
       const moves = body > 0 && constraint.members[n]!.kind === DYNAMIC;
-      movers += moves && visit(data, body) ? 1 : 0;
+      movers += moves && visit(data, body, d.MEMBER) ? 1 : 0;
       isHeld ||= !moves;
     }
   }

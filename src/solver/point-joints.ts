@@ -148,7 +148,7 @@ function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Join
 
 /**
  * Joints from one to another, by a fast loop, if there is one, and by the plain one what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
- * at once if both are wanted. @returns what they find together.
+ * at once if both are wanted. Back it goes by the plain loop. @returns what they find together.
  */
 function solve(
   data: SolverData,

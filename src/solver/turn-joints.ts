@@ -127,9 +127,10 @@ export function solveVelocityTurns(data: SolverData, start: number, end: number,
   const { records: r, bodies, joints } = data.joints;
   const { velocity: v } = data;
   const step = isBack ? -1 : 1;
-  let i = joints[isBack ? end - 1 : start]!.at;
-  let n = joints[isBack ? end - 1 : start]!.first;
-  for (let k = start; k < end; k += 1, i = (i + step * j.TURN_STRIDE) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
+  let k = isBack ? end - 1 : start;
+  let i = joints[k]!.at;
+  let n = joints[k]!.first;
+  for (; k >= start && k < end; k += step, i = (i + step * j.TURN_STRIDE) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     const ratio = r[i + j.TURN_RATIO]!;
@@ -155,10 +156,11 @@ export function pushTurns(data: SolverData, start: number, end: number, isBack: 
   const { records: r, bodies, joints } = data.joints;
   const { motion: q } = data;
   const step = isBack ? -1 : 1;
-  let i = joints[isBack ? end - 1 : start]!.at;
-  let n = joints[isBack ? end - 1 : start]!.first;
+  let k = isBack ? end - 1 : start;
+  let i = joints[k]!.at;
+  let n = joints[k]!.first;
   let found = false;
-  for (let k = start; k < end; k += 1, i = (i + step * j.TURN_STRIDE) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
+  for (; k >= start && k < end; k += step, i = (i + step * j.TURN_STRIDE) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     if (r[i + j.PUSH] === 0) {
       continue;
     }
