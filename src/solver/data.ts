@@ -118,7 +118,7 @@ export class BounceList {
 }
 
 /** How many numbers are kept of each. */
-export const TURNING_STRIDE = 6;
+export const TURNING_STRIDE = 7;
 
 /** Contacts of bodies that turn together, see `turning.ts`. What lies beyond the count is old. */
 export class TurningList {

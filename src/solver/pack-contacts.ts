@@ -325,13 +325,8 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC || (either & d.RUBS) !== 0) {
     packSurfaces(data, batch, index, pair);
   }
-  // In heaps of single dynamic bodies it would only take its time, and tracks open where links run on wheels.
-  if (
-    wA * wB > TURNS_TOGETHER &&
-    (mA === 0 || mB === 0 || (either & (d.LINKED | d.COMPOUND)) !== 0) &&
-    pair.shapeA.kind === POLYGON &&
-    pair.shapeB.kind === POLYGON
-  ) {
+  // In heaps of single dynamic bodies it would only take its time.
+  if (wA * wB > TURNS_TOGETHER && (mA === 0 || mB === 0 || (either & (d.LINKED | d.COMPOUND)) !== 0)) {
     keepNormal(data, contact);
   }
   if (n[o + c.ELASTICITY]! > 0) {

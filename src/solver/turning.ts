@@ -9,7 +9,7 @@ import * as d from './layout.js';
 /** rad. What turns farther in a step meets something else before it ends. */
 const MOST_BEND = 0.5;
 
-/** Keeps the normal of a contact, both separations, and what its surfaces move by. */
+/** Keeps the normal of a contact, both separations, what its surfaces move by, and how far its points are from the pivots of circles. */
 export function keepNormal(data: SolverData, contact: number): void {
   const { turning } = data;
   const { records: r, stride } = batchOf(data, contact);
@@ -23,6 +23,8 @@ export function keepNormal(data: SolverData, contact: number): void {
   kept[k + 3] = r[other + d.START1]!;
   kept[k + 4] = r[at + d.SURFACE_N]!;
   kept[k + 5] = r[at + d.SURFACE_T]!;
+  kept[k + 6] =
+    stride === d.TWO_STRIDE ? 0 : r[at + d.RT_B]! - r[at + d.PIVOT_B]! - r[at + d.RT_A]! + r[at + d.PIVOT_A]!;
 }
 
 /** Turns them with their bodies, before a sub-step of length h. */
@@ -35,7 +37,7 @@ export function turnContacts(data: SolverData, h: number): void {
 
 /**
  * What moves as one turns as both bodies do, and as the line between their centres: two wheels that rub on each other do not. Separations are found from what they were as the step began, by the normal of then: what the new one
- * would change of them goes into that. What moves as one goes along arcs, in a sub-step by −w²·h/2 times the way between the centres off the tangents: by its velocity alone what sits on a platform that rocks would creep
+ * would change of them goes into that, as does what a circle, whose pivot is its centre, would seem to sink by while it goes along. What moves as one goes along arcs, in a sub-step by −w²·h/2 times the way between the centres off the tangents: by its velocity alone what sits on a platform that rocks would creep
  * outwards, by 2 mm a second at 2 m. What bounces does not.
  */
 function turn(data: SolverData, contact: number, k: number, h: number): void {
@@ -65,7 +67,7 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const c = Math.sqrt(Math.max(0, 1 - s * s));
   const turnedX = c * nx - s * ny;
   const turnedY = s * nx + c * ny;
-  const apart = (nx - turnedX) * dx + (ny - turnedY) * dy;
+  const apart = (nx - turnedX) * dx + (ny - turnedY) * dy + (c - 1) * kept[k + 6]!;
   r[at + d.NX] = turnedX;
   r[at + d.NY] = turnedY;
   r[at + d.START1] = kept[k + 2]! + apart;

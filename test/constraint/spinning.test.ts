@@ -177,6 +177,76 @@ describe('what is joined, and touches itself', () => {
   });
 });
 
+describe('what is joined, and touches itself with its circles', () => {
+  /** How much of the energy and of the angular momentum is left after 10 s, and the most energy there was, of that at the start. */
+  function kept(world: World): { energy: number; momentum: number; most: number } {
+    const start = { energy: kineticOf(world), momentum: angularMomentum(world) };
+    let most = 0;
+    for (let i = 0; i < 10; i += 1) {
+      steps(world, 60);
+      most = Math.max(most, kineticOf(world) / start.energy);
+    }
+    const left = { energy: kineticOf(world) / start.energy, momentum: angularMomentum(world) / start.momentum, most };
+    console.log(`10 s: energy × ${left.energy.toFixed(4)}, angular momentum × ${left.momentum.toFixed(4)}`);
+    return left;
+  }
+
+  it.each([1, 3, 6])('three welded discs turn on at %d rad/s', (rate) => {
+    const world = weightless();
+    const [one, two, three] = [-1, 0, 1].map((x) => turn(free({ position: [x, 0], shapes: [disc(0.5)] }), rate));
+    add(world, one!, two!, three!);
+    weld(world, one!, two!, [-0.5, 0], false);
+    weld(world, two!, three!, [0.5, 0], false);
+    const { energy, momentum, most } = kept(world);
+    expect(energy).toBeGreaterThan(0.99);
+    expect(momentum).toBeGreaterThan(0.99);
+    expect(most).toBeLessThan(1);
+  });
+
+  it.each([1, 3, 6])('a net of 4 × 4 discs that touch turns on at %d rad/s', (rate) => {
+    const world = weightless();
+    const discs = Array.from({ length: 16 }, (_, i) =>
+      turn(free({ position: [(i % 4) - 1.5, Math.floor(i / 4) - 1.5], shapes: [disc(0.5)] }), rate),
+    );
+    add(world, ...discs);
+    discs.forEach((body, i) => {
+      if (i % 4 < 3) pin(world, body, [0.5, 0], discs[i + 1]!, [-0.5, 0], false);
+      if (i < 12) pin(world, body, [0, 0.5], discs[i + 4]!, [0, -0.5], false);
+    });
+    const { energy, momentum, most } = kept(world);
+    expect(energy).toBeGreaterThan(0.99);
+    expect(momentum).toBeGreaterThan(0.99);
+    expect(most).toBeLessThan(1);
+  });
+
+  it.each([1, 3, 6])('chains of boxes and discs gain nothing at %d rad/s', (rate) => {
+    const world = weightless();
+    const links = Array.from({ length: 10 }, (_, i) =>
+      turn(free({ position: [0.3 * (i - 4.5), 0], shapes: [i % 2 === 0 ? box(0.3, 0.1) : disc(0.15)] }), rate),
+    );
+    add(world, ...links);
+    for (let i = 1; i < 10; i += 1) pin(world, links[i - 1]!, [0.15, 0], links[i]!, [-0.15, 0], false);
+    const { energy, momentum, most } = kept(world);
+    expect(energy).toBeGreaterThan(0.99);
+    expect(momentum).toBeGreaterThan(0.99);
+    expect(most).toBeLessThan(1);
+  });
+
+  it('a car whose wheels overlap it turns on, but for what its wheels that are pushed apart take', () => {
+    const world = weightless();
+    const car = turn(free({ shapes: [box(3, 0.6)] }), 3);
+    const wheels = [-1, 1].map((x) => turn(free({ position: [x, 0.4], shapes: [disc(0.4)] }), 3));
+    add(world, car, ...wheels);
+    wheels.forEach((wheel, i) => {
+      pin(world, car, [2 * i - 1, 0.4], wheel, [0, 0], false);
+    });
+    const { energy, momentum, most } = kept(world);
+    expect(energy).toBeGreaterThan(0.8);
+    expect(momentum).toBeGreaterThan(0.9);
+    expect(most).toBeLessThan(1);
+  });
+});
+
 describe('soft joints', () => {
   it('of a chain that they let hang apart keep its angular momentum', () => {
     const world = weightless();

@@ -55,22 +55,55 @@ function buildTank(world: World): { hull: RigidBody; joints: PointConstraint[] }
 }
 
 describe('a tank on its tracks', () => {
-  it('goes over stones, and its track stays together', () => {
-    const world = phys2D.createWorld();
-    world.addRigidBody(staticBody({ shapes: [box(200, 2)], position: [0, 1] }));
-    for (let i = 0; i < 20; i += 1) {
-      const place = { position: [6 + 2.2 * i, -0.05] as Vec2, rotation: 0.3 * ((i % 3) - 1) };
-      world.addRigidBody(staticBody({ shapes: [box(0.6, 0.3)], ...place }));
+  function buildGround(world: World): void {
+    world.addRigidBody(staticBody({ shapes: [box(400, 2)], position: [0, 1] }));
+  }
+
+  // A link that is pinched between a wheel and the corner of a stone is torn from the next one, for a step or two.
+  it('goes over stones, wherever they lie, and its track stays together', () => {
+    const gaps: number[] = [];
+    for (const shift of [0, 0.2, 0.4, 0.6, 0.8]) {
+      const world = phys2D.createWorld();
+      buildGround(world);
+      for (let i = 0; i < 20; i += 1) {
+        const place = { position: [6 + shift + 2.2 * i, -0.05] as Vec2, rotation: 0.3 * ((i % 3) - 1) };
+        world.addRigidBody(staticBody({ shapes: [box(0.6, 0.3)], ...place }));
+      }
+      const { hull, joints } = buildTank(world);
+      steps(world, 30);
+      for (let i = 0; i < 900; i += 1) {
+        steps(world, 1);
+        gaps.push(worstGap(joints));
+      }
+      expect(hull.getPosition()[0]).toBeGreaterThan(55);
+      expect(Math.abs(hull.getRotation())).toBeLessThan(0.3);
     }
+    const mean = gaps.reduce((sum, gap) => sum + gap, 0) / gaps.length;
+    const open = gaps.filter((gap) => gap > 0.015).length;
+    const most = Math.max(...gaps);
+    console.log(
+      `tracks over stones: worst gap of a step ${(1000 * mean).toFixed(2)} mm in the mean, ${(1000 * most).toFixed(0)} mm at most, above 15 mm in ${open} steps of ${gaps.length}`,
+    );
+    expect(mean).toBeLessThan(0.006);
+    expect(most).toBeLessThan(0.12);
+    expect(open).toBeLessThan(24);
+  });
+
+  it.each([60, 240, 480])('is as fast at %d steps a second', (rate) => {
+    const world = phys2D.createWorld();
+    buildGround(world);
     const { hull, joints } = buildTank(world);
-    steps(world, 30);
-    const gaps = Array.from({ length: 1200 }, () => {
-      world.step(1 / 60);
-      return worstGap(joints);
-    });
-    expect(hull.getPosition()[0]).toBeGreaterThan(60);
-    expect(Math.abs(hull.getRotation())).toBeLessThan(0.3);
-    expect(Math.max(...gaps)).toBeLessThan(0.06);
-    expect(gaps.filter((gap) => gap > 0.015).length, 'steps with a gap above 15 mm').toBeLessThan(12);
+    let worst = 0;
+    for (let i = 0; i < 5 * rate; i += 1) {
+      world.step(1 / rate);
+      worst = Math.max(worst, worstGap(joints));
+    }
+    const [x] = hull.getPosition();
+    console.log(
+      `tank at ${rate} steps a second: ${x.toFixed(1)} m in 5 s, gaps of at most ${(1000 * worst).toFixed(1)} mm`,
+    );
+    expect(x).toBeGreaterThan(17);
+    expect(x).toBeLessThan(24);
+    expect(worst).toBeLessThan(0.015);
   });
 });
