@@ -84,8 +84,10 @@ export class Group {
   isDriven = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
-  /** There are more welds or points than are needed: see `joint-stress.ts`. */
+  /** Its joints may pull against each other: see `joint-stress.ts`; … */
   isOverheld = false;
+  /** … there are more than are needed, so that what each of them gives is not determined. */
+  isIndeterminate = false;
   /** They may make energy all the same, if sub-steps are too long for them … */
   mayGain = false;
   /** … and are looked at in this step for what they make: see `joint-energy.ts`. */

@@ -42,7 +42,7 @@ import {
 } from './joint-layout.js';
 import { isBlocked, steadyTouched } from './joint-momentum.js';
 import { heldRows, steady } from './joint-numbers.js';
-import { isOverheld } from './joint-stress.js';
+import { lookAtStress } from './joint-stress.js';
 import { INV_MASS } from './layout.js';
 import { findStrained } from './point-joints.js';
 
@@ -58,7 +58,7 @@ export function lookAtKinds(data: SolverData, group: Group): void {
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
     group.isDriven ||= constraint.drives;
   }
-  group.isOverheld = isOverheld(data, group);
+  lookAtStress(data, group);
 }
 
 /** Before it is found which joints of a group are strained; blocks and turns note it as they are warm started. */
@@ -244,7 +244,11 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   }
 }
 
-function mayBeFirm({ touched, stands, isHeld, isMechanism, start, end, untouched }: Group): boolean {
+/** Not where there are more joints than are needed: gradients would make them give ever more against each other, and corrections momentum of that. */
+function mayBeFirm({ touched, stands, isHeld, isMechanism, isIndeterminate, start, end, untouched }: Group): boolean {
+  if (isIndeterminate) {
+    return false;
+  }
   if (touched) {
     return isMechanism && stands;
   }

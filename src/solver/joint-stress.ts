@@ -11,9 +11,9 @@ import * as d from './layout.js';
 // stress, and it stays. As the bodies turn what joints give would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
 
 /**
- * Whether what rigid joints of a group give may be against each other: they have more rows than their bodies can move, or those between two bodies have. Points alone may with as many: a net of 3 × 3 folds all the same.
+ * Finds whether what rigid joints of a group give may be against each other: they have more rows than their bodies can move, or those between two bodies have. Points alone may with as many: a net of 3 × 3 folds all the same.
  */
-export function isOverheld(data: SolverData, group: Group): boolean {
+export function lookAtStress(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   let rows = 0;
   let movers = 0;
@@ -34,7 +34,8 @@ export function isOverheld(data: SolverData, group: Group): boolean {
   }
   markMembers(data, group, 0);
   const most = 3 * (movers - (isHeld ? 0 : 1));
-  return rows > most || (rows === most && !hasWelds) || hasOverheldPair(data, group);
+  group.isIndeterminate = rows > most || hasOverheldPair(data, group);
+  group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
 }
 
 function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Group): boolean {
