@@ -86,7 +86,7 @@ export class Group {
   frequency = 0;
   /** Its joints may pull against each other: see `joint-stress.ts`; … */
   isOverheld = false;
-  /** … there are more than are needed, so that what each of them gives is not determined. */
+  /** … there are more than are needed, so that what each of them gives is not determined: these are never solved to their end. */
   isIndeterminate = false;
   /** They may make energy all the same, if sub-steps are too long for them … */
   mayGain = false;

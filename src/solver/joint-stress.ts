@@ -11,7 +11,8 @@ import * as d from './layout.js';
 // stress, and it stays. As the bodies turn what joints give would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
 
 /**
- * Finds whether what rigid joints of a group give may be against each other: they have more rows than their bodies can move, or those between two bodies have. Points alone may with as many: a net of 3 × 3 folds all the same.
+ * Finds whether there are more rigid joints in a group than are needed: they have more rows than their bodies can move, or those between two bodies have. What they give may then be against each other. That of points alone may with as
+ * many rows, too: a net of 3 × 3 folds all the same.
  */
 export function lookAtStress(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;

@@ -88,6 +88,18 @@ export function pin(
   return joint;
 }
 
+/** The same, where a point of the world is. */
+export function pinAt(
+  world: World,
+  bodyA: RigidBody,
+  bodyB: RigidBody,
+  at: Vec2,
+  ignoreInteractions = true,
+): PointConstraint {
+  const [anchorA, anchorB] = [bodyA, bodyB].map((body) => body.transformWorldPointToLocal(at));
+  return pin(world, bodyA, anchorA!, bodyB, anchorB!, ignoreInteractions);
+}
+
 export function tie(world: World, ...constraints: Constraint[]): void {
   for (const constraint of constraints) {
     expect(world.addConstraint(constraint)).toBe(true);

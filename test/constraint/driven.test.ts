@@ -1,13 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import {
-  type LineConstraint,
-  type PointConstraint,
-  phys2D,
-  type RigidBody,
-  type Vec2,
-  type World,
-} from '../../src/index.js';
-import { add, addFloor, box, boxBody, heavy, pin, staticBody, steps, tie } from '../conformance/setting.js';
+import { type LineConstraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { add, addFloor, box, boxBody, heavy, pin, pinAt, staticBody, steps, tie } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 
 // What a motor drives turns as fast as it is asked to, however light that is, and however heavy what hangs on it: a sweep hands on little of what a motor gives.
@@ -118,8 +111,6 @@ describe('a scissor lift, pushed together by three tenths in three seconds', () 
       add(world, body);
       return body;
     };
-    const hinge = (bodyA: RigidBody, bodyB: RigidBody, at: Vec2): PointConstraint =>
-      pin(world, bodyA, bodyA.transformWorldPointToLocal(at), bodyB, bodyB.transformWorldPointToLocal(at));
     const rail = (bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, at: Vec2, upperBound: number): LineConstraint => {
       const anchors = { anchorA, anchorB: bodyB.transformWorldPointToLocal(at) };
       const slide = phys2D.createLineConstraint({ bodyA, bodyB, axis: [1, 0], ...anchors, lowerBound: 0, upperBound });
@@ -132,14 +123,14 @@ describe('a scissor lift, pushed together by three tenths in three seconds', () 
       const y = -i / 2;
       const rising = bar([0, y], [1, y - 0.5], 1);
       const falling = bar([1, y], [0, y - 0.5], 1);
-      hinge(rising, falling, [0.5, y - 0.25]);
-      hinge(before, i === 0 ? rising : falling, i === 0 ? [0, 0] : [1, y]);
+      pinAt(world, rising, falling, [0.5, y - 0.25]);
+      pinAt(world, before, i === 0 ? rising : falling, i === 0 ? [0, 0] : [1, y]);
       if (i === 0) slide = rail(frame, [0, 0], falling, [1, 0], 1);
-      else hinge(beside, rising, [0, y]);
+      else pinAt(world, beside, rising, [0, y]);
       [before, beside] = [rising, falling];
     }
     const top = bar([0, -stages / 2], [1, -stages / 2], load);
-    hinge(beside, top, [0, -stages / 2]);
+    pinAt(world, beside, top, [0, -stages / 2]);
     rail(top, [-0.5, 0], before, [1, -stages / 2], 1.1);
     return { top, slide: slide! };
   }

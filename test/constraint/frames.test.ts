@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
-import { add, box, heavy, staticBody, steps, weightless } from '../conformance/setting.js';
+import { add, box, heavy, pinAt, staticBody, steps, weightless } from '../conformance/setting.js';
 import { generator as random } from '../scenes/mixed.js';
 import { dense, free, turn, weld } from './welded.js';
 
@@ -169,12 +169,7 @@ describe('a hinged bridge under a box', () => {
     add(world, ...banks, ...planks, load);
     const parts = [banks[0]!, ...planks, banks[1]!];
     for (let i = 0; i <= count; i += 1) {
-      const [bodyA, bodyB] = [parts[i]!, parts[i + 1]!];
-      const point: Vec2 = [i * length, 0];
-      const anchorA = bodyA.transformWorldPointToLocal(point);
-      world.addConstraint(
-        phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB: bodyB.transformWorldPointToLocal(point) }),
-      );
+      pinAt(world, parts[i]!, parts[i + 1]!, [i * length, 0], false);
     }
     steps(world, 720);
     expect(world.liveDynamics.length).toBe(0);

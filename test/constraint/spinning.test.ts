@@ -191,16 +191,20 @@ describe('what is joined, and touches itself with its circles', () => {
     return left;
   }
 
+  function expectToTurnOn(world: World): void {
+    const { energy, momentum, most } = kept(world);
+    expect(energy).toBeGreaterThan(0.99);
+    expect(momentum).toBeGreaterThan(0.99);
+    expect(most).toBeLessThan(1);
+  }
+
   it.each([1, 3, 6])('three welded discs turn on at %d rad/s', (rate) => {
     const world = weightless();
     const [one, two, three] = [-1, 0, 1].map((x) => turn(free({ position: [x, 0], shapes: [disc(0.5)] }), rate));
     add(world, one!, two!, three!);
     weld(world, one!, two!, [-0.5, 0], false);
     weld(world, two!, three!, [0.5, 0], false);
-    const { energy, momentum, most } = kept(world);
-    expect(energy).toBeGreaterThan(0.99);
-    expect(momentum).toBeGreaterThan(0.99);
-    expect(most).toBeLessThan(1);
+    expectToTurnOn(world);
   });
 
   it.each([1, 3, 6])('a net of 4 × 4 discs that touch turns on at %d rad/s', (rate) => {
@@ -213,10 +217,7 @@ describe('what is joined, and touches itself with its circles', () => {
       if (i % 4 < 3) pin(world, body, [0.5, 0], discs[i + 1]!, [-0.5, 0], false);
       if (i < 12) pin(world, body, [0, 0.5], discs[i + 4]!, [0, -0.5], false);
     });
-    const { energy, momentum, most } = kept(world);
-    expect(energy).toBeGreaterThan(0.99);
-    expect(momentum).toBeGreaterThan(0.99);
-    expect(most).toBeLessThan(1);
+    expectToTurnOn(world);
   });
 
   it.each([1, 3, 6])('chains of boxes and discs gain nothing at %d rad/s', (rate) => {
@@ -226,10 +227,7 @@ describe('what is joined, and touches itself with its circles', () => {
     );
     add(world, ...links);
     for (let i = 1; i < 10; i += 1) pin(world, links[i - 1]!, [0.15, 0], links[i]!, [-0.15, 0], false);
-    const { energy, momentum, most } = kept(world);
-    expect(energy).toBeGreaterThan(0.99);
-    expect(momentum).toBeGreaterThan(0.99);
-    expect(most).toBeLessThan(1);
+    expectToTurnOn(world);
   });
 
   it('a car whose wheels overlap it turns on, but for what its wheels that are pushed apart take', () => {

@@ -1,15 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
-import { add, box, disc, energyOf, heavy, pin, staticBody, steps } from '../conformance/setting.js';
+import { add, box, disc, energyOf, heavy, pinAt, staticBody, steps } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 import { dense, free, weld } from './welded.js';
 
 // What is held by more joints than it needs, as a plate by two pins, is struck by something: nobody gains anything but what that brought.
-
-/** Pins two bodies where a point of the world is. */
-function pinAt(world: World, bodyA: RigidBody, bodyB: RigidBody, at: Vec2): void {
-  pin(world, bodyA, bodyA.transformWorldPointToLocal(at), bodyB, bodyB.transformWorldPointToLocal(at));
-}
 
 /** Lets balls of 1 to 10 kg/m² fall on a place, and others after them. @returns the energy that they bring, J. */
 function dropBalls(world: World, [x, y]: Vec2, next: () => number): number {
@@ -50,7 +45,7 @@ function anchor(world: World): RigidBody {
 }
 
 describe('struck by balls, nobody gains energy with', () => {
-  it.each(['weld', 'two pins'])('a door on a plate that two pins hold, held itself by a %s', (kind) => {
+  it.each(['a weld', 'two pins'])('a door on a plate that two pins hold, held itself by %s', (kind) => {
     const gained = mostGained(24, (world, next) => {
       const plate = free({ shapes: [dense(0.4, 0.4, 3)] });
       const length = 0.5 + 1.5 * next();
@@ -62,7 +57,7 @@ describe('struck by balls, nobody gains energy with', () => {
       add(world, plate, door);
       pinAt(world, frame, plate, [-0.2, -0.2]);
       pinAt(world, frame, plate, [0.2, -0.2]);
-      if (kind === 'weld') {
+      if (kind === 'a weld') {
         weld(world, plate, door, [0.25, 0]);
       } else {
         pinAt(world, plate, door, [0.25, 0]);

@@ -21,19 +21,8 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['foreseen'],
   group: [
-    ...['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches'],
-    ...[
-      'isDriven',
-      'frequency',
-      'isWatched',
-      'energy',
-      'isFirm',
-      'stands',
-      'isBent',
-      'isOverheld',
-      'isIndeterminate',
-      'isAfloat',
-    ],
+    ...['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches', 'isIndeterminate'],
+    ...['isDriven', 'frequency', 'isWatched', 'energy', 'isFirm', 'stands', 'isBent', 'isOverheld', 'isAfloat'],
   ],
   record: [LOCAL_X, LOCAL_Y, APPROACH].map(String),
 };
