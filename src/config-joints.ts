@@ -42,6 +42,10 @@ export const FIRM_JOINTS = 32;
 /** So few joints that touch nothing are solved to their end whatever they leave to move. */
 export const FIRM_FEW = 4;
 
+/** m. Of two rigid points between the same bodies one keeps their angle only, if they lie so far apart, and on one as far as on the other but for so much: what is less cannot be seen. */
+export const PINS_APART = 1e-3;
+export const PINS_UNLIKE = 1e-4;
+
 /** Rows for each body, of three that would hold it: what has so many leaves little to move. */
 export const FIRM_ROWS = 2.5;
 
@@ -56,6 +60,9 @@ export const JOINT_STILL = 1e-12;
 
 /** A direction that has so little of the energy of the change it was made of has lost it to rounding. */
 export const GRADIENT_LOST = 1e-10;
+
+/** Nor is one followed along which rows give so much against each other that this share is left of what they would change one by one: where a few more joints hold than are needed, followed to its end it is without end. */
+export const GRADIENT_SHARE = 3e-5;
 
 /** m, rad. Only while errors are smaller: linear solutions of larger ones, solved to their end, make energy of large turns. */
 export const FIRM_ERROR = 0.01;

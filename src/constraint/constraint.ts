@@ -98,6 +98,8 @@ export abstract class BaseConstraint {
   ignoreInteractions = false;
   /** @internal has a position error; if not, `measure` gives the velocity J·v is to make up for in place of it */
   positional = true;
+  /** @internal a point beside another one of the same bodies, which keeps only their angle: see `pinned.ts` */
+  keepsAngle = false;
   /** @internal bounds of the last number that `measure` gives, if `bounded`: then it is compared with them, else with 0 */
   lower = 0;
   /** @internal */
@@ -346,6 +348,7 @@ export abstract class BaseConstraint {
     this.woken = tape.flag(this.woken);
     this.enabled = tape.flag(this.enabled);
     this.fresh = tape.flag(this.fresh);
+    this.keepsAngle = tape.flag(this.keepsAngle);
     this.strainedSteps = tape.integer(this.strainedSteps, 0, 0x3fffffff);
     this.stored = tape.number(this.stored);
     this.frequency = tape.number(this.frequency);

@@ -141,6 +141,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     vector(`${this.className}.setAnchor${name}`, 'anchor', anchor, 2);
     if (anchor[0] !== this.anchors[2 * k] || anchor[1] !== this.anchors[2 * k + 1]) {
       this.putAnchor(k, anchor);
+      this.moved();
       this.rouse();
     }
   }
@@ -149,6 +150,9 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   protected takeAnchor(where: string, name: string, k: number, anchor: Vec2Like | undefined): void {
     this.putAnchor(k, vector(where, name, optional(anchor, ORIGIN), 2));
   }
+
+  /** @internal an anchor lies elsewhere than when joints were listed */
+  protected moved(): void {}
 
   /** @internal */
   private putAnchor(k: number, anchor: Vec2Like): void {

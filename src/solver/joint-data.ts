@@ -44,6 +44,8 @@ export interface Joint {
   isBeside: boolean;
   /** Index of its first member in `bodies`. */
   readonly first: number;
+  /** rad. That of a point that keeps an angle, else NaN: see `pinned.ts`. */
+  readonly angle: number;
   /** Pairs of members that are the same body. */
   readonly twins: readonly (readonly [number, number])[];
 }

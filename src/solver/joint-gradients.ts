@@ -1,8 +1,11 @@
-import { GRADIENT_LOST, JOINT_STILL } from '../config-joints.js';
+import { GRADIENT_LOST, GRADIENT_SHARE, JOINT_STILL } from '../config-joints.js';
 import { grown, widened } from '../math/doubles.js';
 import { recordAt, type SolverData } from './data.js';
-import type { Group } from './joint-data.js';
+import type { Group, Joint } from './joint-data.js';
 import {
+  ARM_AX,
+  ARM_AY,
+  ARM_BX,
   OFFSET_X,
   POINT,
   POINT_STRIDE,
@@ -10,6 +13,7 @@ import {
   TURN_BIAS,
   TURN_LOWER,
   TURN_PUSH,
+  TURN_RATIO,
   TURN_UPPER,
   TURN_VALUE,
 } from './joint-layout.js';
@@ -30,6 +34,13 @@ let call = 0;
 /** Where the impulses or pushes of all rows are, of points, which are in an array of their own, less than 0: −1 − index. */
 let places = new Int32Array(0);
 let rowCount = 0;
+/** kg⁻¹, (kg·m²)⁻¹. What a unit of each changes by itself, if nothing else gives way, … */
+let eases = new Float64Array(0);
+/** … and whether it acts within bounds only: 1, else 0. */
+let bounds = new Uint8Array(0);
+/** Some row does; and one of them took hold or let go in the last sweep. */
+let hasBounds = false;
+let hasSwitched = false;
 /** What rows are to meet besides velocities or motion; known after the first sweep. */
 let constants = new Float64Array(0);
 let areKnown = false;
@@ -38,32 +49,62 @@ let start = new Float64Array(0);
 let direction = new Float64Array(0);
 let hasDirection = false;
 
-/** Scratch, as results would be boxed. Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. */
-const sums = new Float64Array(6);
+/** Scratch, as results would be boxed. Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. The energy of the direction if each row were alone. */
+const sums = new Float64Array(7);
 const KINETIC = 0;
 const CHANGED = 1;
 const ALONG = 2;
 const SQUARE = 3;
 const SLOPE = 4;
 const MASS = 5;
+const ALONE = 6;
 
 /** Before the first of several sweeps over velocities or, with `isPush`, positions. */
 export function beginGradients(data: SolverData, group: Group, isPush: boolean): void {
   const { joints } = data.joints;
   findMovers(data, group);
   rowCount = 0;
+  hasBounds = false;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
     const { rows } = joint.layout;
+    const { bounded, lower, upper } = joint.constraint;
     makeRoom(3 * moverCount + rowCount + rows);
     for (let row = 0; row < rows; row += 1) {
       const at = isPush ? pushAt(joint, row) : impulseAt(joint, row);
+      const isBounded = bounded && lower < upper && row === rows - 1;
       places[rowCount] = joint.kernel === POINT ? -1 - at : at;
+      bounds[rowCount] = isBounded ? 1 : 0;
+      hasBounds ||= isBounded;
+      noteEase(data, joint, row);
       rowCount += 1;
     }
   }
   areKnown = false;
   hasDirection = false;
+}
+
+/** K of a row by itself. */
+function noteEase({ joints: data, velocity: v, points: p }: SolverData, joint: Joint, row: number): void {
+  const { bodies, records: r } = data;
+  const { kernel, at, slot, first, layout } = joint;
+  const { members, jacobian } = layout;
+  let sum = 0;
+  for (let k = 0; k < members; k += 1) {
+    const b = bodies[first + k]!;
+    if (kernel === POINT) {
+      const arm = p[recordAt(slot, POINT_STRIDE) + (k === 0 ? ARM_AX : ARM_BX) + (row === 0 ? ARM_AY - ARM_AX : 0)]!;
+      sum += v[b + d.INV_MASS]! + v[b + d.INV_INERTIA]! * arm * arm;
+    } else if (kernel === TURN) {
+      const ratio = k === 0 ? 1 : r[at + TURN_RATIO]!;
+      sum += v[b + d.INV_INERTIA]! * ratio * ratio;
+    } else {
+      const i = at + jacobian + 3 * (row * members + k);
+      sum +=
+        v[b + d.INV_MASS]! * (r[i]! * r[i]! + r[i + 1]! * r[i + 1]!) + v[b + d.INV_INERTIA]! * r[i + 2]! * r[i + 2]!;
+    }
+  }
+  eases[rowCount] = sum;
 }
 
 /** @returns how many bodies of the group can move. */
@@ -96,6 +137,8 @@ function makeRoom(count: number): void {
     movers = widened(movers, new Int32Array(size));
     masses = widened(masses, new Float64Array(2 * size));
     places = widened(places, new Int32Array(size));
+    bounds = widened(bounds, new Uint8Array(size));
+    eases = widened(eases, new Float64Array(size));
     constants = new Float64Array(size);
     start = new Float64Array(size);
     direction = new Float64Array(size);
@@ -134,8 +177,12 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
   }
   if (!areKnown) findConstants(data, group, isPush);
   turn(data, v);
+  const isClear = sums[SQUARE]! > Math.max(GRADIENT_LOST * changed, GRADIENT_SHARE * sums[ALONE]!);
   // Where bounds hold it back it is none: the next sweep begins anew where this one ended.
-  hasDirection = sums[SLOPE]! < 0 && sums[SQUARE]! > GRADIENT_LOST * changed;
+  hasDirection = sums[SLOPE]! < 0 && isClear && !(hasBounds && (hasSwitched || switches(data)));
+  if (hasSwitched) {
+    areKnown = false;
+  }
   if (hasDirection) {
     follow(data, v);
   }
@@ -201,7 +248,9 @@ function turn({ points, joints }: SolverData, v: Float64Array): void {
   const share = hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0;
   let slope = 0;
   let square = 0;
+  let alone = 0;
   let n = 0;
+  hasSwitched = false;
   for (let m = 0; m < moverCount; m += 1, n += 3) {
     const b = movers[m]! & d.OFFSET;
     const px = v[b]! - start[n]! - share * direction[n]!;
@@ -221,9 +270,25 @@ function turn({ points, joints }: SolverData, v: Float64Array): void {
     const change = now - start[n]! - share * direction[n]!;
     direction[n] = change;
     slope += change * constants[row]!;
+    alone += eases[row]! * change * change;
+    hasSwitched ||= bounds[row] === 1 && Math.sign(now) !== Math.sign(start[n]!);
   }
   sums[SLOPE] = slope;
   sums[SQUARE] = square;
+  sums[ALONE] = alone;
+}
+
+/** Whether a bound would take hold or let go on the way along the direction. */
+function switches({ points, joints }: SolverData): boolean {
+  const { records } = joints;
+  const far = -sums[SLOPE]! / sums[SQUARE]!;
+  let n = 3 * moverCount;
+  for (let row = 0; row < rowCount; row += 1, n += 1) {
+    const at = places[row]!;
+    const now = at < 0 ? points[-1 - at]! : records[at]!;
+    if (bounds[row] === 1 && Math.sign(start[n]! + far * direction[n]!) !== Math.sign(now)) return true;
+  }
+  return false;
 }
 
 /** Goes from where the sweep began to the least energy along the direction. */

@@ -92,7 +92,7 @@ export const POINT_STRIDE = 31;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
-/** … angles and motors that do not break … */
+/** … angles, motors, and points beside others, that do not break … */
 export const TURN = 1;
 /** … one row between two bodies … */
 export const ROW = 2;
@@ -102,7 +102,7 @@ export const BLOCK = 3;
 export const CUSTOM = 4;
 
 /**
- * Angles and motors have, after the head, what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K …
+ * These have, after the head, what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K …
  */
 export const TURN_IMPULSE = 13;
 export const TURN_BIAS = 14;
@@ -120,7 +120,11 @@ export const TURN_BOUNDED = 23;
 export const TURN_STILL = 24;
 export const TURN_GIVEN_A = 25;
 export const TURN_GIVEN_B = 26;
-export const TURN_STRIDE = 27;
+/** rad. Of a point that keeps an angle: that, from which bounds are a whole number of turns away; else NaN. */
+export const TURN_ANGLE = 27;
+/** The impulse that the step began with. */
+export const TURN_BEGAN = 28;
+export const TURN_STRIDE = 29;
 
 /** Where things are in the record of any other joint, of D rows and N members. */
 export class BlockLayout {

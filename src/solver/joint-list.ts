@@ -16,8 +16,14 @@ const MOST_RECORDS = 1.5;
 /** From so many rigid point joints on, two groups of as many and nothing else lie side by side. */
 const FEWEST_BESIDE = 4;
 
-/** Appends a constraint to the last group. */
-export function addJoint(data: JointData, constraint: Constraint, kernel: number, layout: BlockLayout): void {
+/** Appends a constraint to the last group, a point that keeps an angle with that. */
+export function addJoint(
+  data: JointData,
+  constraint: Constraint,
+  kernel: number,
+  layout: BlockLayout,
+  angle = Number.NaN,
+): void {
   const { joints, size, members } = data;
   const group = data.groups[data.groups.length - 1]!;
   const twins = twinsOf(constraint.members);
@@ -34,7 +40,7 @@ export function addJoint(data: JointData, constraint: Constraint, kernel: number
     data.runs.push(added);
   }
   const where = { at: size, slot: 0, isPaired: false, isBeside: false, first: members };
-  joints.push({ constraint, kernel, layout, ...where, twins });
+  joints.push({ constraint, kernel, layout, ...where, angle, twins });
   data.size += kernel === POINT ? KEPT_STRIDE : kernel === TURN ? TURN_STRIDE : layout.size;
   data.members += constraint.members.length;
   if (data.pose.length < POSE * layout.members) {

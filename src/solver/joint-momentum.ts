@@ -96,7 +96,11 @@ function hasMuchToBear(data: SolverData, { start, end }: Group): boolean {
 
 /** Whether it keeps its bodies at one angle to each other: what such joints make of many bodies bends and bears like a beam. */
 function holdsAngle({ constraint }: Joint): boolean {
-  return constraint.type === 'WELD' || (constraint.type === 'ANGLE' && constraint.lower === constraint.upper);
+  return (
+    constraint.type === 'WELD' ||
+    constraint.keepsAngle ||
+    (constraint.type === 'ANGLE' && constraint.lower === constraint.upper)
+  );
 }
 
 function hasBeams(joints: readonly Joint[], { start, end }: Group): boolean {

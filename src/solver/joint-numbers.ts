@@ -13,6 +13,7 @@ import {
   PUSH_X,
   SNAPS,
   TURN,
+  TURN_BEGAN,
   TURN_IMPULSE,
   TURN_PUSH,
 } from './joint-layout.js';
@@ -33,8 +34,8 @@ export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): num
 }
 
 /** How many of its rows hold: the last one does not where its bounds lie apart. */
-export function heldRows({ dimension, bounded, lower, upper }: Constraint): number {
-  return dimension - (bounded && lower < upper ? 1 : 0);
+export function heldRows({ dimension, bounded, lower, upper, keepsAngle }: Constraint): number {
+  return keepsAngle ? 1 : dimension - (bounded && lower < upper ? 1 : 0);
 }
 
 /** What position sweeps have corrected of it in this sub-step. */
@@ -67,13 +68,20 @@ export function forgetImpulse(data: SolverData, joint: Joint, share: number): vo
   }
 }
 
-/** Lets the next sub-step start with what the step started with. What is elastic or drives goes on, and a joint whose numbers are in one place only, of which that is not known. */
+/** Lets the next sub-step start with what the step started with. What is elastic or drives goes on. */
 export function startAgain(data: SolverData, joint: Joint): void {
   const { kernel, at, layout, constraint } = joint;
+  const { records } = data.joints;
+  if (constraint.isElastic || constraint.drives) {
+    return;
+  }
+  if (kernel === TURN) {
+    records[at + TURN_IMPULSE] = records[at + TURN_BEGAN]!;
+    return;
+  }
   const numbers = numbersOf(data, joint);
-  const goesOn = kernel === TURN || constraint.isElastic || constraint.drives;
-  for (let row = 0; row < layout.rows && !goesOn; row += 1) {
-    const before = kernel === POINT ? data.joints.records[at + KEPT_IMPULSE_X + row]! : constraint.impulse[row]!;
+  for (let row = 0; row < layout.rows; row += 1) {
+    const before = kernel === POINT ? records[at + KEPT_IMPULSE_X + row]! : constraint.impulse[row]!;
     numbers[impulseAt(joint, row)] = before * data.impulseScale;
   }
 }

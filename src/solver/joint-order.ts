@@ -1,9 +1,11 @@
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
+import type { PointConstraint } from '../constraint/point.js';
 import type { World } from '../world.js';
 import { Group, type JointData } from './joint-data.js';
 import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
 import { addJoint, allot } from './joint-list.js';
+import { angleBeside } from './pinned.js';
 
 /**
  * Neighbours in a ring share a body, and the processor would wait for one before it can begin the next. With 2 nets gape half as far again.
@@ -97,18 +99,25 @@ function breadthFirst(constraints: readonly Constraint[]): Constraint[] {
 
 /** What only turns bodies comes last, where bounds have the last word: between the others it would cut them into short runs, and ragdolls take a fifth longer. */
 function addTurnsLast(joints: JointData, constraints: readonly Constraint[]): void {
-  const turns: Constraint[] = [];
-  const add = (constraint: Constraint, kernel: number) =>
-    addJoint(joints, constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length));
+  const turns: [Constraint, angle: number][] = [];
+  const points = new Set<Constraint>();
   for (const constraint of constraints) {
     const kernel = kernelFor(constraint);
-    if (kernel === TURN) {
-      turns.push(constraint);
-    } else {
-      add(constraint, kernel);
+    const angle = kernel === POINT ? angleBeside(constraint as PointConstraint, points) : Number.NaN;
+    const keepsAngle = !Number.isNaN(angle);
+    if (constraint.keepsAngle !== keepsAngle) {
+      // What it gave it gave by other rows.
+      constraint.forget();
+      constraint.keepsAngle = keepsAngle;
     }
+    if (kernel === TURN || keepsAngle) {
+      turns.push([constraint, angle]);
+      continue;
+    }
+    if (kernel === POINT) points.add(constraint);
+    addJoint(joints, constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length));
   }
-  for (const constraint of turns) {
-    add(constraint, TURN);
+  for (const [constraint, angle] of turns) {
+    addJoint(joints, constraint, TURN, new BlockLayout(1, 2), angle);
   }
 }

@@ -77,8 +77,8 @@ export function turnStress(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
-    const { type } = constraint;
-    if ((type === 'WELD' || type === 'POINT') && isRigid(constraint)) turnImpulse(data, joints[k]!);
+    const { type, keepsAngle } = constraint;
+    if ((type === 'WELD' || (type === 'POINT' && !keepsAngle)) && isRigid(constraint)) turnImpulse(data, joints[k]!);
   }
 }
 

@@ -3,6 +3,7 @@ import { BOUND_SLOP, JOINT_MOMENTUM, JOINT_TOLERANCE } from '../config-joints.js
 import type { AngleConstraint } from '../constraint/angle.js';
 import { ANGLE } from '../constraint/layout.js';
 import type { MotorConstraint } from '../constraint/motor.js';
+import type { PointConstraint } from '../constraint/point.js';
 import type { SolverData } from './data.js';
 import { type Joint, packHead } from './joint-data.js';
 import * as j from './joint-layout.js';
@@ -10,7 +11,7 @@ import { noteLag } from './joint-numbers.js';
 import * as d from './layout.js';
 
 /**
- * Angles and motors that do not break. The method and the record are those of a block joint, but of the one row (0, 0, −1, 0, 0, ratio) only the turns count;
+ * Angles and motors that do not break, and points that keep an angle. The method and the record are those of a block joint, but of the one row (0, 0, −1, 0, 0, ratio) only the turns count;
  * K is the same in the whole step; and the error is linear, so that each position sweep has it exactly, and looks at both bounds.
  */
 
@@ -18,8 +19,8 @@ import * as d from './layout.js';
 export function packTurn(data: SolverData, joint: Joint): void {
   const { records: r, bodies } = data.joints;
   const { at, first } = joint;
-  const constraint = joint.constraint as AngleConstraint | MotorConstraint;
-  const { bodyA, bodyB, ratio, positional, lower, upper } = constraint;
+  const constraint = joint.constraint as AngleConstraint | MotorConstraint | PointConstraint;
+  const { bodyA, bodyB, ratio, positional, lower, upper, type } = constraint;
   const a = constraint.slotOf(bodyA) * d.BODY_STRIDE;
   const b = constraint.slotOf(bodyB) * d.BODY_STRIDE;
   bodies[first] = a;
@@ -32,10 +33,11 @@ export function packTurn(data: SolverData, joint: Joint): void {
   r[at + j.TURN_BOUNDED] = positional ? 1 : 0;
   r[at + j.TURN_LOWER] = lower;
   r[at + j.TURN_UPPER] = upper;
+  r[at + j.TURN_ANGLE] = joint.angle;
   // Of the value, what cannot move adds.
   r[at + j.TURN_STILL] = (b === 0 ? ratio * bodyB.angle : 0) - (a === 0 ? bodyA.angle : 0);
-  if (!positional) {
-    r[at + j.TURN_BIAS] = -(constraint as MotorConstraint).getRate();
+  if (type === 'MOTOR') {
+    r[at + j.TURN_BIAS] = -constraint.getRate();
   }
 }
 
@@ -56,11 +58,24 @@ export function beginTurns(data: SolverData, start: number, end: number): boolea
     const inverse = v[a + d.INV_INERTIA]! + ratio * ratio * v[b + d.INV_INERTIA]!;
     r[i + j.TURN_MASS] = inverse > MIN_INVERSE_MASS && inverse < Infinity ? 1 / inverse : 0;
     r[i + j.TURN_IMPULSE] = r[i + j.TURN_IMPULSE]! * scale;
+    r[i + j.TURN_BEGAN] = r[i + j.TURN_IMPULSE]!;
     r[i + j.TURN_GIVEN_A] = 0;
     r[i + j.TURN_GIVEN_B] = 0;
     r[i + j.CARRY] = carry;
+    if (!Number.isNaN(r[i + j.TURN_ANGLE]!)) {
+      wind(data, i, a, b);
+    }
   }
   return touched !== 0;
+}
+
+/** What keeps an angle keeps the one that is nearest, of all that are whole turns apart. */
+function wind({ joints: { records: r }, pose: p }: SolverData, i: number, a: number, b: number): void {
+  const angle = r[i + j.TURN_ANGLE]!;
+  const value = r[i + j.TURN_STILL]! + p[b + ANGLE]! - p[a + ANGLE]!;
+  const bound = angle + 2 * Math.PI * Math.round((value - angle) / (2 * Math.PI));
+  r[i + j.TURN_LOWER] = bound;
+  r[i + j.TURN_UPPER] = bound;
 }
 
 /** Starts a sub-step: where each is between its bounds, how fast it may turn, and the impulse of the last sub-step once more. */
