@@ -74,7 +74,7 @@ class LikelyFirst extends BaseSequencer {
 export default defineConfig({
   test: {
     include: FOLDERS[process.env.MUTATED].map((name) => `test/${name}{*,/**/*}.test.ts`),
-    // Too slow, and in a process of its own, where nothing is mutated.
+    // Too slow.
     exclude: ['test/geometry/many.test.ts'],
     sequence: { sequencer: LikelyFirst },
     // Files share one process, four times as fast: then what Stryker prepares for each has to be loaded anew, as files of packages are not.
