@@ -2,7 +2,7 @@ import { grown } from '../math/doubles.js';
 import type { World } from '../world.js';
 import { type ContactBatch, recordAt, type SolverData } from './data.js';
 import type { Group } from './joint-data.js';
-import { endOfMembers, firstMember, markMembers } from './joint-numbers.js';
+import { markBodies } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // With what joints that hang together exchange energy: all bodies that touch theirs or are tied to these, and so on.
@@ -53,23 +53,22 @@ export function findCompanies({ solver, liveDynamics }: World): void {
 
 /** Lists who is with the bodies of a group, that is with the first of them that can be pushed, and not of them. @returns whether nothing drives any of them, and they are not too many. */
 export function findGuests(data: SolverData, group: Group): boolean {
-  const { traits, velocity, joints } = data;
-  const { guests } = group;
-  const end = endOfMembers(data, group);
+  const { traits, velocity } = data;
+  const { guests, bodies } = group;
   let at = 0;
-  for (let n = firstMember(data, group); n < end && velocity[at + d.INV_MASS] === 0; n += 1) {
-    at = joints.bodies[n]!;
+  for (let n = 0; n < bodies.count && velocity[at + d.INV_MASS] === 0; n += 1) {
+    at = bodies.items[n]!;
   }
   const root = rootOf(at / d.BODY_STRIDE);
   group.isAfloat = held[root] === 0;
   if (driven[root] === 1 || size[root]! > group.end - group.start + 1 + MOST_GUESTS) {
     return false;
   }
-  markMembers(data, group, d.MEMBER);
+  markBodies(data, group, d.MEMBER);
   for (let other = first[root]!; other > 0; other = next[other]!) {
     if ((traits[other]! & d.MEMBER) === 0) guests.add(other * d.BODY_STRIDE);
   }
-  markMembers(data, group, 0);
+  markBodies(data, group, 0);
   return true;
 }
 

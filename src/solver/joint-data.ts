@@ -63,6 +63,10 @@ export interface Run {
 export class Group {
   end: number;
   readonly runs: Run[] = [];
+  /** Offsets of the bodies that move, each once … */
+  readonly bodies = new List<number>();
+  /** … and whether a joint holds something else, too. */
+  isAnchored = false;
   /** m, rad. The part of the worst error for which it is swept over once more. */
   tolerance = 0;
   /** One of the joints was changed before this step, or they hang together in another way: some may have gone. */

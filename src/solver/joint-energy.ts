@@ -2,7 +2,6 @@ import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_E
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
-import { endOfMembers, firstMember, markMembers, visit } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
@@ -33,19 +32,15 @@ let isCarried = false;
  * may in any case, but for those that only turn.
  */
 export function mayMakeEnergy(data: SolverData, group: Group): boolean {
-  const { joints, bodies } = data.joints;
-  let count = 0;
-  let isFound = group.burdened;
-  for (let k = group.start; k < group.end && !isFound; k += 1) {
+  const { joints } = data.joints;
+  const { start, end, bodies } = group;
+  let isFound = group.burdened || end - start > bodies.count;
+  for (let k = start; k < end && !isFound; k += 1) {
     const joint = joints[k]!;
-    const { kernel, first, layout } = joint;
-    for (let member = 0; member < layout.members; member += 1) {
-      count += visit(data, bodies[first + member]!, d.MEMBER) ? 1 : 0;
-      isFound ||= kernel === POINT ? turnsEasily(data, joint, member) : kernel !== TURN;
-    }
+    const { kernel } = joint;
+    isFound = kernel === POINT ? turnsEasily(data, joint, 0) || turnsEasily(data, joint, 1) : kernel !== TURN;
   }
-  markMembers(data, group, 0);
-  return isFound || group.end - group.start > count;
+  return isFound;
 }
 
 /** Whether what a point joint gives one of its bodies turns it far more than it moves it. */
@@ -116,12 +111,11 @@ function isLight({ velocity: v }: SolverData, offset: number): boolean {
 /** J. Kinetic energy of the light bodies against a common velocity. */
 function energyOfLight(data: SolverData, group: Group, x: number, y: number): number {
   const { velocity: v } = data;
-  const { bodies } = data.joints;
-  const end = endOfMembers(data, group);
+  const { items, count } = group.bodies;
   let twice = 0;
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    const i = bodies[n]!;
-    if (visit(data, i, d.MEMBER) && isLight(data, i)) {
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    if (isLight(data, i)) {
       const vx = v[i + d.VX]! - x;
       const vy = v[i + d.VY]! - y;
       const w = v[i + d.W]!;
@@ -129,20 +123,18 @@ function energyOfLight(data: SolverData, group: Group, x: number, y: number): nu
       twice += v[i + d.INV_INERTIA]! > 0 ? (w * w) / v[i + d.INV_INERTIA]! : 0;
     }
   }
-  markMembers(data, group, 0);
   return twice / 2;
 }
 
 /** The light bodies, against a common velocity. What nothing holds keeps its momentum: all bodies get back what these lose. */
 function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
   const { velocity: v } = data;
-  const { bodies } = data.joints;
-  const end = endOfMembers(data, group);
+  const { items, count } = group.bodies;
   let px = 0;
   let py = 0;
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    const i = bodies[n]!;
-    if (visit(data, i, d.MEMBER) && isLight(data, i)) {
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    if (isLight(data, i)) {
       px += ((1 - keep) * (v[i + d.VX]! - x)) / v[i + d.INV_MASS]!;
       py += ((1 - keep) * (v[i + d.VY]! - y)) / v[i + d.INV_MASS]!;
       v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
@@ -150,7 +142,6 @@ function slowDown(data: SolverData, group: Group, keep: number, x: number, y: nu
       v[i + d.W] = keep * v[i + d.W]!;
     }
   }
-  markMembers(data, group, 0);
   if (sums[MASS]! < Infinity) {
     giveBack(data, group, px, py);
   }
@@ -158,41 +149,33 @@ function slowDown(data: SolverData, group: Group, keep: number, x: number, y: nu
 
 function giveBack(data: SolverData, group: Group, px: number, py: number): void {
   const { velocity: v } = data;
-  const { bodies } = data.joints;
-  const end = endOfMembers(data, group);
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    const i = bodies[n]!;
-    if (visit(data, i, d.MEMBER)) {
-      v[i + d.VX] = v[i + d.VX]! + px / sums[OWN_MASS]!;
-      v[i + d.VY] = v[i + d.VY]! + py / sums[OWN_MASS]!;
-    }
+  const { items, count } = group.bodies;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    v[i + d.VX] = v[i + d.VX]! + px / sums[OWN_MASS]!;
+    v[i + d.VY] = v[i + d.VY]! + py / sums[OWN_MASS]!;
   }
-  markMembers(data, group, 0);
 }
 
 function measure(data: SolverData, group: Group): void {
-  const { bodies } = data.joints;
-  const end = endOfMembers(data, group);
+  const { bodies, guests, isAnchored, touched, isAfloat } = group;
   sums.fill(0);
   isCarried = false;
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    const i = bodies[n]!;
-    if (i === 0) {
-      sums[MASS] = Infinity;
-    } else if (visit(data, i, d.MEMBER)) {
-      add(data, i);
-      sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, data.velocity[i + d.INV_MASS]!);
-    }
+  for (let n = 0; n < bodies.count; n += 1) {
+    const i = bodies.items[n]!;
+    add(data, i);
+    sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, data.velocity[i + d.INV_MASS]!);
   }
-  markMembers(data, group, 0);
+  if (isAnchored) {
+    sums[MASS] = Infinity;
+  }
   const least = sums[LEAST]!;
   sums[OWN_MASS] = sums[MASS]!;
-  const { items, count } = group.guests;
-  for (let n = 0; n < count; n += 1) {
-    add(data, items[n]!);
+  for (let n = 0; n < guests.count; n += 1) {
+    add(data, guests.items[n]!);
   }
   sums[LEAST] = least;
-  if (group.touched && !group.isAfloat) {
+  if (touched && !isAfloat) {
     sums[MASS] = Infinity;
   }
 }

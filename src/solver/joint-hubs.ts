@@ -1,7 +1,7 @@
 import { HUB_SHARE } from '../config-joints.js';
 import { backward, forward } from '../math/solve.js';
 import { recordAt, type SolverData } from './data.js';
-import type { Group, Joint } from './joint-data.js';
+import type { Group, Joint, Run } from './joint-data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';
 
@@ -17,38 +17,34 @@ import * as d from './layout.js';
 const SUM = 7;
 let sums = new Float64Array(0);
 
-/** Rounds of the power method. */
-const ROUNDS = 12;
-
 /** A column of J·M^−½, then of K⁻¹·J·M^−½: scratch. */
 let column = new Float64Array(8);
 
 /** Whether a group has a body with so many joints, and gives way so easily, that it has to be swept over to and fro. */
 export function hasHub(data: SolverData, group: Group): boolean {
-  const { joints, bodies } = data.joints;
+  const { items, count } = group.bodies;
   if (sums.length < SUM * data.bodyCount) {
     sums = new Float64Array(2 * SUM * data.bodyCount);
   }
-  for (let k = group.start; k < group.end; k += 1) {
-    const { first, layout } = joints[k]!;
-    for (let n = first; n < first + layout.members; n += 1) {
-      const at = sumAt(bodies[n]!);
-      for (let i = at; i < at + SUM; i += 1) sums[i] = 0;
+  for (let n = 0; n < count; n += 1) {
+    clear(sumAt(items[n]!));
+  }
+  for (let i = 0; i < group.runs.length; i += 1) {
+    addRun(data, group.runs[i]!);
+  }
+  for (let n = 0; n < count; n += 1) {
+    const at = sumAt(items[n]!);
+    if (sums[at]! > 2 && isHub(at)) {
+      return true;
     }
   }
-  let isFound = false;
-  for (let k = group.start; k < group.end && !isFound; k += 1) {
-    const joint = joints[k]!;
-    const { first, layout } = joint;
-    for (let n = 0; n < layout.members; n += 1) {
-      const at = sumAt(bodies[first + n]!);
-      if (at > 0 && add(data, joint, n, at)) {
-        sums[at] = sums[at]! + 1;
-        isFound ||= sums[at]! > 2 && isHub(at);
-      }
-    }
+  return false;
+}
+
+function clear(at: number): void {
+  for (let i = at; i < at + SUM; i += 1) {
+    sums[i] = 0;
   }
-  return isFound;
 }
 
 /** By the offset of its records; 0 for what cannot move. */
@@ -56,37 +52,54 @@ function sumAt(body: number): number {
   return (body / d.BODY_STRIDE) * SUM;
 }
 
-/** Adds what a member of a joint does. @returns whether it does anything. */
-function add(data: SolverData, joint: Joint, member: number, at: number): boolean {
-  if (joint.kernel === j.POINT) {
-    addPoint(data, joint, member, at);
-    return true;
+/** Adds what the members of joints do. */
+function addRun(data: SolverData, { kernel, start, end }: Run): void {
+  const { joints } = data.joints;
+  for (let k = start; k < end; k += 1) {
+    if (kernel === j.POINT) {
+      addPoint(data, joints[k]!, j.ARM_AX, 0);
+      addPoint(data, joints[k]!, j.ARM_BX, 1);
+    } else {
+      addMembers(data, joints[k]!);
+    }
   }
-  if (joint.kernel === j.TURN) {
-    return addTurn(data, joint, member, at);
+}
+
+function addMembers(data: SolverData, joint: Joint): void {
+  const { bodies } = data.joints;
+  const { first, layout } = joint;
+  for (let n = 0; n < layout.members; n += 1) {
+    const at = sumAt(bodies[first + n]!);
+    if (at === 0) {
+      continue;
+    }
+    if (joint.kernel === j.TURN) {
+      addTurn(data, joint, n, at);
+    } else {
+      addBlock(data, joint, n, at);
+    }
   }
-  addBlock(data, joint, member, at);
-  return true;
 }
 
 /** J of a point is (1, 0, −y) and (0, 1, x), with the arm (x, y). */
 function addPoint(
-  { points: r, velocity: v, joints: { bodies } }: SolverData,
-  joint: Joint,
-  member: number,
-  at: number,
+  { points: r, pointBodies, velocity: v }: SolverData,
+  { slot }: Joint,
+  arm: number,
+  end: number,
 ): void {
-  const i = recordAt(joint.slot, j.POINT_STRIDE);
-  const arm = i + (member === 0 ? j.ARM_AX : j.ARM_BX);
-  const b = bodies[joint.first + member]!;
-  const x = r[arm]!;
-  const y = r[arm + 2]!;
+  const i = recordAt(slot, j.POINT_STRIDE);
+  const b = pointBodies[2 * slot + end]! & d.OFFSET;
+  const x = r[i + arm]!;
+  const y = r[i + arm + 2]!;
   const m = v[b + d.INV_MASS]!;
   const w = v[b + d.INV_INERTIA]!;
   const mixed = Math.sqrt(m * w);
   const i11 = r[i + j.I11]!;
   const i12 = r[i + j.I12]!;
   const i22 = r[i + j.I22]!;
+  const at = sumAt(b);
+  sums[at] = sums[at]! + 1;
   sums[at + 1] = sums[at + 1]! + m * i11;
   sums[at + 2] = sums[at + 2]! + m * i12;
   sums[at + 3] = sums[at + 3]! + mixed * (i12 * x - i11 * y);
@@ -101,15 +114,15 @@ function addTurn(
   joint: Joint,
   member: number,
   at: number,
-): boolean {
+): void {
   const { at: i, first } = joint;
   const ratio = member === 0 ? 1 : r[i + j.TURN_RATIO]!;
   const isOneSided = r[i + j.TURN_LOW] !== -Infinity || r[i + j.TURN_HIGH] !== Infinity;
   if (isOneSided && r[i + j.TURN_IMPULSE] === 0) {
-    return false;
+    return;
   }
+  sums[at] = sums[at]! + 1;
   sums[at + 6] = sums[at + 6]! + v[bodies[first + member]! + d.INV_INERTIA]! * ratio * ratio * r[i + j.TURN_MASS]!;
-  return true;
 }
 
 function addBlock(
@@ -126,6 +139,7 @@ function addBlock(
   if (column.length < rows) {
     column = new Float64Array(rows);
   }
+  sums[at] = sums[at]! + 1;
   let to = at + 1;
   for (let c = 0; c < 3; c += 1) {
     for (let n = 0; n < rows; n += 1) {
@@ -142,29 +156,14 @@ function addBlock(
   }
 }
 
-/** Whether the largest eigenvalue of the sum is too large, by the power method. */
+/** Whether the largest eigenvalue of the sum S is too large: if HUB_SHARE · 1 − S has leading minors that are not all positive (Sylvester's criterion). */
 function isHub(at: number): boolean {
-  const xx = sums[at + 1]!;
+  const xx = HUB_SHARE - sums[at + 1]!;
   const xy = sums[at + 2]!;
   const xw = sums[at + 3]!;
-  const yy = sums[at + 4]!;
+  const yy = HUB_SHARE - sums[at + 4]!;
   const yw = sums[at + 5]!;
-  const ww = sums[at + 6]!;
-  if (xx + yy + ww <= HUB_SHARE) {
-    return false;
-  }
-  let x = 0.6;
-  let y = 0.5;
-  let w = 0.7;
-  let most = 0;
-  for (let round = 0; round < ROUNDS; round += 1) {
-    const size = Math.sqrt(x * x + y * y + w * w) || 1;
-    const nextX = (xx * x + xy * y + xw * w) / size;
-    const nextY = (xy * x + yy * y + yw * w) / size;
-    w = (xw * x + yw * y + ww * w) / size;
-    x = nextX;
-    y = nextY;
-    most = Math.sqrt(x * x + y * y + w * w);
-  }
-  return most > HUB_SHARE;
+  const ww = HUB_SHARE - sums[at + 6]!;
+  const minor = xx * yy - xy * xy;
+  return !(xx > 0 && minor > 0 && ww * minor - xx * yw * yw - yy * xw * xw - 2 * xy * xw * yw > 0);
 }

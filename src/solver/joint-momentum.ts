@@ -16,7 +16,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { CUSTOM, TURN } from './joint-layout.js';
-import { carryAt, impulseAt, markMembers, numbersOf, steady, visit } from './joint-numbers.js';
+import { carryAt, impulseAt, markBodies, numbersOf, steady, visit } from './joint-numbers.js';
 import { BODY_STRIDE, INV_MASS, MEMBER, SEEN, TOUCHED } from './layout.js';
 
 // What joints keep of the momentum of their corrections.
@@ -163,15 +163,16 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
 function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
   const { joints } = data.joints;
   let found = 0;
-  markMembers(data, group, MEMBER);
+  markBodies(data, group, MEMBER);
   for (let k = group.start; k < group.end && (areAllAsked || found === 0); k += 1) {
     const { members } = joints[k]!.constraint;
     for (let n = 0; n < members.length; n += 1) {
       const body = members[n]!;
-      if (body.kind === DYNAMIC && visit(data, body.slot * BODY_STRIDE, SEEN)) found |= touchingOf(data, body);
+      if (body.kind === DYNAMIC && body.slot > 0 && visit(data, body.slot * BODY_STRIDE, SEEN))
+        found |= touchingOf(data, body);
     }
   }
-  markMembers(data, group, 0);
+  markBodies(data, group, 0);
   return found;
 }
 

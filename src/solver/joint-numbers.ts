@@ -86,32 +86,34 @@ export function startAgain(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Where the members of the joints of a group begin in the list of all, … */
-export function firstMember({ joints: { joints } }: SolverData, { start }: Group): number {
-  return joints[start]!.first;
+/** Lists the bodies of a group that have a slot, which are those that are awake and move: in the order of its joints. */
+export function listBodies(data: SolverData, group: Group): void {
+  const { joints, bodies } = data.joints;
+  const { first, layout } = joints[group.end - 1]!;
+  group.bodies.clear();
+  group.isAnchored = false;
+  for (let n = joints[group.start]!.first; n < first + layout.members; n += 1) {
+    if (bodies[n] === 0) {
+      group.isAnchored = true;
+    } else if (visit(data, bodies[n]!, MEMBER)) {
+      group.bodies.add(bodies[n]!);
+    }
+  }
+  markBodies(data, group, 0);
 }
 
-/** … and where they end. */
-export function endOfMembers({ joints: { joints } }: SolverData, { end }: Group): number {
-  const { first, layout } = joints[end - 1]!;
-  return first + layout.members;
-}
-
-/** Sets MEMBER, or clears it and SEEN, in the slots of all bodies of a group that have one: those that are awake. */
-export function markMembers(data: SolverData, group: Group, mark: number): void {
-  const { traits } = data;
-  const { bodies } = data.joints;
-  const end = endOfMembers(data, group);
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    const slot = bodies[n]! / BODY_STRIDE;
-    traits[slot] = (traits[slot]! & ~(MEMBER | SEEN)) | (slot > 0 ? mark : 0);
+/** Sets MEMBER in the slots of all bodies of a group, or clears it and SEEN. */
+export function markBodies({ traits }: SolverData, { bodies }: Group, mark: number): void {
+  for (let n = 0; n < bodies.count; n += 1) {
+    const slot = bodies.items[n]! / BODY_STRIDE;
+    traits[slot] = (traits[slot]! & ~(MEMBER | SEEN)) | mark;
   }
 }
 
-/** Whether a body has a slot, and comes for the first time: it is marked for that. */
+/** Whether a body that has a slot comes for the first time: it is marked for that. */
 export function visit({ traits }: SolverData, offset: number, mark: number): boolean {
   const slot = offset / BODY_STRIDE;
-  const isFirst = slot > 0 && (traits[slot]! & mark) === 0;
+  const isFirst = (traits[slot]! & mark) === 0;
   traits[slot] = traits[slot]! | mark;
   return isFirst;
 }

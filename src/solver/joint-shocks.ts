@@ -1,6 +1,6 @@
 import type { SolverData } from './data.js';
 import { hasCallbacks } from './joint-data.js';
-import { endOfMembers, firstMember, startAgain } from './joint-numbers.js';
+import { startAgain } from './joint-numbers.js';
 import { BODY_STRIDE } from './layout.js';
 
 // What joints have to do with `shocks.ts`.
@@ -8,17 +8,15 @@ import { BODY_STRIDE } from './layout.js';
 /** Tells of each body which group of joints it hangs on. Custom constraints hold whatever they like: by themselves they do not count. */
 export function linkShocks(data: SolverData): void {
   const { groupOf } = data.shocks;
-  const { groups, bodies } = data.joints;
+  const { groups } = data.joints;
   for (let index = 0; index < groups.length; index += 1) {
     const group = groups[index]!;
     if (group.runs.every(hasCallbacks)) {
       continue;
     }
     const known = group.runs.some(hasCallbacks) ? -1 : index + 1;
-    const end = endOfMembers(data, group);
-    for (let n = firstMember(data, group); n < end; n += 1) {
-      const slot = bodies[n]! / BODY_STRIDE;
-      if (slot > 0) groupOf[slot] = known;
+    for (let n = 0; n < group.bodies.count; n += 1) {
+      groupOf[group.bodies.items[n]! / BODY_STRIDE] = known;
     }
   }
 }

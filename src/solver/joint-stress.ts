@@ -4,7 +4,7 @@ import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-j
 import type { Constraint } from '../constraint/constraint.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
-import { endOfMembers, firstMember, heldRows, impulseAt, markMembers, numbersOf, visit } from './joint-numbers.js';
+import { heldRows, impulseAt, markBodies, numbersOf, visit } from './joint-numbers.js';
 import * as d from './layout.js';
 
 // Where there are more welds or points than hold the bodies together, as in frames and wheels, in nets, and between two bodies that are hinged twice, they may pull against each other, which moves nothing: no sweep sees such a
@@ -33,7 +33,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
       isHeld ||= !moves;
     }
   }
-  markMembers(data, group, 0);
+  markBodies(data, group, 0);
   const most = 3 * (movers - (isHeld ? 0 : 1));
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
@@ -85,11 +85,10 @@ export function turnStress(data: SolverData, group: Group): void {
 /** Whether some body turns so much that it matters. */
 function turns(data: SolverData, group: Group): boolean {
   const { motion: q, joints } = data;
-  const { bodies, h } = joints;
-  const least = group.end - group.start > FEW_JOINTS ? STRESS_SLOW * h : STRESS_STILL;
-  const end = endOfMembers(data, group);
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    if (Math.abs(q[bodies[n]! + d.QW]!) > least) return true;
+  const { bodies } = group;
+  const least = group.end - group.start > FEW_JOINTS ? STRESS_SLOW * joints.h : STRESS_STILL;
+  for (let n = 0; n < bodies.count; n += 1) {
+    if (Math.abs(q[bodies.items[n]! + d.QW]!) > least) return true;
   }
   return false;
 }

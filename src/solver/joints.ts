@@ -25,7 +25,7 @@ import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { beginGradients, goOn, noteStart } from './joint-gradients.js';
 import { CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
 import { steadyFrame } from './joint-momentum.js';
-import { steady } from './joint-numbers.js';
+import { listBodies, steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
 import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
@@ -88,7 +88,10 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
   group.untouched = group.touched ? 0 : Math.min(FIRM_STEPS, group.untouched + 1);
-  if (isChanged) lookAtKinds(data, group);
+  if (isChanged) {
+    listBodies(data, group);
+    lookAtKinds(data, group);
+  }
   group.guests.clear();
   group.isWatched = group.mayGain && !group.isDriven && !group.touched;
   if (group.isWatched) noteEnergy(data, group);

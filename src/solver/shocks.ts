@@ -3,7 +3,6 @@ import { JOINT_TORN } from '../config-joints.js';
 import * as c from '../contact/layout.js';
 import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData } from './data.js';
 import type { Group } from './joint-data.js';
-import { endOfMembers, firstMember } from './joint-numbers.js';
 import type { JointSolver } from './joints.js';
 import * as d from './layout.js';
 import { solveVelocityOne } from './one-point.js';
@@ -52,10 +51,9 @@ function settleFrames(data: SolverData, jointSolver: JointSolver): void {
 
 /** The offset of one that can be pushed; 0 if none can, or it is no frame that is to be solved. */
 function someBodyOfFrame(data: SolverData, group: Group): number {
-  const { bodies } = data.joints;
-  const end = group.touched && group.isBent ? endOfMembers(data, group) : 0;
-  for (let n = firstMember(data, group); n < end; n += 1) {
-    if (canMove(data, bodies[n]!)) return bodies[n]!;
+  const { items, count } = group.bodies;
+  for (let n = 0; n < count && group.touched && group.isBent; n += 1) {
+    if (canMove(data, items[n]!)) return items[n]!;
   }
   return 0;
 }
@@ -136,10 +134,9 @@ function gatherJoints(data: SolverData, slot: number): void {
     groups[groupCount] = index - 1;
     shocks.groupCount = groupCount + 1;
     shocks.room = group.error > JOINT_TORN * JOINT_TORN ? -1 : shocks.room - (group.end - group.start);
-    const end = shocks.room < 0 ? 0 : endOfMembers(data, group);
-    for (let n = firstMember(data, group); n < end; n += 1) {
-      const member = joints.bodies[n]! / d.BODY_STRIDE;
-      if (member > 0) visit(shocks, member);
+    const count = shocks.room < 0 ? 0 : group.bodies.count;
+    for (let n = 0; n < count; n += 1) {
+      visit(shocks, group.bodies.items[n]! / d.BODY_STRIDE);
     }
   }
 }
