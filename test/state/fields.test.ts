@@ -22,7 +22,18 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   arbiter: ['foreseen'],
   group: [
     ...['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches', 'isIndeterminate'],
-    ...['isDriven', 'isAnchored', 'frequency', 'isWatched', 'energy', 'isFirm', 'stands', 'isBent', 'isOverheld', 'isAfloat'],
+    ...[
+      'isDriven',
+      'isAnchored',
+      'frequency',
+      'isWatched',
+      'energy',
+      'isFirm',
+      'stands',
+      'isBent',
+      'isOverheld',
+      'isAfloat',
+    ],
   ],
   record: [LOCAL_X, LOCAL_Y, APPROACH].map(String),
 };
