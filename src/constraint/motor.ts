@@ -9,7 +9,7 @@ export interface MotorConstraintParams extends RatioParams {
 }
 
 /**
- * Two bodies turn against each other at a rate, as far as `maxForce`, here a torque, can drive them.
+ * Two bodies turn against each other at a rate, as far as `maxForce`, here a torque, can drive them. At a bound of a rigid angle constraint between the same two it rests.
  *
  *     ratio · ωB − ωA = rate
  */

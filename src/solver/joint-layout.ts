@@ -124,7 +124,9 @@ export const TURN_GIVEN_B = 26;
 export const TURN_ANGLE = 27;
 /** The impulse that the step began with. */
 export const TURN_BEGAN = 28;
-export const TURN_STRIDE = 29;
+/** rad/s. Of a motor, before its bounds are looked at. */
+export const TURN_RATE = 29;
+export const TURN_STRIDE = 30;
 
 /** Where things are in the record of any other joint, of D rows and N members. */
 export class BlockLayout {

@@ -37,8 +37,39 @@ export function packTurn(data: SolverData, joint: Joint): void {
   // Of the value, what cannot move adds.
   r[at + j.TURN_STILL] = (b === 0 ? ratio * bodyB.angle : 0) - (a === 0 ? bodyA.angle : 0);
   if (type === 'MOTOR') {
-    r[at + j.TURN_BIAS] = -constraint.getRate();
+    r[at + j.TURN_RATE] = constraint.getRate();
+    findStops(data, joint);
   }
+}
+
+/**
+ * The bounds of angles between the bodies of a motor, beyond which it does not drive them. Each would undo what the other did, and the motor give more and more: where it may give
+ * anything, it would have to take all of that back before it turned the other way.
+ */
+function findStops({ joints: { records: r } }: SolverData, { constraint, at }: Joint): void {
+  const motor = constraint as MotorConstraint;
+  const { constraints } = motor.bodyA.constraints.length < motor.bodyB.constraints.length ? motor.bodyA : motor.bodyB;
+  r[at + j.TURN_LOWER] = -Infinity;
+  r[at + j.TURN_UPPER] = Infinity;
+  for (const other of constraints) {
+    if (other.type === 'ANGLE' && !other.isElastic && other.liveIndex >= 0 && other.owner === motor.owner) {
+      const times = timesOf(motor, other as AngleConstraint);
+      if (times !== 0) {
+        const one = other.lower / times;
+        const two = other.upper / times;
+        r[at + j.TURN_LOWER] = Math.max(r[at + j.TURN_LOWER]!, Math.min(one, two));
+        r[at + j.TURN_UPPER] = Math.min(r[at + j.TURN_UPPER]!, Math.max(one, two));
+      }
+    }
+  }
+}
+
+/** How many times what a motor turns an angle is of; 0 if it is of something else. */
+function timesOf({ bodyA, bodyB, ratio }: MotorConstraint, angle: AngleConstraint): number {
+  if (angle.bodyA === bodyA && angle.bodyB === bodyB) {
+    return angle.ratio === ratio ? 1 : 0;
+  }
+  return angle.bodyA === bodyB && angle.bodyB === bodyA && angle.ratio * ratio === 1 ? -angle.ratio : 0;
 }
 
 /** Starts a step. @returns whether one of the bodies is in contact. */
@@ -80,7 +111,7 @@ function wind({ joints: { records: r }, pose: p }: SolverData, i: number, a: num
 
 /** Starts a sub-step: where each is between its bounds, how fast it may turn, and the impulse of the last sub-step once more. */
 export function warmStartTurns(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
+  const { records: r, bodies, joints, h } = data.joints;
   const { velocity: v, pose: p } = data;
   let i = joints[start]!.at;
   let n = joints[start]!.first;
@@ -93,6 +124,7 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
     if (r[i + j.TURN_BOUNDED] !== 0) {
       aim(data, k, i);
     } else {
+      drive(r, i, h);
       noteLag(data, i, j.TURN_IMPULSE, ratio * v[b + d.W]! - v[a + d.W]! + r[i + j.TURN_BIAS]!);
     }
     const lambda = r[i + j.TURN_IMPULSE]!;
@@ -135,6 +167,14 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
     strained[0] = index < strained[0]! ? index : strained[0]!;
     strained[1] = index + 1;
   }
+}
+
+/** At its rate, but no further than to its stop. */
+function drive(r: Float64Array, i: number, h: number): void {
+  const rate = r[i + j.TURN_RATE]!;
+  const way = r[i + (rate > 0 ? j.TURN_UPPER : j.TURN_LOWER)]! - r[i + j.TURN_VALUE]!;
+  const most = way * rate > 0 ? Math.abs(way / h) : 0;
+  r[i + j.TURN_BIAS] = Math.abs(rate) <= most ? -rate : -Math.sign(rate) * most;
 }
 
 /** One velocity sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
