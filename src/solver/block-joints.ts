@@ -307,7 +307,7 @@ function cutOrBreak(data: SolverData, joint: Joint): boolean {
   }
   const most = r[at + j.BREAK]!;
   if (square > most * most) {
-    data.joints.break(joint);
+    tear(data, joint);
     return true;
   }
   findLength(r, at + work, rows);
@@ -317,6 +317,22 @@ function cutOrBreak(data: SolverData, joint: Joint): boolean {
     r[at + work + n] = (r[at + work + n]! * limit) / size;
   }
   return false;
+}
+
+/**
+ * A velocity iteration asks for more than a joint bears: it breaks. A sub-step begins with what the last one gave, once more: where the step would have had too much with that alone, it is taken back. Else a
+ * rope that tore as it caught a load would throw it upwards.
+ */
+export function tear(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, work, total, impulse, jacobian } = layout;
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = r[at + total + n]! + r[at + impulse + n]!;
+  }
+  findLength(r, at + work, rows);
+  if (length[0]! > r[at + j.BREAK]!) apply(data, joint, jacobian, impulse, -1, false);
+  data.joints.break(joint);
 }
 
 /** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. */

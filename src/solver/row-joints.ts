@@ -1,3 +1,4 @@
+import { tear } from './block-joints.js';
 import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';
@@ -40,7 +41,7 @@ export function solveVelocityRows(data: SolverData, start: number, end: number, 
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;
       if (sum > breaking || sum < -breaking) {
-        data.joints.break(joints[k]!);
+        tear(data, joints[k]!);
         continue;
       }
       const limit = r[i + j.LIMIT]!;

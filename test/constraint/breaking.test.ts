@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import { phys2D } from '../../src/index.js';
+import { DT, heavy, plainBody, staticBody, weightless } from '../conformance/setting.js';
+
+// A sub-step begins with what the last one gave, once more. Of a joint that broke then that stayed: it had given up to twice its limit, and a rope that tore threw its load back up.
+
+describe('a joint that breaks has given no more than its limit', () => {
+  for (const substeps of [1, 2, 4, 8]) {
+    it.each([
+      ['a rigid point', {}],
+      ['a soft point', { stiff: false }],
+      ['a hard spring', { stiff: false, frequency: 60, damping: 3 }],
+    ])(`%s, substeps ${substeps}`, (_, options) => {
+      let broken = 0;
+      for (let maxForce = 1; maxForce < 120; maxForce += 1) {
+        const world = weightless({ substeps });
+        const body = plainBody({ velocity: [1, 0] });
+        world.addRigidBody(body);
+        const pair = { bodyA: staticBody(), bodyB: body };
+        const joint = phys2D.createPointConstraint({ ...pair, ...options, maxForce, breakUnderForce: true });
+        world.addConstraint(joint);
+        world.step(DT);
+        broken += joint.world === null ? 1 : 0;
+        expect(1 - body.getVelocity()[0], `maxForce ${maxForce}`).toBeLessThanOrEqual(maxForce * DT + 1e-12);
+      }
+      expect(broken).toBeGreaterThan(5);
+    });
+
+    it(`a rope that a load falls into, substeps ${substeps}`, () => {
+      for (let maxForce = 240; maxForce < 400; maxForce += 1.25) {
+        const world = heavy({ substeps });
+        const load = plainBody({ position: [0, 1], velocity: [0, 3] });
+        world.addRigidBody(load);
+        const pair = { bodyA: staticBody(), bodyB: load };
+        const limits = { upperBound: 2, maxForce, breakUnderForce: true };
+        world.addConstraint(phys2D.createDistanceConstraint({ ...pair, lowerBound: 0, ...limits }));
+        for (let i = 0; i < 60; i += 1) {
+          world.step(DT);
+          expect(load.getVelocity()[1], `maxForce ${maxForce}`).toBeGreaterThan(-0.5);
+        }
+      }
+    });
+  }
+});
