@@ -206,6 +206,7 @@ export abstract class BodyState extends BodyNumbers {
 
   /** @internal */
   putAt(x: number, y: number, angle: number): void {
+    this.owner?.holdContacts(this);
     if (angle !== this.angle) {
       this.angle = angle;
       this.refreshTurn();

@@ -2,6 +2,7 @@ import { RigidBody } from './body.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
+import { holdAtEnd } from './contact/at-end.js';
 import type { Kernels } from './kernels.js';
 import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './listeners.js';
 import { takeOut } from './math/list.js';
@@ -438,6 +439,13 @@ export class World extends WorldState {
   /** @internal */
   changeKind(body: RigidBody, kind: number): void {
     changeKind(this, body, kind);
+  }
+
+  /** @internal a body is about to be put elsewhere */
+  holdContacts({ shapes }: Pick<RigidBody, 'shapes'>): void {
+    for (const { arbiters } of shapes) {
+      arbiters.forEach(holdAtEnd);
+    }
   }
 
   /** @internal a shape was attached to a body of this world */

@@ -35,6 +35,13 @@ export interface Before {
   wB: number;
 }
 
+/** A manifold as it was at the end of a step. */
+export interface Held {
+  step: number;
+  /** The normal, then position and penetration of one point and the other. */
+  readonly numbers: Float64Array;
+}
+
 /**
  * What two shapes have to do with each other: contacts, impulses, combined material. Made by the engine and recycled: read it
  * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
@@ -55,6 +62,8 @@ export class Arbiter extends PairState {
   indexB = -1;
   /** @internal what was given in a step before the points became others within it */
   before: Before | null = null;
+  /** @internal the manifold at the end of a step, if a body was put elsewhere since: see `at-end.ts` */
+  held: Held | null = null;
   /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
   private seenPoints: { readonly list: Contact[]; readonly points: readonly Contact[] } | null = null;
 
@@ -277,6 +286,7 @@ export class Arbiter extends PairState {
     this.unmark(DEAD | AWAKE | NEAR);
     this.foreseen = 0;
     this.before = null;
+    this.held = null;
   }
 
   /** @internal drops what is only kept while an interaction runs or is cached */
@@ -322,6 +332,11 @@ export class Arbiter extends PairState {
   /** @internal … which it did in the latest step */
   metAgain(): boolean {
     return this.before !== null && this.before.step === this.lastInteraction;
+  }
+
+  /** @internal whether the manifold at the end of the latest step is held */
+  isHeld(): boolean {
+    return this.held !== null && this.held.step === this.lastInteraction;
   }
 
   /** @internal lists the points that the manifold has, as new ones */

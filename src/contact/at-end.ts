@@ -6,13 +6,32 @@ import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { Arbiter } from './arbiter.js';
 
-// A manifold followed from the placements that it was found for to those of now. Worked out when asked for, because most contacts are never asked.
+// A manifold followed from the placements that it was found for to those at the end of the step. Worked out when asked for, because most contacts are never asked; or before a body is put elsewhere.
 
 /** What was found: scratch. */
 export const atEnd = { nx: 0.5, ny: 0.5, x: 0.5, y: 0.5, penetration: 0.5 };
 
 /** How much two units may differ by rounding. */
 const SAME = 1e-9;
+
+/** A body is about to be put elsewhere, or to leave. */
+export function holdAtEnd(arbiter: Arbiter): void {
+  if (!arbiter.active || arbiter.count === 0 || arbiter.isHeld()) {
+    return;
+  }
+  const held = arbiter.held ?? { step: -1, numbers: new Float64Array(8) };
+  for (let which = 0; which < 2; which += 1) {
+    pointAtEnd(arbiter, which);
+    const at = 2 + 3 * which;
+    held.numbers[at] = atEnd.x;
+    held.numbers[at + 1] = atEnd.y;
+    held.numbers[at + 2] = atEnd.penetration;
+  }
+  held.numbers[0] = atEnd.nx;
+  held.numbers[1] = atEnd.ny;
+  held.step = arbiter.lastInteraction;
+  arbiter.held = held;
+}
 
 /** The normal: that of an edge turns with its body; that of corners and circles is the way from the middle of one to that of the other. */
 export function normalAtEnd(arbiter: Arbiter): void {
@@ -23,6 +42,12 @@ export function normalAtEnd(arbiter: Arbiter): void {
   const ny = n[o + g.NY]!;
   atEnd.nx = nx;
   atEnd.ny = ny;
+  if (arbiter.isHeld()) {
+    const { numbers } = arbiter.held!;
+    atEnd.nx = numbers[0]!;
+    atEnd.ny = numbers[1]!;
+    return;
+  }
   if (a === null || b === null) {
     // A handler has removed the shape.
     return;
@@ -92,8 +117,15 @@ function pointNormal(arbiter: Arbiter): void {
 }
 
 /** A point, half-way into the overlap, and how deep that is. */
-export function pointAtEnd(arbiter: Arbiter, which: 0 | 1): void {
+export function pointAtEnd(arbiter: Arbiter, which: number): void {
   normalAtEnd(arbiter);
+  if (arbiter.isHeld()) {
+    const { numbers } = arbiter.held!;
+    atEnd.x = numbers[2 + 3 * which]!;
+    atEnd.y = numbers[3 + 3 * which]!;
+    atEnd.penetration = numbers[4 + 3 * which]!;
+    return;
+  }
   const { numbers: n, at: o } = arbiter;
   const a = arbiter.bodyA;
   const b = arbiter.bodyB;

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Arbiter } from '../contact/arbiter.js';
+import { holdAtEnd } from '../contact/at-end.js';
 import { BEFORE_STEP } from '../events/events.js';
 import { END } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
@@ -24,6 +25,7 @@ export function cutPairs(world: World, shape: Shape): void {
 }
 
 function cutPair(world: World, pair: Arbiter): void {
+  holdAtEnd(pair);
   if (pair.active || pair.sleeping) {
     world.events.interaction(END, pair, BEFORE_STEP);
   }
