@@ -245,3 +245,15 @@ export const STRESS_SLOW = 1;
  * of 400 things that turn fast on soft joints no more fly off without this.
  */
 export const WHIRL = 0.7;
+
+/** Steps on end in which a few joints, which hold what hangs on them to what does not move at two places or more, are open by STUCK_ERROR: then they cannot all be met. Ropes between two posts are for a while, too. */
+export const STUCK_STEPS = 16;
+
+/** m, rad. */
+export const STUCK_ERROR = 3e-4;
+
+/** The share of its kinetic energy by which what cannot be met moves otherwise than it is told to, from which on it is told how it moves: 0.15 slows ropes between two posts that swing. */
+export const STUCK_APART = 0.25;
+
+/** The share of that energy that the motion may have where something is touched: with 1 beams that a ball strikes gain 0.36 times what it brings, not 0.21. */
+export const STUCK_STANDS = 0.25;

@@ -1,4 +1,14 @@
-import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../config-joints.js';
+import {
+  EASY_TURN,
+  EXCESS_FADES,
+  EXCESS_REMOVED,
+  EXCESS_SHARE,
+  HEAVY,
+  STUCK_APART,
+  STUCK_STANDS,
+  STUCK_STEPS,
+  TOUCHED_EXCESS,
+} from '../config-joints.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
@@ -66,6 +76,7 @@ export function takeExcesses(data: SolverData): void {
   const { groups } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
+    if (group.stuck === STUCK_STEPS) goAsMoved(data, group);
     if (group.isWatched && group.settling === 0) {
       takeExcess(data, group);
     } else if (!group.touched) {
@@ -100,6 +111,43 @@ function takeExcess(data: SolverData, group: Group): void {
   }
   if (!group.touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
+  }
+}
+
+/**
+ * Of a group whose joints cannot all be met: where velocities and motion differ by more than a share of the energy, and motion has less of it, the bodies get the velocities by which they moved in the step. Each
+ * sub-step corrects the same errors once more, and would make momentum of it without end.
+ */
+function goAsMoved(
+  { velocity: v, motion: q, joints: { h, substeps } }: SolverData,
+  { bodies: { items, count }, touched }: Group,
+): void {
+  const dt = h * substeps;
+  let told = 0;
+  let moved = 0;
+  let apart = 0;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
+    const inertia = v[i + d.INV_INERTIA]! > 0 ? 1 / v[i + d.INV_INERTIA]! : 0;
+    const vx = v[i + d.VX]!;
+    const vy = v[i + d.VY]!;
+    const vw = v[i + d.W]!;
+    const x = q[i + d.DX]! / dt;
+    const y = q[i + d.DY]! / dt;
+    const w = q[i + d.DW]! / dt;
+    told += m * (vx * vx + vy * vy) + inertia * vw * vw;
+    moved += m * (x * x + y * y) + inertia * w * w;
+    apart += m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
+  }
+  const isWrong = apart > STUCK_APART * told && moved < (touched ? STUCK_STANDS : 1) * told;
+  for (let n = 0; n < count && isWrong; n += 1) {
+    const i = items[n]!;
+    if (v[i + d.INV_MASS]! + v[i + d.INV_INERTIA]! > 0) {
+      v[i + d.VX] = q[i + d.DX]! / dt;
+      v[i + d.VY] = q[i + d.DY]! / dt;
+      v[i + d.W] = q[i + d.DW]! / dt;
+    }
   }
 }
 

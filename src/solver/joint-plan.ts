@@ -20,6 +20,8 @@ import {
   SNAP_STEPS,
   SPRING_SWEEPS,
   SPRING_TURN,
+  STUCK_ERROR,
+  STUCK_STEPS,
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
 } from '../config-joints.js';
@@ -78,6 +80,7 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   if (isFirst) {
     if (group.touched) steadyTouched(data, group);
     settle(data, group);
+    lookWhetherStuck(group);
     weigh(data, group);
   }
   limitMomentum(data, group, isFirst);
@@ -152,6 +155,13 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
       range[1] = Math.max(range[1]!, inverse);
     }
   }
+}
+
+/** Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. A larger one of what touches something is to be closed. */
+function lookWhetherStuck(group: Group): void {
+  const { isBetween, error, touched } = group;
+  const isOpen = error > STUCK_ERROR * STUCK_ERROR && (!touched || error < JOINT_TORN * JOINT_TORN);
+  group.stuck = isBetween && isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
@@ -245,8 +255,18 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
 }
 
 /** Not where there are more joints than are needed: gradients would make them give ever more against each other, and corrections momentum of that. */
-function mayBeFirm({ touched, stands, isHeld, isMechanism, isIndeterminate, start, end, untouched }: Group): boolean {
-  if (isIndeterminate) {
+function mayBeFirm({
+  stuck,
+  touched,
+  stands,
+  isHeld,
+  isMechanism,
+  isIndeterminate,
+  start,
+  end,
+  untouched,
+}: Group): boolean {
+  if (isIndeterminate || stuck === STUCK_STEPS) {
     return false;
   }
   if (touched) {

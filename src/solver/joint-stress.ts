@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-joints.js';
+import { FEW_JOINTS, FIRM_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-joints.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
@@ -20,6 +20,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
   let movers = 0;
   let isHeld = false;
   let hasWelds = false;
+  let anchors = 0;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint, first, layout } = joints[k]!;
     if (isRigid(constraint)) {
@@ -31,9 +32,11 @@ export function lookAtStress(data: SolverData, group: Group): void {
       const moves = body > 0 && constraint.members[n]!.kind === DYNAMIC;
       movers += moves && visit(data, body, d.MEMBER) ? 1 : 0;
       isHeld ||= !moves;
+      anchors += !moves && constraint.positional && constraint.type !== 'ANGLE' ? 1 : 0;
     }
   }
   markBodies(data, group, 0);
+  group.isBetween = anchors > 1 && group.end - group.start <= FIRM_JOINTS;
   const most = 3 * (movers - (isHeld ? 0 : 1));
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);

@@ -2,7 +2,14 @@ import type { RigidBody } from '../body.js';
 import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
 import { FAR, MAX_SIZE } from '../config.js';
-import { FIRM_STEPS, FIRM_SWEEPS, MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, SETTLE_STEPS } from '../config-joints.js';
+import {
+  FIRM_STEPS,
+  FIRM_SWEEPS,
+  MAX_JOINT_SWEEPS,
+  NEW_JOINT_SWEEPS,
+  SETTLE_STEPS,
+  STUCK_STEPS,
+} from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { DEAD, KEPT, LISTED, SHOWN } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
@@ -341,6 +348,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.span = tape.number(group.span);
   group.excess = tape.number(group.excess);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
+  group.stuck = tape.integer(group.stuck, 0, STUCK_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);
   group.to = tape.integer(group.to, -MOST, MOST);
 }

@@ -25,6 +25,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
     ...[
       'isDriven',
       'isAnchored',
+      'isBetween',
       'frequency',
       'isWatched',
       'energy',

@@ -13,7 +13,7 @@ const LENGTH = 100;
 /** How many of the numbers for operations stand for a step. */
 const STEPS = 24;
 /** ms. Ends the search for a shorter program that fails too. */
-const TIME_LIMIT = 60_000;
+const TIME_LIMIT = 110_000;
 
 const load = (name: string): Promise<unknown> =>
   import(/* @vite-ignore */ pathToFileURL(join(import.meta.dirname, '../../dist', name)).href);
