@@ -135,6 +135,8 @@ export abstract class BaseConstraint {
   strainedSteps = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;
+  /** @internal … after a step in which it was solved: the way to what it asks for now takes a whole step */
+  shifted = false;
   /** @internal J. What a spring may give; Infinity: what it holds, whatever that is */
   stored = Infinity;
 
@@ -316,6 +318,7 @@ export abstract class BaseConstraint {
 
   /** @internal its error may have other causes than motion now */
   touch(): void {
+    this.shifted ||= !this.fresh;
     this.fresh = true;
     if (this.owner !== null) {
       this.owner.jointsTouched = true;
@@ -334,7 +337,13 @@ export abstract class BaseConstraint {
       numbers.fill(0);
     }
     this.strainedSteps = 0;
+    this.renew();
+  }
+
+  /** @internal it acts from now on, whatever its error is */
+  renew(): void {
     this.fresh = true;
+    this.shifted = false;
   }
 
   /** @internal passes what influences the future over a tape; kinds that have more add it */
@@ -348,6 +357,7 @@ export abstract class BaseConstraint {
     this.woken = tape.flag(this.woken);
     this.enabled = tape.flag(this.enabled);
     this.fresh = tape.flag(this.fresh);
+    this.shifted = tape.flag(this.shifted);
     this.keepsAngle = tape.flag(this.keepsAngle);
     this.strainedSteps = tape.integer(this.strainedSteps, 0, 0x3fffffff);
     this.stored = tape.number(this.stored);

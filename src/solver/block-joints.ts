@@ -358,7 +358,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
     dropTurning(data, joint);
   }
   writeMatrix(data, joint, turned);
-  const share = r[at + j.REACH]! / error;
+  const share = r[at + j.REACH]! < 0 ? -r[at + j.REACH]! : r[at + j.REACH]! / error;
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
     multiplyRow(data, joint, turned, n, true);

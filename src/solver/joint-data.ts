@@ -159,8 +159,11 @@ export class JointData implements Keeper {
   records = new Float64Array(0);
   /** Offsets of the members' records. */
   bodies = new Int32Array(0);
-  /** Those that broke in this step. */
+  /** Those that broke in this step … */
   readonly broken: Joint[] = [];
+  /** … and those that ask for something else than in the last one, which are corrected bit by bit in the sub-steps that are left. */
+  readonly shifted = new List<Joint>();
+  substepsLeft = 1;
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   substeps = 1;

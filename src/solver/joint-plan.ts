@@ -201,6 +201,23 @@ function reachLess(data: SolverData, { start, end }: Group): void {
   }
 }
 
+/** In this sub-step only a share of the error of a joint is corrected. */
+export function correctShare(data: SolverData, { kernel, at, slot }: Joint, share: number): void {
+  const { records: r } = data.joints;
+  const { points: p } = data;
+  if (kernel === POINT) {
+    const i = recordAt(slot, POINT_STRIDE);
+    p[i + ERROR_X] = share * p[i + ERROR_X]!;
+    p[i + ERROR_Y] = share * p[i + ERROR_Y]!;
+  } else if (kernel === TURN) {
+    const value = r[at + TURN_VALUE]!;
+    const bound = Math.max(r[at + TURN_LOWER]!, Math.min(r[at + TURN_UPPER]!, value));
+    r[at + TURN_VALUE] = bound + share * (value - bound);
+  } else {
+    r[at + REACH] = -share;
+  }
+}
+
 /**
  * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
  * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as

@@ -27,7 +27,7 @@ import { CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
 import { steadyFrame } from './joint-momentum.js';
 import { listBodies, steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
-import { beginGroup, lookAtKinds, plan } from './joint-plan.js';
+import { beginGroup, correctShare, lookAtKinds, plan } from './joint-plan.js';
 import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
 import { forgetShocks, linkShocks } from './joint-shocks.js';
 import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
@@ -60,6 +60,8 @@ function packJoints(world: World, h: number): void {
   world.jointsTouched = false;
   joints.h = h;
   joints.substeps = data.substeps;
+  joints.substepsLeft = data.substeps;
+  joints.shifted.clear();
   if (joints.slots > 0) {
     data.makeRoomForPoints(joints.slots);
   }
@@ -142,7 +144,7 @@ function packJoint(data: SolverData, joint: Joint): boolean {
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
 function steadyFresh(data: SolverData): void {
-  const { joints, groups } = data.joints;
+  const { joints, groups, shifted } = data.joints;
   for (const group of groups) {
     for (let k = group.start; k < group.end; k += 1) {
       const { constraint } = joints[k]!;
@@ -152,6 +154,10 @@ function steadyFresh(data: SolverData): void {
         group.fresh = true;
         group.isWatched = false;
         steady(data, joints[k]!, group.touched ? 0 : 1);
+        if (constraint.shifted && !group.touched) {
+          shifted.add(joints[k]!);
+        }
+        constraint.shifted = false;
       }
     }
   }
@@ -177,6 +183,16 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
       i += 1;
     }
   }
+  spreadShifts(data);
+}
+
+/** The way to what is asked for anew is made over the whole step: all of it in the first sub-step would be so many times as fast, and what hangs on it, whose joints make momentum, be flung up. */
+function spreadShifts(data: SolverData): void {
+  const { shifted, substepsLeft } = data.joints;
+  for (let i = 0; i < shifted.count; i += 1) {
+    correctShare(data, shifted.items[i]!, 1 / substepsLeft);
+  }
+  data.joints.substepsLeft -= 1;
 }
 
 function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {

@@ -20,7 +20,7 @@ export function tie(world: World, constraint: Constraint): void {
   constraint.index = world.constraints.push(constraint) - 1;
   constraint.order = world.nextOrder;
   world.nextOrder += 1;
-  constraint.fresh = true;
+  constraint.renew();
   for (const body of distinct(constraint)) {
     body.constraints.push(constraint);
   }
@@ -70,7 +70,7 @@ function wakeMembers(world: World, { members }: Constraint): void {
 export function switchOn(world: World, constraint: Constraint): void {
   constraint.enabled = true;
   constraint.asleep = false;
-  constraint.fresh = true;
+  constraint.renew();
   countIgnoring(constraint, 1);
   enlivenConstraint(world, constraint);
   wakeMembers(world, constraint);
