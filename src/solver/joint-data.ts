@@ -75,8 +75,10 @@ export class Group {
   settling = 0;
   /** Few joints hold it to what does not move at two places or more: they may not all be met … */
   isBetween = false;
-  /** … and for so many steps there was an error that no sweep removed. */
+  /** … and for so many steps there was an error that no sweep removed; … */
   stuck = 0;
+  /** … in this step its bodies are told how they moved: see `goAsMoved` in `joint-energy.ts`. */
+  isUnmet = false;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
   span = 0;
   /** How often it is in this sub-step, spread over the iterations … */

@@ -6,7 +6,6 @@ import {
   HEAVY,
   STUCK_APART,
   STUCK_STANDS,
-  STUCK_STEPS,
   TOUCHED_EXCESS,
 } from '../config-joints.js';
 import { recordAt, type SolverData } from './data.js';
@@ -76,7 +75,7 @@ export function takeExcesses(data: SolverData): void {
   const { groups } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
-    if (group.stuck === STUCK_STEPS) goAsMoved(data, group);
+    if (group.isUnmet) goAsMoved(data, group);
     if (group.isWatched && group.settling === 0) {
       takeExcess(data, group);
     } else if (!group.touched) {

@@ -79,8 +79,8 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   }
   if (isFirst) {
     if (group.touched) steadyTouched(data, group);
+    lookWhetherStuck(data, group);
     settle(data, group);
-    lookWhetherStuck(group);
     weigh(data, group);
   }
   limitMomentum(data, group, isFirst);
@@ -157,11 +157,16 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
   }
 }
 
-/** Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. A larger one of what touches something is to be closed. */
-function lookWhetherStuck(group: Group): void {
-  const { isBetween, error, touched } = group;
-  const isOpen = error > STUCK_ERROR * STUCK_ERROR && (!touched || error < JOINT_TORN * JOINT_TORN);
-  group.stuck = isBetween && isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
+/**
+ * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn, unless something far heavier
+ * lies on it, which has to be held up.
+ */
+function lookWhetherStuck(data: SolverData, group: Group): void {
+  const { isBetween, error, fresh, touched } = group;
+  const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
+  const isTorn = isOpen && error > JOINT_TORN * JOINT_TORN;
+  group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
+  group.isUnmet = isTorn ? !touched || isBlocked(data, group) : isOpen && (fresh || group.stuck === STUCK_STEPS);
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */

@@ -26,6 +26,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'isDriven',
       'isAnchored',
       'isBetween',
+      'isUnmet',
       'frequency',
       'isWatched',
       'energy',
