@@ -3,7 +3,7 @@ import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEEPS } from '../config-joints.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
-import { type Group, type JointData, keepsNumbers, type Run } from './joint-data.js';
+import { type Group, type Joint, type JointData, keepsNumbers, type Run } from './joint-data.js';
 import { type BlockLayout, KEPT_STRIDE, POINT, TURN, TURN_STRIDE } from './joint-layout.js';
 import { WINDOW } from './layout.js';
 
@@ -68,15 +68,22 @@ export function allot(data: JointData): void {
   }
 }
 
-/** Some body that can move has three joints or more. */
+/** Some body that can move has three joints or more. Few have so many constraints at all: only of those they are counted. */
 function branches({ joints }: JointData, { start, end }: Group): boolean {
   const counts = new Map<RigidBody, number>();
-  for (const { constraint } of joints.slice(start, end)) {
-    for (const body of new Set(constraint.members)) {
-      counts.set(body, (counts.get(body) ?? 0) + (body.kind === DYNAMIC ? 1 : 0));
+  let most = 0;
+  for (let k = start; k < end && most <= 2; k += 1) {
+    const { members } = joints[k]!.constraint;
+    for (let m = 0; m < members.length; m += 1) {
+      const body = members[m]!;
+      if (body.kind === DYNAMIC && body.constraints.length > 2 && members.indexOf(body) === m) {
+        const count = (counts.get(body) ?? 0) + 1;
+        counts.set(body, count);
+        most = Math.max(most, count);
+      }
     }
   }
-  return [...counts.values()].some((count) => count > 2);
+  return most > 2;
 }
 
 /** Gives rigid point joints their records for a step. Where they are solved two at a time, no two that lie side by side share a body: the second is missing there. */
@@ -169,8 +176,13 @@ function sharesBody({ members }: Constraint, other: Constraint): boolean {
   return members.some((body) => other.members.includes(body));
 }
 
+const NO_TWINS: Joint['twins'] = [];
+
 /** Each member that was listed before, with the first place it was listed at. */
-function twinsOf(members: Constraint['members']): [number, number][] {
+function twinsOf(members: Constraint['members']): Joint['twins'] {
+  if (members.length === 2 && members[0] !== members[1]) {
+    return NO_TWINS;
+  }
   return members.flatMap((body, k): [number, number][] => {
     const first = members.indexOf(body);
     return first < k ? [[first, k]] : [];

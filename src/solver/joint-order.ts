@@ -1,3 +1,4 @@
+import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { PointConstraint } from '../constraint/point.js';
@@ -25,14 +26,17 @@ export function orderJoints(world: World): void {
       constraint.forget();
     }
   }
-  acting.sort((a, b) => a.order - b.order);
+  acting.sort(byOrder);
   const { joints } = world.solver;
   joints.reset();
   const left = new Set(acting);
+  const unlisted = new Set(acting);
+  const met = new Set<RigidBody>();
+  const passed = new Set<RigidBody>();
   for (const constraint of acting) {
     if (left.has(constraint)) {
       joints.groups.push(new Group(joints.joints.length));
-      addTurnsLast(joints, breadthFirst(hangingTogether(constraint, left)));
+      addTurnsLast(joints, breadthFirst(hangingTogether(constraint, left, met), unlisted, passed));
     }
   }
   allot(joints);
@@ -62,39 +66,68 @@ export function acts(world: World, { members, type }: Constraint): boolean {
   );
 }
 
-/** All constraints that are reached from one by way of dynamic bodies that they share; they leave the set `left`. */
-function hangingTogether(start: Constraint, left: Set<Constraint>): Constraint[] {
+/** All constraints that are reached from one by way of dynamic bodies that they share; they leave the set `left`, and the bodies join `met`. */
+function hangingTogether(start: Constraint, left: Set<Constraint>, met: Set<RigidBody>): Constraint[] {
   const found = [start];
   left.delete(start);
-  for (const { members } of found) {
-    for (const { kind, constraints } of members) {
-      for (const next of kind === DYNAMIC ? constraints : []) {
-        if (left.delete(next)) {
-          found.push(next);
-        }
+  for (const constraint of found) {
+    addNeighbours(constraint, left, met, found);
+  }
+  return found.sort(byOrder);
+}
+
+/** Takes those that share a dynamic body with one out of a set, and lists them. Each body is looked at once, as all that it has is listed then: else a hub would be, with all its joints, for each of them. */
+function addNeighbours({ members }: Constraint, left: Set<Constraint>, met: Set<RigidBody>, found: Constraint[]): void {
+  for (const body of members) {
+    if (body.kind === DYNAMIC && !met.has(body)) {
+      met.add(body);
+      for (const next of body.constraints) {
+        if (left.delete(next)) found.push(next);
       }
     }
   }
-  return found.sort((a, b) => a.order - b.order);
 }
 
-/** In the order of how many constraints lie between each and the nearest that is tied to something immovable; of the same number every third, and again. */
-function breadthFirst(constraints: readonly Constraint[]): Constraint[] {
-  const left = new Set(constraints);
+function byOrder(a: Constraint, b: Constraint): number {
+  return a.order - b.order;
+}
+
+/**
+ * In the order of how many constraints lie between each and the nearest that is tied to something immovable; of the same number every third, and again.
+ * They leave the set `left`, and their dynamic bodies join `met`.
+ */
+function breadthFirst(
+  constraints: readonly Constraint[],
+  left: Set<Constraint>,
+  met: Set<RigidBody>,
+): readonly Constraint[] {
   const listed: Constraint[] = [];
-  let ring = constraints.filter(({ members }) => members.some(({ kind }) => kind !== DYNAMIC));
+  let ring = constraints.filter(isAnchored);
+  for (const constraint of ring) {
+    left.delete(constraint);
+  }
   while (ring.length > 0) {
     for (let first = 0; first < RING_STEP; first += 1) {
       for (let i = first; i < ring.length; i += RING_STEP) {
-        left.delete(ring[i]!);
         listed.push(ring[i]!);
       }
     }
-    const bodies = new Set(ring.flatMap(({ members }) => members).filter(({ kind }) => kind === DYNAMIC));
-    const next = new Set([...bodies].flatMap((body) => body.constraints.filter((constraint) => left.has(constraint))));
-    ring = [...next].sort((a, b) => a.order - b.order);
+    const next: Constraint[] = [];
+    for (const constraint of ring) {
+      addNeighbours(constraint, left, met, next);
+    }
+    ring = next.sort(byOrder);
   }
-  return [...listed, ...left];
+  // What hangs together is reached from what is anchored, if anything of it is.
+  return listed.length > 0 ? listed : constraints;
+}
+
+function isAnchored({ members }: Constraint): boolean {
+  return members.some(isImmovable);
+}
+
+function isImmovable({ kind }: RigidBody): boolean {
+  return kind !== DYNAMIC;
 }
 
 /** What only turns bodies comes last, where bounds have the last word: between the others it would cut them into short runs, and ragdolls take a fifth longer. */
