@@ -120,7 +120,7 @@ export class World extends WorldState {
     for (const shape of body.shapes) {
       this.enter(shape);
     }
-    this.jointsStale = true;
+    this.jointsStale ||= body.constraints.length > 0;
     if (!body.asleep) {
       enliven(this, body);
       wakeTies(this, body);

@@ -159,14 +159,17 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
 
 /**
  * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn, unless something far heavier
- * lies on it, which has to be held up.
+ * lies on it, which has to be held up; what is torn makes no momentum of its corrections, of which it would get the more the longer it is.
  */
 function lookWhetherStuck(data: SolverData, group: Group): void {
-  const { isBetween, error, fresh, touched } = group;
+  const { isBetween, error, fresh, touched, start, end } = group;
   const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
   const isTorn = isOpen && error > JOINT_TORN * JOINT_TORN;
   group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
   group.isUnmet = isTorn ? !touched || isBlocked(data, group) : isOpen && (fresh || group.stuck === STUCK_STEPS);
+  for (let k = start; k < end && isTorn && group.isUnmet; k += 1) {
+    steady(data, data.joints.joints[k]!, 0);
+  }
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */

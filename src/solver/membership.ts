@@ -44,7 +44,7 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
     quieten(world, body);
   }
   body.kind = kind;
-  world.jointsStale = true;
+  world.jointsStale ||= body.constraints.length > 0;
   for (const constraint of body.constraints) {
     if (constraint.owner !== world) {
       // In another world it acts on what cannot move there, and on nothing dynamic.
