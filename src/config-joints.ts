@@ -246,7 +246,7 @@ export const STRESS_SLOW = 1;
  */
 export const WHIRL = 0.7;
 
-/** Steps on end in which a few joints, which hold what hangs on them to what does not move at two places or more, are open by STUCK_ERROR: then they cannot all be met. Ropes between two posts are for a while, too. */
+/** Steps on end in which joints, which hold what hangs on them to what does not move at two places or more, are open by STUCK_ERROR: then they cannot all be met. Ropes between two posts are for a while, too. */
 export const STUCK_STEPS = 16;
 
 /** m, rad. */

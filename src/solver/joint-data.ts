@@ -73,7 +73,7 @@ export class Group {
   fresh = true;
   /** For so many steps more large errors are corrected without momentum. */
   settling = 0;
-  /** Few joints hold it to what does not move at two places or more: they may not all be met … */
+  /** Joints hold it to what does not move at two places or more: they may not all be met … */
   isBetween = false;
   /** … and for so many steps there was an error that no sweep removed; … */
   stuck = 0;

@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { FEW_JOINTS, FIRM_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-joints.js';
+import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-joints.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
@@ -36,7 +36,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
     }
   }
   markBodies(data, group, 0);
-  group.isBetween = anchors > 1 && group.end - group.start <= FIRM_JOINTS;
+  group.isBetween = anchors > 1;
   const most = 3 * (movers - (isHeld ? 0 : 1));
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);

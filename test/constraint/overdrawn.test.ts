@@ -124,6 +124,7 @@ describe('a chain whose ends go apart and come back', () => {
     [12, 1.6],
     [12, 2],
     [20, 2],
+    [40, 1.6],
   ])('is not flung about: %i links, to %f of its length', (count, over) => {
     const world = heavy();
     const length = 0.5 * count;
