@@ -7,7 +7,6 @@ const TOP = -2;
 interface Player {
   readonly name: string;
   readonly body: RigidBody;
-  wantsDown: boolean;
 }
 
 const world = phys2D.createWorld();
@@ -20,23 +19,28 @@ function addStatic(y1: number, y2: number): Shape {
 
 function addPlayer(to: World, name: string, x: number, shapes: Shape[]): Player {
   const body = phys2D.createRigidBody({ position: [x, -0.8], inertia: Infinity, shapes });
-  const player = { name, body, wantsDown: false };
-  body.userData = player;
   to.addRigidBody(body);
-  return player;
+  return { name, body };
 }
 
-/** The feet must have been above the platform a step ago. Decided by the body, as one of several shapes may well be above. */
-function makeOneWay(platform: Shape): void {
+/** Bears what was above it a step ago, by the body, as one of several shapes may well be above; decided once, when it touches first, until it leaves. */
+function makeOneWay(platform: Shape): Shape {
   platform.addEventListener('preSolve', (arbiter, other) => {
-    const { body, wantsDown } = other.body!.userData as Player;
+    const body = other.body!;
     const [, speed] = body.getVelocity();
-    const feet = body.computeWorldBounds()[3];
-    if (wantsDown || speed < -0.01 || feet - speed * DT > TOP + 0.02) {
-      arbiter.setAcceptedState(false);
-      arbiter.setPersistentState(true);
-    }
+    arbiter.setAcceptedState(body.computeWorldBounds()[3] - speed * DT <= TOP + 0.02);
+    arbiter.setPersistentState(true);
   });
+  return platform;
+}
+
+/** Lets a body that stands on a platform fall through it. */
+function drop(platform: Shape, body: RigidBody): void {
+  for (const arbiter of platform.arbiters) {
+    if (arbiter.bodyA === body || arbiter.bodyB === body) {
+      arbiter.setAcceptedState(false);
+    }
+  }
 }
 
 const box = () => [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.6, 1.6) })];
@@ -48,7 +52,7 @@ const capsule = () => [
 
 const early = addPlayer(world, 'early', -3, box());
 addStatic(0, 1);
-makeOneWay(addStatic(TOP, TOP + 0.2));
+const platform = makeOneWay(addStatic(TOP, TOP + 0.2));
 const late = addPlayer(world, 'late', 0, capsule());
 const fast = addPlayer(world, 'fast', 3, box());
 const players = [early, late, fast];
@@ -66,12 +70,8 @@ early.body.setVelocity([0, -8]);
 late.body.setVelocity([0, -8]);
 fast.body.setVelocity([0, -30]);
 run(8, 'after a jump');
-for (const player of players) {
-  player.wantsDown = true;
-  player.body.wake();
+for (const { body } of players) {
+  drop(platform, body);
 }
 run(0.25, 'going down');
-for (const player of players) {
-  player.wantsDown = false;
-}
 run(2, 'down again');

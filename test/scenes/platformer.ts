@@ -90,16 +90,14 @@ function buildCoins(yard: Builder, player: RigidBody): () => number {
   return () => coins;
 }
 
-/** What the feet were above a step ago is borne, all else may pass. */
+/** What was above it a step ago is borne until it leaves, all else may pass. */
 function makeOneWay(ledge: Shape): void {
   const top = ledge.body!.computeWorldBounds()[1];
   ledge.addEventListener('preSolve', (arbiter, other) => {
     const body = other.body!;
     const [, speed] = body.getVelocity();
-    if (speed < -0.01 || body.computeWorldBounds()[3] - Math.max(0, speed) / 60 > top + 0.03) {
-      arbiter.setAcceptedState(false);
-      arbiter.setPersistentState(true);
-    }
+    arbiter.setAcceptedState(body.computeWorldBounds()[3] - speed / 60 <= top + 0.03);
+    arbiter.setPersistentState(true);
   });
 }
 
