@@ -3,6 +3,7 @@ import { DYNAMIC } from '../body-kind.js';
 import * as g from '../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../config-joints.js';
+import type { Arbiter } from '../contact/arbiter.js';
 import type { Shape } from '../shape/shape.js';
 import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
@@ -126,16 +127,18 @@ function goesIntoWalls({ motion: q, joints: { bodies } }: SolverData, { constrai
 function isGoneInto(shape: Shape): boolean {
   for (let i = 0; i < shape.arbiters.length; i += 1) {
     const pair = shape.arbiters[i]!;
-    const { bodyA, bodyB, numbers: n, at: o } = pair;
     const isFirst = pair.shapeA === shape;
-    const into = (isFirst ? 1 : -1) * (n[o + g.NX]! * way[0]! + n[o + g.NY]! * way[1]!);
-    findLeastSeparation(n, o);
-    const isIn = pair.isSolid() && leastSeparation[0]! < -JOINT_OPEN && (isFirst ? bodyB : bodyA).kind !== DYNAMIC;
-    if (isIn && into > way[2]!) {
+    const wall = isFirst ? pair.bodyB : pair.bodyA;
+    if (wall.kind !== DYNAMIC && pair.isSolid() && goesInto(pair, isFirst ? 1 : -1)) {
       return true;
     }
   }
   return false;
+}
+
+function goesInto({ numbers: n, at: o }: Arbiter, sign: number): boolean {
+  findLeastSeparation(n, o);
+  return leastSeparation[0]! < -JOINT_OPEN && sign * (n[o + g.NX]! * way[0]! + n[o + g.NY]! * way[1]!) > way[2]!;
 }
 
 /** Joints with something immovable are left as they are, as these would drag bodies through a wall at once. */
