@@ -24,7 +24,7 @@ const way = new Float64Array(3);
  * they would keep a joint open for ever that has something on its wrong side.
  */
 export function closeOpen(data: SolverData, group: Group): void {
-  if (group.touched && group.error > JOINT_TORN * JOINT_TORN) {
+  if (group.isTorn || (group.touched && group.error > JOINT_TORN * JOINT_TORN)) {
     forgetPart(data, group);
   }
   let rounds = 0;

@@ -77,8 +77,10 @@ export class Group {
   isBetween = false;
   /** … and for so many steps there was an error that no sweep removed; … */
   stuck = 0;
-  /** … in this step its bodies are told how they moved: see `goAsMoved` in `joint-energy.ts`. */
+  /** … in this step its bodies are told how they moved, see `goAsMoved` in `joint-energy.ts`; … */
   isUnmet = false;
+  /** … for it is far from that. */
+  isTorn = false;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
   span = 0;
   /** How often it is in this sub-step, spread over the iterations … */
@@ -94,6 +96,8 @@ export class Group {
   isBent = false;
   /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
   isDriven = false;
+  /** One of its joints breaks under force. */
+  mayBreak = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
   /** Its joints may pull against each other: see `joint-stress.ts`; … */

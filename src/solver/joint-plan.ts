@@ -54,11 +54,13 @@ import { findStrained } from './point-joints.js';
 export function lookAtKinds(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   group.isDriven = false;
+  group.mayBreak = false;
   group.frequency = 0;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
     group.isDriven ||= constraint.drives;
+    group.mayBreak ||= constraint.breakUnderForce;
   }
   lookAtStress(data, group);
 }
@@ -159,15 +161,16 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
 
 /**
  * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn, unless something far heavier
- * lies on it, which has to be held up; what is torn makes no momentum of its corrections, of which it would get the more the longer it is.
+ * lies on it, which has to be held up, or force may break it. What is torn makes no momentum of its corrections: it would get the more the longer it is.
  */
 function lookWhetherStuck(data: SolverData, group: Group): void {
-  const { isBetween, error, fresh, touched, start, end } = group;
+  const { isBetween, error, fresh, touched, mayBreak, start, end } = group;
   const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
-  const isTorn = isOpen && error > JOINT_TORN * JOINT_TORN;
+  const isLarge = error > JOINT_TORN * JOINT_TORN;
   group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
-  group.isUnmet = isTorn ? !touched || isBlocked(data, group) : isOpen && (fresh || group.stuck === STUCK_STEPS);
-  for (let k = start; k < end && isTorn && group.isUnmet; k += 1) {
+  group.isTorn = isOpen && isLarge && !mayBreak && (!touched || isBlocked(data, group));
+  group.isUnmet = group.isTorn || (isOpen && !isLarge && (fresh || group.stuck === STUCK_STEPS));
+  for (let k = start; k < end && group.isTorn; k += 1) {
     steady(data, data.joints.joints[k]!, 0);
   }
 }

@@ -27,6 +27,8 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'isAnchored',
       'isBetween',
       'isUnmet',
+      'isTorn',
+      'mayBreak',
       'frequency',
       'isWatched',
       'energy',
