@@ -1,8 +1,10 @@
 import { MIN_INVERSE_MASS } from '../config.js';
-import { BOUND_SLOP, BREAK_STEPS, JOINT_SNAP, ROW_TURN } from '../config-joints.js';
+import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../config-joints.js';
 import { isCustom } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
-import { backward, factor, forward } from '../math/solve.js';
+import { backward, forward } from '../math/solve.js';
+import { apply, findLength, length, multiplyRow, product, writeMatrix } from './block-rows.js';
+import { breakByWhole, cutOrBreak } from './breaking.js';
 import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
@@ -14,10 +16,6 @@ import * as d from './layout.js';
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
  * may be one-sided. As K is factored with it last, the other rows can be solved exactly for whatever it ends at.
  */
-
-/** What `multiplyRow` and `findLength` found: results would be boxed. */
-const product = new Float64Array(1);
-const length = new Float64Array(1);
 
 /** Which bodies it has, and the impulse to start with. @returns whether one of them is in contact. */
 export function packBlock(data: SolverData, joint: Joint): boolean {
@@ -162,72 +160,6 @@ function isGiving(data: SolverData, joint: Joint): boolean {
   return sum < 0;
 }
 
-/** Of so many numbers of a record, to `length`. */
-function findLength(r: Float64Array, from: number, count: number): void {
-  let square = 0;
-  for (let n = 0; n < count; n += 1) {
-    square += r[from + n]! * r[from + n]!;
-  }
-  length[0] = Math.sqrt(square);
-}
-
-/** K = J·M⁻¹·Jᵀ, factored. */
-function writeMatrix(data: SolverData, joint: Joint, jacobian: number): void {
-  const { records: r, bodies } = data.joints;
-  const v = data.velocity;
-  const { at, layout, first } = joint;
-  const { rows, members, matrix } = layout;
-  for (let n = 0; n < rows; n += 1) {
-    for (let m = 0; m <= n; m += 1) {
-      let sum = 0;
-      for (let k = 0; k < members; k += 1) {
-        const b = bodies[first + k]!;
-        const p = at + jacobian + 3 * (n * members + k);
-        const q = at + jacobian + 3 * (m * members + k);
-        sum += v[b + d.INV_MASS]! * (r[p]! * r[q]! + r[p + 1]! * r[q + 1]!);
-        sum += v[b + d.INV_INERTIA]! * r[p + 2]! * r[q + 2]!;
-      }
-      r[at + matrix + n * rows + m] = sum;
-    }
-  }
-  factor(r, at + matrix, rows, MIN_INVERSE_MASS);
-}
-
-/** Row n of J, times velocities or times the motion of the sub-step, to `product`. */
-function multiplyRow(data: SolverData, joint: Joint, jacobian: number, n: number, motion: boolean): void {
-  const { records: r, bodies } = data.joints;
-  const v = motion ? data.motion : data.velocity;
-  const { at, layout, first } = joint;
-  const { members } = layout;
-  let sum = 0;
-  for (let k = 0; k < members; k += 1) {
-    const b = bodies[first + k]!;
-    const p = at + jacobian + 3 * (n * members + k);
-    sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
-  }
-  product[0] = sum;
-}
-
-/** Adds `scale` · M⁻¹·Jᵀ·λ, λ at the offset `from`, to velocities or to the motion of the sub-step. */
-function apply(data: SolverData, joint: Joint, jacobian: number, from: number, scale: number, motion: boolean): void {
-  const { records: r, bodies } = data.joints;
-  const v = motion ? data.motion : data.velocity;
-  const { at, layout, first } = joint;
-  const { rows, members } = layout;
-  for (let k = 0; k < members; k += 1) {
-    const b = bodies[first + k]!;
-    const inverseMass = scale * v[b + d.INV_MASS]!;
-    const inverseInertia = scale * v[b + d.INV_INERTIA]!;
-    for (let n = 0; n < rows; n += 1) {
-      const p = at + jacobian + 3 * (n * members + k);
-      const lambda = r[at + from + n]!;
-      v[b] = v[b]! + inverseMass * lambda * r[p]!;
-      v[b + 1] = v[b + 1]! + inverseMass * lambda * r[p + 1]!;
-      v[b + 2] = v[b + 2]! + inverseInertia * lambda * r[p + 2]!;
-    }
-  }
-}
-
 /** One sweep: λ → clamp(λ − K⁻¹(J·v + bias) · softness − feedback · λ). */
 export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
@@ -293,46 +225,6 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
   if (constraint.failed) {
     data.joints.silence(joint);
   }
-}
-
-/** Cuts the impulse to its limit, or breaks the joint if that of the step is too large. @returns whether it broke. */
-function cutOrBreak(data: SolverData, joint: Joint): boolean {
-  const { records: r } = data.joints;
-  const { at, layout } = joint;
-  const { rows, work, total } = layout;
-  let square = 0;
-  for (let n = 0; n < rows; n += 1) {
-    const sum = r[at + total + n]! + r[at + work + n]!;
-    square += sum * sum;
-  }
-  const most = r[at + j.BREAK]!;
-  if (square > most * most) {
-    tear(data, joint);
-    return true;
-  }
-  findLength(r, at + work, rows);
-  const size = length[0]!;
-  const limit = r[at + j.LIMIT]!;
-  for (let n = 0; n < rows && size > limit; n += 1) {
-    r[at + work + n] = (r[at + work + n]! * limit) / size;
-  }
-  return false;
-}
-
-/**
- * A velocity iteration asks for more than a joint bears: it breaks. A sub-step begins with what the last one gave, once more: where the step would have had too much with that alone, it is taken back. Else a
- * rope that tore as it caught a load would throw it upwards.
- */
-export function tear(data: SolverData, joint: Joint): void {
-  const { records: r } = data.joints;
-  const { at, layout } = joint;
-  const { rows, work, total, impulse, jacobian } = layout;
-  for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = r[at + total + n]! + r[at + impulse + n]!;
-  }
-  findLength(r, at + work, rows);
-  if (length[0]! > r[at + j.BREAK]!) apply(data, joint, jacobian, impulse, -1, false);
-  data.joints.break(joint);
 }
 
 /** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. */
@@ -465,24 +357,6 @@ export function finishBlock(data: SolverData, joint: Joint): void {
   }
   if (isCustom(constraint) && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {
     r.copyWithin(at + jacobian, at + turned, at + turned + 3 * members * rows);
-  }
-}
-
-/**
- * Velocity iterations see only part of what a joint has to bear; what turns a swinging body comes half from corrections. But after a
- * sudden load these overshoot for a few steps: only when the whole is too much for several steps on end does the joint break by it.
- */
-function breakByWhole(data: SolverData, joint: Joint): void {
-  const { records: r } = data.joints;
-  const { at, layout, constraint } = joint;
-  const { rows, work, total, carried } = layout;
-  for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = r[at + total + n]! + r[at + carried + n]!;
-  }
-  findLength(r, at + work, rows);
-  constraint.strainedSteps = length[0]! > r[at + j.BREAK]! ? constraint.strainedSteps + 1 : 0;
-  if (constraint.strainedSteps >= BREAK_STEPS) {
-    data.joints.break(joint);
   }
 }
 

@@ -1,4 +1,4 @@
-import { tear } from './block-joints.js';
+import { tear } from './breaking.js';
 import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';

@@ -1,0 +1,84 @@
+import { MIN_INVERSE_MASS } from '../config.js';
+import { factor } from '../math/solve.js';
+import type { SolverData } from './data.js';
+import type { Joint } from './joint-data.js';
+import * as d from './layout.js';
+
+// The rows of the Jacobian J of a joint whose numbers are written out: products with it.
+
+/** What `multiplyRow` and `findLength` found: results would be boxed. */
+export const product = new Float64Array(1);
+export const length = new Float64Array(1);
+
+/** Of so many numbers of a record, to `length`. */
+export function findLength(r: Float64Array, from: number, count: number): void {
+  let square = 0;
+  for (let n = 0; n < count; n += 1) {
+    square += r[from + n]! * r[from + n]!;
+  }
+  length[0] = Math.sqrt(square);
+}
+
+/** K = J·M⁻¹·Jᵀ, factored. */
+export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): void {
+  const { records: r, bodies } = data.joints;
+  const v = data.velocity;
+  const { at, layout, first } = joint;
+  const { rows, members, matrix } = layout;
+  for (let n = 0; n < rows; n += 1) {
+    for (let m = 0; m <= n; m += 1) {
+      let sum = 0;
+      for (let k = 0; k < members; k += 1) {
+        const b = bodies[first + k]!;
+        const p = at + jacobian + 3 * (n * members + k);
+        const q = at + jacobian + 3 * (m * members + k);
+        sum += v[b + d.INV_MASS]! * (r[p]! * r[q]! + r[p + 1]! * r[q + 1]!);
+        sum += v[b + d.INV_INERTIA]! * r[p + 2]! * r[q + 2]!;
+      }
+      r[at + matrix + n * rows + m] = sum;
+    }
+  }
+  factor(r, at + matrix, rows, MIN_INVERSE_MASS);
+}
+
+/** Row n of J, times velocities or times the motion of the sub-step, to `product`. */
+export function multiplyRow(data: SolverData, joint: Joint, jacobian: number, n: number, motion: boolean): void {
+  const { records: r, bodies } = data.joints;
+  const v = motion ? data.motion : data.velocity;
+  const { at, layout, first } = joint;
+  const { members } = layout;
+  let sum = 0;
+  for (let k = 0; k < members; k += 1) {
+    const b = bodies[first + k]!;
+    const p = at + jacobian + 3 * (n * members + k);
+    sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
+  }
+  product[0] = sum;
+}
+
+/** Adds `scale` · M⁻¹·Jᵀ·λ, λ at the offset `from`, to velocities or to the motion of the sub-step. */
+export function apply(
+  data: SolverData,
+  joint: Joint,
+  jacobian: number,
+  from: number,
+  scale: number,
+  motion: boolean,
+): void {
+  const { records: r, bodies } = data.joints;
+  const v = motion ? data.motion : data.velocity;
+  const { at, layout, first } = joint;
+  const { rows, members } = layout;
+  for (let k = 0; k < members; k += 1) {
+    const b = bodies[first + k]!;
+    const inverseMass = scale * v[b + d.INV_MASS]!;
+    const inverseInertia = scale * v[b + d.INV_INERTIA]!;
+    for (let n = 0; n < rows; n += 1) {
+      const p = at + jacobian + 3 * (n * members + k);
+      const lambda = r[at + from + n]!;
+      v[b] = v[b]! + inverseMass * lambda * r[p]!;
+      v[b + 1] = v[b + 1]! + inverseMass * lambda * r[p + 1]!;
+      v[b + 2] = v[b + 2]! + inverseInertia * lambda * r[p + 2]!;
+    }
+  }
+}
