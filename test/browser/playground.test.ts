@@ -522,7 +522,8 @@ describe('a phone', () => {
     await phone.getByLabel('Substeps').fill('7');
     expect(await ask('playground.simulation.world.substeps', phone)).toBe(7);
     await phone.touchscreen.tap(195, 120);
-    await phone.waitForTimeout(300);
+    // Not after so many milliseconds: on a busy machine the sheet takes longer to slide away.
+    await phone.getByLabel('Substeps').waitFor({ state: 'hidden', timeout: 10_000 });
     expect(await phone.getByLabel('Substeps').isVisible()).toBe(false);
   });
 
