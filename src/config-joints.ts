@@ -215,7 +215,7 @@ export const CLOSING_ROUNDS = 4;
 export const INTO_WALL = 0.5;
 
 /**
- * m, rad. Of joints that hang together and touch something, one with a larger error cannot be met, and what they give would grow without end. With 0.01 some in
+ * m, rad. Of joints that hang together and touch something, or hold it between things that do not move, one with a larger error cannot be met, and what they give would grow without end. With 0.01 some in
  * heaps of ragdolls are taken for such. It is also how much of such an error is corrected in a sub-step: contacts take three quarters of that back, so that a third of it is how deep it gets.
  */
 export const JOINT_TORN = 0.05;

@@ -250,7 +250,8 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
     dropTurning(data, joint);
   }
   writeMatrix(data, joint, turned);
-  const share = r[at + j.REACH]! < 0 ? -r[at + j.REACH]! : r[at + j.REACH]! / error;
+  const reach = r[at + j.REACH]!;
+  const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
     multiplyRow(data, joint, turned, n, true);

@@ -79,7 +79,7 @@ export class Group {
   stuck = 0;
   /** … in this step its bodies are told how they moved, see `goAsMoved` in `joint-energy.ts`; … */
   isUnmet = false;
-  /** … for it is far from that. */
+  /** … for an error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
   isTorn = false;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
   span = 0;
@@ -168,7 +168,7 @@ export class JointData implements Keeper {
   /** Those that broke in this step … */
   readonly broken: Joint[] = [];
   /** … and those that ask for something else than in the last one, which are corrected bit by bit in the sub-steps that are left. */
-  readonly shifted = new List<Joint>();
+  readonly shifted: Joint[] = [];
   substepsLeft = 1;
   /** s. Length of a sub-step, and how many there are. */
   h = 0;

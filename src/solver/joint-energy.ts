@@ -134,7 +134,7 @@ function goAsMoved(
     const vw = v[i + d.W]!;
     const x = q[i + d.DX]! / dt;
     const y = q[i + d.DY]! / dt;
-    const w = turnOf(q[i + d.DW]!) / dt;
+    const w = turnOf(q[i + d.DW]!, vw * dt) / dt;
     told += m * (vx * vx + vy * vy) + inertia * vw * vw;
     moved += m * (x * x + y * y) + inertia * w * w;
     apart += m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
@@ -145,14 +145,16 @@ function goAsMoved(
     if (v[i + d.INV_MASS]! + v[i + d.INV_INERTIA]! > 0) {
       v[i + d.VX] = q[i + d.DX]! / dt;
       v[i + d.VY] = q[i + d.DY]! / dt;
-      v[i + d.W] = turnOf(q[i + d.DW]!) / dt;
+      v[i + d.W] = turnOf(q[i + d.DW]!, v[i + d.W]! * dt) / dt;
     }
   }
 }
 
-/** rad. Without full turns, of which corrections of straight chains make some. */
-function turnOf(angle: number): number {
-  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+/** rad. Without full turns that its velocity did not tell of: corrections of straight chains make some. */
+function turnOf(angle: number, told: number): number {
+  const all = Math.round(angle / (2 * Math.PI));
+  const untold = Math.round((angle - told) / (2 * Math.PI));
+  return angle - 2 * Math.PI * Math.max(Math.min(0, all), Math.min(Math.max(0, all), untold));
 }
 
 /** It is the light bodies that whirl: of a ball on a thin chain the links, not the ball. */

@@ -25,7 +25,7 @@ export const CHECKED = 9;
 export const SNAPPED = 10;
 /** 1 if a large error is corrected without turning. */
 export const SNAPS = 11;
-/** m, rad. A larger error is corrected by no more at once: see `reachLess`; below 0, only that share of it: see `correctShare`. */
+/** m, rad. A larger error is corrected by no more at once: see `reachLess`; below 0, so much of it is left open: see `correctShare`. */
 export const REACH = 12;
 export const HEAD = 13;
 

@@ -60,7 +60,7 @@ export function lookAtKinds(data: SolverData, group: Group): void {
     const { constraint } = joints[k]!;
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
     group.isDriven ||= constraint.drives;
-    group.mayBreak ||= constraint.breakUnderForce;
+    group.mayBreak ||= constraint.breakUnderForce && constraint.maxForce < Infinity;
   }
   lookAtStress(data, group);
 }
@@ -81,9 +81,10 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   }
   if (isFirst) {
     if (group.touched) steadyTouched(data, group);
-    lookWhetherStuck(data, group);
-    settle(data, group);
     weigh(data, group);
+    lookWhetherStuck(data, group);
+    if (group.isTorn) steadyAll(data, group, 0);
+    settle(data, group);
   }
   limitMomentum(data, group, isFirst);
   if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(data, group)) {
@@ -160,30 +161,34 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
 }
 
 /**
- * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn, unless something far heavier
- * lies on it, which has to be held up, or force may break it. What is torn makes no momentum of its corrections: it would get the more the longer it is.
+ * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn: not of what bears or is joined to
+ * something far heavier, which has to be held up, nor where force may break something.
  */
 function lookWhetherStuck(data: SolverData, group: Group): void {
-  const { isBetween, error, fresh, touched, mayBreak, start, end } = group;
+  const { isBetween, error, fresh, touched, mayBreak, burdened } = group;
   const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
   const isLarge = error > JOINT_TORN * JOINT_TORN;
   group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
-  group.isTorn = isOpen && isLarge && !mayBreak && (!touched || isBlocked(data, group));
-  group.isUnmet = group.isTorn || (isOpen && !isLarge && (fresh || group.stuck === STUCK_STEPS));
-  for (let k = start; k < end && group.isTorn; k += 1) {
-    steady(data, data.joints.joints[k]!, 0);
+  group.isTorn = isOpen && isLarge && !mayBreak && !burdened && (!touched || isBlocked(data, group));
+  const isLong = group.stuck === STUCK_STEPS && !(isLarge && touched);
+  group.isUnmet = group.isTorn || isLong || (isOpen && !isLarge && fresh);
+}
+
+/** In this step corrections of none of its joints make momentum. What is torn would get the more the longer it is. */
+function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void {
+  for (let k = start; k < end; k += 1) {
+    steady(data, data.joints.joints[k]!, snaps);
   }
 }
 
 /** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
 function settle(data: SolverData, group: Group): void {
-  const { joints } = data.joints;
   const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
   const isLarge = group.error > most * most;
   group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
-  for (let k = group.start; k < group.end && group.settling > 0; k += 1) {
-    steady(data, joints[k]!, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
+  if (group.settling > 0) {
+    steadyAll(data, group, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
   }
 }
 
@@ -212,20 +217,28 @@ function reachLess(data: SolverData, { start, end }: Group): void {
   }
 }
 
-/** In this sub-step only a share of the error of a joint is corrected. */
-export function correctShare(data: SolverData, { kernel, at, slot }: Joint, share: number): void {
+/** In this sub-step only a share of the error of a joint is corrected, unless it is so large that bodies are moved without turning them. */
+export function correctShare(data: SolverData, { kernel, at, slot, layout }: Joint, share: number): void {
   const { records: r } = data.joints;
   const { points: p } = data;
   if (kernel === POINT) {
     const i = recordAt(slot, POINT_STRIDE);
-    p[i + ERROR_X] = share * p[i + ERROR_X]!;
-    p[i + ERROR_Y] = share * p[i + ERROR_Y]!;
+    const x = p[i + ERROR_X]!;
+    const y = p[i + ERROR_Y]!;
+    if (x * x + y * y <= JOINT_SNAP * JOINT_SNAP) {
+      p[i + ERROR_X] = share * x;
+      p[i + ERROR_Y] = share * y;
+    }
   } else if (kernel === TURN) {
     const value = r[at + TURN_VALUE]!;
     const bound = Math.max(r[at + TURN_LOWER]!, Math.min(r[at + TURN_UPPER]!, value));
     r[at + TURN_VALUE] = bound + share * (value - bound);
   } else {
-    r[at + REACH] = -share;
+    let square = 0;
+    for (let n = at + layout.error; n < at + layout.error + layout.rows; n += 1) {
+      square += r[n]! * r[n]!;
+    }
+    r[at + REACH] = share < 1 && square <= JOINT_SNAP * JOINT_SNAP ? (share - 1) * Math.sqrt(square) : Infinity;
   }
 }
 

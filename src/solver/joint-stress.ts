@@ -2,6 +2,7 @@ import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
 import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../config-joints.js';
 import type { Constraint } from '../constraint/constraint.js';
+import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { heldRows, impulseAt, markBodies, numbersOf, visit } from './joint-numbers.js';
@@ -32,7 +33,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
       const moves = body > 0 && constraint.members[n]!.kind === DYNAMIC;
       movers += moves && visit(data, body, d.MEMBER) ? 1 : 0;
       isHeld ||= !moves;
-      anchors += !moves && constraint.positional && constraint.type !== 'ANGLE' ? 1 : 0;
+      anchors += !moves && holdsPlace(constraint) ? 1 : 0;
     }
   }
   markBodies(data, group, 0);
@@ -44,25 +45,29 @@ export function lookAtStress(data: SolverData, group: Group): void {
 
 function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Group): boolean {
   for (let k = start; k < end; k += 1) {
-    const { members } = joints[k]!.constraint;
-    if (members.length === 2 && rowsBetween(members[0]!, members[1]!) > 3) return true;
+    const { members, owner } = joints[k]!.constraint;
+    if (members.length === 2 && rowsBetween(members[0]!, members[1]!, owner) > 3) return true;
   }
   return false;
 }
 
-/** How many rows of rigid joints that act hold two bodies together. */
-function rowsBetween(a: RigidBody, b: RigidBody): number {
+/** How many rows of rigid joints that act in a world hold two bodies together. */
+function rowsBetween(a: RigidBody, b: RigidBody, world: World | null): number {
   const { constraints } = a.constraints.length < b.constraints.length ? a : b;
   let rows = 0;
   for (let i = 0; i < constraints.length; i += 1) {
     const constraint = constraints[i]!;
-    const { members, liveIndex } = constraint;
+    const { members, liveIndex, owner } = constraint;
     const isBetween = members.length === 2 && members.includes(a) && members.includes(b);
-    if (isBetween && liveIndex >= 0 && isRigid(constraint)) {
+    if (isBetween && owner === world && liveIndex >= 0 && isRigid(constraint)) {
       rows += heldRows(constraint);
     }
   }
   return rows;
+}
+
+function holdsPlace({ positional, isElastic, type }: Constraint): boolean {
+  return positional && !isElastic && type !== 'ANGLE';
 }
 
 function isRigid({ isElastic, drives }: Constraint): boolean {

@@ -61,7 +61,6 @@ function packJoints(world: World, h: number): void {
   joints.h = h;
   joints.substeps = data.substeps;
   joints.substepsLeft = data.substeps;
-  joints.shifted.clear();
   if (joints.slots > 0) {
     data.makeRoomForPoints(joints.slots);
   }
@@ -155,7 +154,7 @@ function steadyFresh(data: SolverData): void {
         group.isWatched = false;
         steady(data, joints[k]!, group.touched ? 0 : 1);
         if (constraint.shifted && !group.touched) {
-          shifted.add(joints[k]!);
+          shifted.push(joints[k]!);
         }
         constraint.shifted = false;
       }
@@ -189,10 +188,12 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
 /** The way to what is asked for anew is made over the whole step: all of it in the first sub-step would be so many times as fast, and what hangs on it, whose joints make momentum, be flung up. */
 function spreadShifts(data: SolverData): void {
   const { shifted, substepsLeft } = data.joints;
-  for (let i = 0; i < shifted.count; i += 1) {
-    correctShare(data, shifted.items[i]!, 1 / substepsLeft);
+  for (let i = 0; i < shifted.length; i += 1) {
+    correctShare(data, shifted[i]!, 1 / substepsLeft);
   }
   data.joints.substepsLeft -= 1;
+  // Nobody is held on to.
+  if (substepsLeft === 1) shifted.length = 0;
 }
 
 function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {

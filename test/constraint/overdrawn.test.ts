@@ -257,3 +257,49 @@ describe('a beam of welded pieces that is pressed together', () => {
     expect(Math.max(told, moves)).toBeLessThan(0.1);
   });
 });
+
+describe('what is not drawn too far', () => {
+  it('bears all the same what weighs 1,000 times its links, though they gape as it swings', () => {
+    const world = heavy({ substeps: 1 });
+    const crate = boxBody(2.2, 0.4, { position: [0, 2.6] }, { mask: 0 });
+    for (const side of [-1, 1]) {
+      let last = staticBody();
+      for (let i = 0; i < 8; i += 1) {
+        const link = boxBody(0.08, 0.28, { position: [side, 0.15 + 0.3 * i] }, { mask: 0 });
+        crate.setMass(1000 * link.getMass());
+        add(world, link);
+        const anchorA: Vec2 = i === 0 ? [side, 0] : [0, 0.15];
+        tie(world, phys2D.createPointConstraint({ bodyA: last, bodyB: link, anchorA, anchorB: [0, -0.15] }));
+        last = link;
+      }
+      const ends = { anchorA: [0, 0.15] as Vec2, anchorB: [side, -0.2] as Vec2 };
+      tie(world, phys2D.createPointConstraint({ bodyA: last, bodyB: crate, ...ends }));
+    }
+    crate.setInertia(0.8 * crate.getMass());
+    add(world, crate);
+    crate.setVelocity([6, 0]);
+    crate.setAngularVelocity(3);
+    for (let i = 0; i < 600; i += 1) {
+      steps(world, 1);
+      expect(crate.getPosition()[1]).toBeLessThan(3.5);
+    }
+  });
+
+  it('goes on turning by more than half a turn in a step when a hinge of its frame is moved', () => {
+    const world = heavy();
+    const plank = boxBody(2, 0.2, {}, { mask: 0 });
+    const fan = boxBody(0.8, 0.1, {}, { mask: 0 });
+    add(world, plank, fan);
+    const hinges = [-1, 1].map((x) =>
+      phys2D.createPointConstraint({ bodyA: staticBody(), bodyB: plank, anchorA: [x, 0], anchorB: [x, 0] }),
+    );
+    tie(world, ...hinges, phys2D.createPointConstraint({ bodyA: plank, bodyB: fan }));
+    fan.setAngularVelocity(300);
+    steps(world, 60);
+    const before = fan.getAngularVelocity();
+    hinges[0]!.setAnchorA([-1.001, 0]);
+    steps(world, 1);
+    expect(before).toBeGreaterThan(250);
+    expect(fan.getAngularVelocity()).toBeGreaterThan(0.99 * before);
+  });
+});
