@@ -25,6 +25,7 @@ import {
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
 } from '../config-joints.js';
+import { findLength, length } from './block-rows.js';
 import { recordAt, type SolverData } from './data.js';
 import { type Group, hasCallbacks, type Joint } from './joint-data.js';
 import { mayMakeEnergy } from './joint-energy.js';
@@ -234,11 +235,8 @@ export function correctShare(data: SolverData, { kernel, at, slot, layout }: Joi
     const bound = Math.max(r[at + TURN_LOWER]!, Math.min(r[at + TURN_UPPER]!, value));
     r[at + TURN_VALUE] = bound + share * (value - bound);
   } else {
-    let square = 0;
-    for (let n = at + layout.error; n < at + layout.error + layout.rows; n += 1) {
-      square += r[n]! * r[n]!;
-    }
-    r[at + REACH] = share < 1 && square <= JOINT_SNAP * JOINT_SNAP ? (share - 1) * Math.sqrt(square) : Infinity;
+    findLength(r, at + layout.error, layout.rows);
+    r[at + REACH] = share < 1 && length[0]! <= JOINT_SNAP ? (share - 1) * length[0]! : Infinity;
   }
 }
 

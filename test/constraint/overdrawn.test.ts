@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type RigidBody, type Vec2 } from '../../src/index.js';
+import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
 import { add, boxBody, DT, heavy, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 
 // What joints hold to two places that are too far apart, or too close, cannot be met. Corrected again and again, with momentum, chains whirled at 500 m/s, and beams that stood were told to turn at 2,900 rad/s.
 
 /** m/s. How fast bodies are told to move, their ends included, and how fast they do, at most in so many steps. */
-function fastest(world: ReturnType<typeof heavy>, bodies: readonly RigidBody[], reach: number, count: number) {
+function fastest(world: World, bodies: readonly RigidBody[], reach: number, count: number) {
   let [told, moves] = [0, 0];
   for (let i = 0; i < count; i += 1) {
     const before = bodies.map((body) => [...body.getPosition(), body.getRotation()] as const);
@@ -27,7 +27,7 @@ function kinematic(position: Vec2): RigidBody {
 }
 
 /** A chain of so many rods from a hook at the origin to a hand, straight along a direction. @returns the rods. */
-function addChain(world: ReturnType<typeof heavy>, lengths: readonly number[], angle: number, hand: RigidBody) {
+function addChain(world: World, lengths: readonly number[], angle: number, hand: RigidBody) {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const rods: RigidBody[] = [];
   let last = staticBody();
@@ -56,7 +56,7 @@ function addChain(world: ReturnType<typeof heavy>, lengths: readonly number[], a
 }
 
 /** Pieces of 0.4 m, welded to each other and to what is at either end. */
-function addBeam(world: ReturnType<typeof heavy>, count: number, ends: readonly [RigidBody, RigidBody]): RigidBody[] {
+function addBeam(world: World, count: number, ends: readonly [RigidBody, RigidBody]): RigidBody[] {
   const pieces = Array.from({ length: count }, (_, i) =>
     boxBody(0.36, 0.1, { position: [0.4 * (i + 0.5) - 0.2 * count, 0] }),
   );
@@ -177,7 +177,7 @@ describe('a body with two hinges of which one is moved', () => {
   const HINGES = [-0.8, 0.8] as const;
 
   /** A door of 1 × 2 m, and its frames. */
-  function addDoor(world: ReturnType<typeof heavy>) {
+  function addDoor(world: World) {
     const frames = HINGES.map(() => staticBody());
     const door = boxBody(1, 2, { position: [0.5, 0] });
     add(world, door);
