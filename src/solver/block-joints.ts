@@ -3,7 +3,7 @@ import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../config-joints.js';
 import { isCustom } from '../constraint/constraint.js';
 import type { CustomConstraint } from '../constraint/custom.js';
 import { backward, forward } from '../math/solve.js';
-import { apply, findLength, length, multiplyRow, product, writeMatrix } from './block-rows.js';
+import { applyRows, clear, findLength, length, multiplyRows, writeMatrix } from './block-rows.js';
 import { breakByWhole, cutOrBreak } from './breaking.js';
 import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
@@ -52,20 +52,20 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   } else if (isElastic) {
     foresee(data, joint);
   }
-  r.fill(0, at + layout.push, at + layout.push + rows);
+  clear(r, at + layout.push, rows);
   writeMatrix(data, joint, layout.jacobian);
   if (!constraint.positional) {
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
     if (!isCustom(constraint)) {
-      multiplyRow(data, joint, layout.jacobian, 0, false);
-      noteLag(data, at, layout.impulse, product[0]! + r[at + layout.bias]!);
+      multiplyRows(data, joint, layout.jacobian, false);
+      noteLag(data, at, layout.impulse, r[at + layout.work]! + r[at + layout.bias]!);
     }
   } else if (isElastic) {
     writeElasticBias(data, joint);
     if (constraint.stored < 0 && isGiving(data, joint)) {
       // It only damps: see `joint-springs.ts`.
-      r.fill(0, at + layout.bias, at + layout.bias + rows);
-      r.fill(0, at + layout.impulse, at + layout.impulse + rows);
+      clear(r, at + layout.bias, rows);
+      clear(r, at + layout.impulse, rows);
     }
   } else {
     const last = rows - 1;
@@ -77,7 +77,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
     noteError(data, index);
   }
-  apply(data, joint, layout.jacobian, layout.impulse, 1, false);
+  applyRows(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
 
 /** Of the length that was found. */
@@ -95,10 +95,9 @@ function noteError({ joints }: SolverData, index: number): void {
 function foresee(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
+  multiplyRows(data, joint, layout.jacobian, true);
   for (let n = 0; n < layout.rows; n += 1) {
-    const e = at + layout.error + n;
-    multiplyRow(data, joint, layout.jacobian, n, true);
-    r[e] = r[e]! + product[0]!;
+    r[at + layout.error + n] = r[at + layout.error + n]! + r[at + layout.work + n]!;
   }
 }
 
@@ -139,9 +138,16 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
 }
 
 /** K⁻¹ · C, to the numbers at `work`. */
-export function weighError({ joints: { records: r } }: SolverData, { at, layout }: Joint): void {
-  const { rows, work, error, matrix } = layout;
+export function weighError({ joints: { records: r } }: SolverData, joint: Joint): void {
+  const { at, layout } = joint;
+  const { rows, work, error } = layout;
   r.copyWithin(at + work, at + error, at + error + rows);
+  solveWhole(r, joint);
+}
+
+/** Solves for the numbers at `work`. */
+function solveWhole(r: Float64Array, { at, layout }: Joint): void {
+  const { rows, work, matrix } = layout;
   forward(r, at + matrix, rows, r, at + work);
   backward(r, at + matrix, rows, r, at + work);
 }
@@ -150,12 +156,12 @@ export function weighError({ joints: { records: r } }: SolverData, { at, layout 
 function isGiving(data: SolverData, joint: Joint): boolean {
   const { records: r } = data.joints;
   const { at, layout } = joint;
-  const { rows, work } = layout;
-  weighError(data, joint);
+  const { rows, error, work } = layout;
+  multiplyRows(data, joint, layout.jacobian, false);
+  solveWhole(r, joint);
   let sum = 0;
   for (let n = 0; n < rows; n += 1) {
-    multiplyRow(data, joint, layout.jacobian, n, false);
-    sum += r[at + work + n]! * product[0]!;
+    sum += r[at + error + n]! * r[at + work + n]!;
   }
   return sum < 0;
 }
@@ -167,9 +173,9 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   const { rows, work, impulse, jacobian } = layout;
   const softness = r[at + j.SOFTNESS]!;
   const feedback = r[at + j.FEEDBACK]!;
+  multiplyRows(data, joint, jacobian, false);
   for (let n = 0; n < rows; n += 1) {
-    multiplyRow(data, joint, jacobian, n, false);
-    r[at + work + n] = -softness * (product[0]! + r[at + layout.bias + n]!);
+    r[at + work + n] = -softness * (r[at + work + n]! + r[at + layout.bias + n]!);
   }
   solve(r, joint, impulse, feedback);
   for (let n = 0; n < rows; n += 1) {
@@ -187,7 +193,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
     r[at + work + n] = next - r[at + impulse + n]!;
     r[at + impulse + n] = next;
   }
-  apply(data, joint, jacobian, work, 1, false);
+  applyRows(data, joint, jacobian, work, 1, false);
 }
 
 /** Solves for the numbers at `work`; the last row's impulse, at `so`, stays within its range. */
@@ -231,7 +237,7 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
 export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
-  const { rows, turned } = layout;
+  const { rows, turned, work } = layout;
   if (r[at + j.PUSH] === 0) {
     return;
   }
@@ -252,10 +258,10 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
   writeMatrix(data, joint, turned);
   const reach = r[at + j.REACH]!;
   const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
+  multiplyRows(data, joint, turned, true);
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
-    multiplyRow(data, joint, turned, n, true);
-    r[e] = (share < 1 ? share * r[e]! : r[e]!) - product[0]!;
+    r[e] = (share < 1 ? share * r[e]! : r[e]!) - r[at + work + n]!;
   }
 }
 
@@ -286,9 +292,9 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   if (r[at + j.PUSH] === 0) {
     return;
   }
+  multiplyRows(data, joint, turned, true);
   for (let n = 0; n < rows; n += 1) {
-    multiplyRow(data, joint, turned, n, true);
-    r[at + work + n] = -(r[at + layout.error + n]! + product[0]!);
+    r[at + work + n] = -(r[at + layout.error + n]! + r[at + work + n]!);
   }
   solve(r, joint, push, 0);
   if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
@@ -301,7 +307,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + push + n] = r[at + push + n]! + r[at + work + n]!;
   }
-  apply(data, joint, turned, work, 1, true);
+  applyRows(data, joint, turned, work, 1, true);
 }
 
 /** The error now, by its linear part, to `left` if that is less. */
@@ -309,9 +315,9 @@ export function measureBlock(data: SolverData, joint: Joint): void {
   const { records: r, left } = data.joints;
   const { at, layout } = joint;
   if (r[at + j.PUSH] !== 0) {
+    multiplyRows(data, joint, layout.turned, true);
     for (let n = 0; n < layout.rows; n += 1) {
-      multiplyRow(data, joint, layout.turned, n, true);
-      r[at + layout.work + n] = r[at + layout.error + n]! + product[0]!;
+      r[at + layout.work + n] = r[at + layout.error + n]! + r[at + layout.work + n]!;
     }
     findLength(r, at + layout.work, violatedRows(r, joint, layout.work));
     left[0] = Math.max(left[0]!, length[0]!);
@@ -343,7 +349,7 @@ export function finishBlock(data: SolverData, joint: Joint): void {
   const carry = share[0]! * r[at + j.CARRY]!;
   const along = rows === 1 && hasTurnedFar(data, joint) ? turned : jacobian;
   if (carry !== 0) {
-    apply(data, joint, along, push, carry, false);
+    applyRows(data, joint, along, push, carry, false);
   }
   for (let n = 0; n < rows; n += 1) {
     const held = r[at + impulse + n]!;

@@ -6,8 +6,7 @@ import * as d from './layout.js';
 
 // The rows of the Jacobian J of a joint whose numbers are written out: products with it.
 
-/** What `multiplyRow` and `findLength` found: results would be boxed. */
-export const product = new Float64Array(1);
+/** What `findLength` found: a result would be boxed. */
 export const length = new Float64Array(1);
 
 /** Of so many numbers of a record, to `length`. */
@@ -25,13 +24,14 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   const v = data.velocity;
   const { at, layout, first } = joint;
   const { rows, members, matrix } = layout;
+  const row = 3 * members;
   for (let n = 0; n < rows; n += 1) {
     for (let m = 0; m <= n; m += 1) {
+      let p = at + jacobian + n * row;
+      let q = at + jacobian + m * row;
       let sum = 0;
-      for (let k = 0; k < members; k += 1) {
-        const b = bodies[first + k]!;
-        const p = at + jacobian + 3 * (n * members + k);
-        const q = at + jacobian + 3 * (m * members + k);
+      for (let k = first; k < first + members; k += 1, p += 3, q += 3) {
+        const b = bodies[k]!;
         sum += v[b + d.INV_MASS]! * (r[p]! * r[q]! + r[p + 1]! * r[q + 1]!);
         sum += v[b + d.INV_INERTIA]! * r[p + 2]! * r[q + 2]!;
       }
@@ -41,23 +41,25 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   factor(r, at + matrix, rows, MIN_INVERSE_MASS);
 }
 
-/** Row n of J, times velocities or times the motion of the sub-step, to `product`. */
-export function multiplyRow(data: SolverData, joint: Joint, jacobian: number, n: number, motion: boolean): void {
+/** All rows of J, times velocities or times the motion of the sub-step, to the numbers at `work`. */
+export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, motion: boolean): void {
   const { records: r, bodies } = data.joints;
   const v = motion ? data.motion : data.velocity;
   const { at, layout, first } = joint;
-  const { members } = layout;
-  let sum = 0;
-  for (let k = 0; k < members; k += 1) {
-    const b = bodies[first + k]!;
-    const p = at + jacobian + 3 * (n * members + k);
-    sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
+  const { rows, members, work } = layout;
+  let p = at + jacobian;
+  for (let n = 0; n < rows; n += 1) {
+    let sum = 0;
+    for (let k = first; k < first + members; k += 1, p += 3) {
+      const b = bodies[k]!;
+      sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
+    }
+    r[at + work + n] = sum;
   }
-  product[0] = sum;
 }
 
 /** Adds `scale` · M⁻¹·Jᵀ·λ, λ at the offset `from`, to velocities or to the motion of the sub-step. */
-export function apply(
+export function applyRows(
   data: SolverData,
   joint: Joint,
   jacobian: number,
@@ -73,12 +75,25 @@ export function apply(
     const b = bodies[first + k]!;
     const inverseMass = scale * v[b + d.INV_MASS]!;
     const inverseInertia = scale * v[b + d.INV_INERTIA]!;
-    for (let n = 0; n < rows; n += 1) {
-      const p = at + jacobian + 3 * (n * members + k);
+    let x = v[b]!;
+    let y = v[b + 1]!;
+    let w = v[b + 2]!;
+    let p = at + jacobian + 3 * k;
+    for (let n = 0; n < rows; n += 1, p += 3 * members) {
       const lambda = r[at + from + n]!;
-      v[b] = v[b]! + inverseMass * lambda * r[p]!;
-      v[b + 1] = v[b + 1]! + inverseMass * lambda * r[p + 1]!;
-      v[b + 2] = v[b + 2]! + inverseInertia * lambda * r[p + 2]!;
+      x += inverseMass * lambda * r[p]!;
+      y += inverseMass * lambda * r[p + 1]!;
+      w += inverseInertia * lambda * r[p + 2]!;
     }
+    v[b] = x;
+    v[b + 1] = y;
+    v[b + 2] = w;
+  }
+}
+
+/** Sets so many numbers of a record to 0: so few that `fill` would take longer. */
+export function clear(r: Float64Array, from: number, count: number): void {
+  for (let n = from; n < from + count; n += 1) {
+    r[n] = 0;
   }
 }

@@ -1,5 +1,5 @@
 import { BREAK_STEPS } from '../config-joints.js';
-import { apply, findLength, length } from './block-rows.js';
+import { applyRows, findLength, length } from './block-rows.js';
 import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
@@ -42,7 +42,7 @@ export function tear(data: SolverData, joint: Joint): void {
     r[at + work + n] = r[at + total + n]! + r[at + impulse + n]!;
   }
   findLength(r, at + work, rows);
-  if (length[0]! > r[at + j.BREAK]!) apply(data, joint, jacobian, impulse, -1, false);
+  if (length[0]! > r[at + j.BREAK]!) applyRows(data, joint, jacobian, impulse, -1, false);
   data.joints.break(joint);
 }
 

@@ -96,10 +96,14 @@ export const POINT = 0;
 export const TURN = 1;
 /** … one row between two bodies … */
 export const ROW = 2;
+/** … two rows between two bodies … */
+export const TWO_ROWS = 3;
+/** … welds … */
+export const WELD = 4;
 /** … any number of rows and bodies … */
-export const BLOCK = 3;
+export const BLOCK = 5;
 /** … and the same by callbacks. */
-export const CUSTOM = 4;
+export const CUSTOM = 6;
 
 /**
  * These have, after the head, what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K …

@@ -4,7 +4,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import type { PointConstraint } from '../constraint/point.js';
 import type { World } from '../world.js';
 import { Group, type JointData } from './joint-data.js';
-import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN } from './joint-layout.js';
+import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN, TWO_ROWS, WELD } from './joint-layout.js';
 import { addJoint, allot } from './joint-list.js';
 import { angleBeside } from './pinned.js';
 
@@ -55,7 +55,10 @@ function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnde
   if (type === 'CUSTOM') {
     return CUSTOM;
   }
-  return dimension === 1 && members.length === 2 ? ROW : BLOCK;
+  if (type === 'WELD') {
+    return WELD;
+  }
+  return members.length > 2 ? BLOCK : dimension === 1 ? ROW : TWO_ROWS;
 }
 
 /** A constraint with a dynamic body that is not in the world does nothing, nor does one between a body and itself. */

@@ -5,6 +5,7 @@ import { type Constraint, isCustom } from '../constraint/constraint.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
 import { cosSin } from '../math/trig.js';
 import type { World } from '../world.js';
+import { clear } from './block-rows.js';
 import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import { forgetImpulse } from './joint-numbers.js';
@@ -137,8 +138,8 @@ export function measure(data: SolverData, joint: Joint, jacobian: number, moving
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, members, error } = layout;
-  r.fill(0, at + error, at + error + rows);
-  r.fill(0, at + jacobian, at + jacobian + 3 * rows * members);
+  clear(r, at + error, rows);
+  clear(r, at + jacobian, 3 * rows * members);
   if (isCustom(constraint)) {
     showPoses(data, joint, moving);
   } else {

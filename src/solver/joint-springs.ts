@@ -47,7 +47,7 @@ export function enterSprings(data: SolverData): void {
       const slot = findGiven(data, joint);
       const given = found[0]!;
       work[slot] = work[slot]! + given;
-      if (joint.kernel === ROW || joint.kernel === BLOCK) enter(data, joint, given);
+      if (joint.kernel >= ROW && joint.kernel <= BLOCK) enter(data, joint, given);
     }
   }
 }
