@@ -4,7 +4,7 @@
  */
 
 /** A pivot below this share of its diagonal element is rounding noise. */
-const DEPENDENT = 1e-10;
+export const DEPENDENT = 1e-10;
 
 /** Factors the n × n matrix at `k[at]`, of which only the lower triangle is read. Diagonal elements up to `least` count as 0. */
 export function factor(k: Float64Array, at: number, n: number, least: number): void {

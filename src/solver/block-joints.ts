@@ -356,10 +356,10 @@ export function finishBlock(data: SolverData, joint: Joint): void {
     const pushed = carry * r[at + push + n]!;
     r[at + total + n] = r[at + total + n]! + held;
     r[at + carried + n] = r[at + carried + n]! + pushed;
-    for (let k = 0; k < 3 * members; k += 1) {
-      const g = at + given + k;
-      const p = 3 * n * members + k;
-      r[g] = r[g]! + r[at + jacobian + p]! * held + r[at + along + p]! * pushed;
+    let p = at + jacobian + 3 * n * members;
+    let q = at + along + 3 * n * members;
+    for (let g = at + given; g < at + given + 3 * members; g += 1, p += 1, q += 1) {
+      r[g] = r[g]! + r[p]! * held + r[q]! * pushed;
     }
   }
   if (isCustom(constraint) && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {

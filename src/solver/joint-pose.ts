@@ -139,7 +139,7 @@ export function measure(data: SolverData, joint: Joint, jacobian: number, moving
   const { at, layout, constraint } = joint;
   const { rows, members, error } = layout;
   clear(r, at + error, rows);
-  clear(r, at + jacobian, 3 * rows * members);
+  if (isCustom(constraint) || joint.twins.length > 0) clear(r, at + jacobian, 3 * rows * members);
   if (isCustom(constraint)) {
     showPoses(data, joint, moving);
   } else {
