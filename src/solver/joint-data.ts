@@ -220,8 +220,8 @@ export class JointData implements Keeper {
 
   /** What a joint that keeps its numbers here has in its record. */
   fetch(index: number, { impulse, given }: Numbers): void {
-    const { records: r } = this;
-    const { kernel, at } = this.joints[index]!;
+    const { records: r, bodies } = this;
+    const { kernel, at, first, constraint } = this.joints[index]!;
     if (kernel === TURN) {
       impulse[0] = r[at + TURN_IMPULSE]!;
       given[2] = r[at + TURN_GIVEN_A]!;
@@ -236,6 +236,13 @@ export class JointData implements Keeper {
     given[3] = r[at + KEPT_SUM_X]!;
     given[4] = r[at + KEPT_SUM_Y]!;
     given[5] = r[at + KEPT_SUM_WB]!;
+    for (let k = 0; k < 2; k += 1) {
+      if (bodies[first + k] === 0) {
+        // The arms of what is immovable are from the origin of the world.
+        const { x, y } = constraint.members[k]!;
+        given[3 * k + 2] = given[3 * k + 2]! - (x * given[3 * k + 1]! - y * given[3 * k]!);
+      }
+    }
   }
 
   /** Lets all constraints fetch what they have not yet. */

@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
 import { phys2D } from '../../src/index.js';
+import { add, near, plainBody, staticBody, steps, tie } from '../conformance/setting.js';
 
 it('what hangs asleep on an anchor that is in no world wakes when that is moved, and follows', () => {
   const world = phys2D.createWorld();
@@ -20,3 +21,28 @@ it('what hangs asleep on an anchor that is in no world wakes when that is moved,
   const [x, y] = body.transformLocalPointToWorld([0, -1]);
   expect(Math.hypot(x - 3, y)).toBeLessThan(0.05);
 });
+
+it.each(['POINT', 'WELD', 'DISTANCE'])(
+  'a %s turns what cannot be moved about the origin of that, wherever it is',
+  (kind) => {
+    for (const type of ['static', 'kinematic'] as const) {
+      const world = phys2D.createWorld({ gravity: [0, 6] });
+      const wall = staticBody({ type, position: [10, 3], rotation: 1 });
+      const body = plainBody({ position: [10.5, 4], mass: 2 });
+      const anchorA = wall.transformWorldPointToLocal([10.5, 3]);
+      const both = { bodyA: wall, bodyB: body, anchorA, anchorB: [0, -1] as const };
+      add(world, wall, body);
+      tie(
+        world,
+        kind === 'POINT'
+          ? phys2D.createPointConstraint(both)
+          : kind === 'WELD'
+            ? phys2D.createWeldConstraint({ ...both, phase: -1 })
+            : phys2D.createDistanceConstraint({ ...both, anchorB: [0, 0], lowerBound: 1, upperBound: 1 }),
+      );
+      steps(world, 30);
+      near(world.constraints[0]!.getImpulseForBody(wall), [0, 12 / 60, 0.5 * (12 / 60)], 1e-9);
+      near(world.constraints[0]!.getImpulseForBody(body), [0, -12 / 60, 0], 1e-9);
+    }
+  },
+);
