@@ -20,7 +20,8 @@ export class WeldConstraint extends AnchoredConstraint {
   /** Tells the kinds apart. */
   readonly type = 'WELD';
 
-  private phase: number;
+  /** @internal rad */
+  phase: number;
 
   /** @internal use `createWeldConstraint` */
   constructor(params: WeldConstraintParams) {

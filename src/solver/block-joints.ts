@@ -61,12 +61,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
       noteLag(data, at, layout.impulse, r[at + layout.work]! + r[at + layout.bias]!);
     }
   } else if (isElastic) {
-    writeElasticBias(data, joint);
-    if (constraint.stored < 0 && isGiving(data, joint)) {
-      // It only damps: see `joint-springs.ts`.
-      clear(r, at + layout.bias, rows);
-      clear(r, at + layout.impulse, rows);
-    }
+    beginSpring(data, joint);
   } else {
     const last = rows - 1;
     const distance = r[at + layout.error + last]!;
@@ -80,8 +75,20 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   applyRows(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
 
+/** What it gives of itself in a sub-step. */
+export function beginSpring(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  writeElasticBias(data, joint);
+  if (constraint.stored < 0 && isGiving(data, joint)) {
+    // It only damps: see `joint-springs.ts`.
+    clear(r, at + layout.bias, layout.rows);
+    clear(r, at + layout.impulse, layout.rows);
+  }
+}
+
 /** Of the length that was found. */
-function noteError({ joints }: SolverData, index: number): void {
+export function noteError({ joints }: SolverData, index: number): void {
   const { worst, asked, strained } = joints;
   const error = length[0]!;
   worst[0] = Math.max(worst[0]!, error * error);
@@ -251,6 +258,18 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
     data.joints.break(joint);
     return;
   }
+  correctTo(data, joint, error);
+  multiplyRows(data, joint, turned, true);
+  for (let n = 0; n < rows; n += 1) {
+    r[at + layout.error + n] = r[at + layout.error + n]! - r[at + work + n]!;
+  }
+}
+
+/** K for corrections, and how much of an error of that length is corrected. */
+export function correctTo(data: SolverData, joint: Joint, error: number): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, turned } = layout;
   r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
   if (r[at + j.SNAPPED] !== 0) {
     dropTurning(data, joint);
@@ -258,10 +277,8 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
   writeMatrix(data, joint, turned);
   const reach = r[at + j.REACH]!;
   const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
-  multiplyRows(data, joint, turned, true);
-  for (let n = 0; n < rows; n += 1) {
-    const e = at + layout.error + n;
-    r[e] = (share < 1 ? share * r[e]! : r[e]!) - r[at + work + n]!;
+  for (let n = 0; n < rows && share < 1; n += 1) {
+    r[at + layout.error + n] = share * r[at + layout.error + n]!;
   }
 }
 

@@ -26,7 +26,15 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   const { rows, members, matrix } = layout;
   const row = 3 * members;
   if (members === 2 && rows <= 3) {
-    writePairMatrix(r, v, (at + jacobian) & d.OFFSET, (at + matrix) & d.OFFSET, rows, bodies[first]! & d.OFFSET, bodies[first + 1]! & d.OFFSET);
+    writePairMatrix(
+      r,
+      v,
+      (at + jacobian) & d.OFFSET,
+      (at + matrix) & d.OFFSET,
+      rows,
+      bodies[first]! & d.OFFSET,
+      bodies[first + 1]! & d.OFFSET,
+    );
     return;
   }
   for (let n = 0; n < rows; n += 1) {
@@ -45,7 +53,15 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   factor(r, at + matrix, rows, MIN_INVERSE_MASS);
 }
 
-function writePairMatrix(r: Float64Array, v: Float64Array, p: number, k: number, rows: number, a: number, b: number): void {
+function writePairMatrix(
+  r: Float64Array,
+  v: Float64Array,
+  p: number,
+  k: number,
+  rows: number,
+  a: number,
+  b: number,
+): void {
   const mA = v[a + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
   const mB = v[b + d.INV_MASS]!;

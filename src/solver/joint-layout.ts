@@ -96,10 +96,10 @@ export const POINT = 0;
 export const TURN = 1;
 /** … one row between two bodies … */
 export const ROW = 2;
-/** … two rows between two bodies … */
-export const TWO_ROWS = 3;
-/** … welds … */
-export const WELD = 4;
+/** … lines … */
+export const LINE = 3;
+/** … welds, and points that are soft or may break … */
+export const ANCHORED = 4;
 /** … any number of rows and bodies … */
 export const BLOCK = 5;
 /** … and the same by callbacks. */

@@ -4,7 +4,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import type { PointConstraint } from '../constraint/point.js';
 import type { World } from '../world.js';
 import { Group, type JointData } from './joint-data.js';
-import { BLOCK, BlockLayout, CUSTOM, POINT, ROW, TURN, TWO_ROWS, WELD } from './joint-layout.js';
+import { ANCHORED, BLOCK, BlockLayout, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
 import { addJoint, allot } from './joint-list.js';
 import { angleBeside } from './pinned.js';
 
@@ -46,19 +46,21 @@ export function orderJoints(world: World): void {
 function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError, owner }: Constraint): number {
   const isSpecial =
     breakUnderForce || breakUnderError || members.some((body) => body.kind === KINEMATIC && body.owner !== owner);
-  if (type === 'POINT' && stiff && !isSpecial) {
-    return POINT;
+  switch (type) {
+    case 'POINT':
+      return stiff && !isSpecial ? POINT : ANCHORED;
+    case 'WELD':
+      return ANCHORED;
+    case 'LINE':
+      return LINE;
+    case 'CUSTOM':
+      return CUSTOM;
+    case 'ANGLE':
+    case 'MOTOR':
+      return isSpecial ? ROW : TURN;
+    default:
+      return dimension === 1 && members.length === 2 ? ROW : BLOCK;
   }
-  if ((type === 'ANGLE' || type === 'MOTOR') && !isSpecial) {
-    return TURN;
-  }
-  if (type === 'CUSTOM') {
-    return CUSTOM;
-  }
-  if (type === 'WELD') {
-    return WELD;
-  }
-  return members.length > 2 ? BLOCK : dimension === 1 ? ROW : TWO_ROWS;
 }
 
 /** A constraint with a dynamic body that is not in the world does nothing, nor does one between a body and itself. */

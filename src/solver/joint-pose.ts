@@ -104,7 +104,7 @@ function cut(numbers: Float64Array, i: number, most: number): void {
 }
 
 /** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
-function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
+export function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose: to } = data.joints;
   const { motion: q, pose } = data;
   const { layout, first, constraint } = joint;

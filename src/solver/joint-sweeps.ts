@@ -1,12 +1,12 @@
+import { lineariseAnchored, pushAnchored, solveVelocityAnchored } from './anchored-joints.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
 import type { Group, Run } from './joint-data.js';
-import { BLOCK, CUSTOM, POINT, ROW, TURN, TWO_ROWS, WELD } from './joint-layout.js';
+import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
+import { pushLines, solveVelocityLines } from './line-joints.js';
 import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
 import { pushRows, solveVelocityRows } from './row-joints.js';
 import { pushTurns, solveVelocityTurns } from './turn-joints.js';
-import { pushTwoRows, solveVelocityTwoRows } from './two-row-joints.js';
-import { pushWelds, solveVelocityWelds } from './weld-joints.js';
 
 // Sweeps over the runs of a group, each by its kernel.
 
@@ -54,10 +54,10 @@ export function solveVelocityRun(
     solveVelocityTurns(data, start, end, isBack);
   } else if (kernel === ROW) {
     solveVelocityRows(data, start, end, isBack);
-  } else if (kernel === TWO_ROWS) {
-    solveVelocityTwoRows(data, start, end, isBack);
-  } else if (kernel === WELD) {
-    solveVelocityWelds(data, start, end, isBack);
+  } else if (kernel === LINE) {
+    solveVelocityLines(data, start, end, isBack);
+  } else if (kernel === ANCHORED) {
+    solveVelocityAnchored(data, start, end, isBack);
   } else if (kernel === BLOCK) {
     for (let k = start; k < end; k += 1) {
       solveVelocityBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
@@ -76,10 +76,10 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
   }
   if (kernel === ROW) {
     pushRows(data, start, end, isBack);
-  } else if (kernel === TWO_ROWS) {
-    pushTwoRows(data, start, end, isBack);
-  } else if (kernel === WELD) {
-    pushWelds(data, start, end, isBack);
+  } else if (kernel === LINE) {
+    pushLines(data, start, end, isBack);
+  } else if (kernel === ANCHORED) {
+    pushAnchored(data, start, end, isBack);
   } else if (kernel === BLOCK) {
     for (let k = start; k < end; k += 1) {
       pushBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
@@ -106,6 +106,10 @@ export function linearise(data: SolverData, { runs }: Group): void {
   const { joints } = data.joints;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
+    if (kernel === ANCHORED) {
+      lineariseAnchored(data, start, end);
+      continue;
+    }
     for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
       lineariseBlock(data, joints[k]!);
     }

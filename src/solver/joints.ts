@@ -8,6 +8,7 @@ import {
   WEIGH_STEPS,
 } from '../config-joints.js';
 import type { World } from '../world.js';
+import { finishAnchored, warmStartAnchored } from './anchored-joints.js';
 import {
   finishBlock,
   lineariseBlock,
@@ -23,7 +24,7 @@ import { findCompanies, findGuests } from './joint-company.js';
 import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { beginGradients, goOn, noteStart } from './joint-gradients.js';
-import { CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
+import { ANCHORED, CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
 import { steadyFrame } from './joint-momentum.js';
 import { listBodies, steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
@@ -223,6 +224,8 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
     warmStartPoints(data, start, end);
   } else if (kernel === TURN) {
     warmStartTurns(data, start, end);
+  } else if (kernel === ANCHORED) {
+    warmStartAnchored(data, start, end);
   } else {
     for (let k = start; k < end; k += 1) {
       warmStartBlock(data, k, isFirst);
@@ -380,6 +383,8 @@ function finishGroup(data: SolverData, group: Group): void {
       finishPoints(data, start, end);
     } else if (kernel === TURN) {
       finishTurns(data, start, end);
+    } else if (kernel === ANCHORED) {
+      finishAnchored(data, start, end);
     } else {
       for (let k = start; k < end; k += 1) {
         finishBlock(data, joints[k]!);

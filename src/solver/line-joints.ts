@@ -3,10 +3,10 @@ import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
 import * as d from './layout.js';
 
-/** The sweeps of block joints for two rows between two bodies, straight-line. All else is done there. */
+/** The sweeps of block joints for lines, two rows between two bodies, straight-line. All else is done there. */
 
 /** One velocity sweep, from the first to the last, or back: as `solveVelocityBlock`. */
-export function solveVelocityTwoRows(data: SolverData, start: number, end: number, isBack: boolean): void {
+export function solveVelocityLines(data: SolverData, start: number, end: number, isBack: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = data.velocity;
   const { impulse, bias, jacobian, matrix, low, high, work } = joints[start]!.layout;
@@ -79,7 +79,7 @@ export function solveVelocityTwoRows(data: SolverData, start: number, end: numbe
 }
 
 /** One sweep of a position iteration, from the first to the last, or back: as `pushBlock`. */
-export function pushTwoRows(data: SolverData, start: number, end: number, isBack: boolean): void {
+export function pushLines(data: SolverData, start: number, end: number, isBack: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const { motion: q } = data;
   const { push, error, turned, matrix, low, high } = joints[start]!.layout;

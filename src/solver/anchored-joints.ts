@@ -1,0 +1,305 @@
+import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
+import type { WeldConstraint } from '../constraint/weld.js';
+import { beginSpring, correctTo, noteError } from './block-joints.js';
+import { findLength, length, writeMatrix } from './block-rows.js';
+import { cutOrBreak } from './breaking.js';
+import type { SolverData } from './data.js';
+import type { Joint } from './joint-data.js';
+import * as j from './joint-layout.js';
+import { findPoses, givesAtOnePlace, moveToOnePlace } from './joint-pose.js';
+import * as d from './layout.js';
+
+/**
+ * Welds, and points that are soft or may break: block joints whose first two rows keep two anchors together, and so have unit columns, and whose third, of a weld, keeps an angle. Straight-line;
+ * what they have in common with all others is done there.
+ */
+
+/** How many numbers a row of the Jacobian has, and which of them are those of what turns A and B. */
+const ROW = 6;
+const TURN_A = 2;
+const TURN_B = 5;
+
+/** Error and Jacobian, as `measure`. */
+function place(data: SolverData, joint: Joint, jacobian: number, moving: boolean): void {
+  const { records: r, pose } = data.joints;
+  const { at, layout } = joint;
+  const constraint = joint.constraint as WeldConstraint;
+  const { anchors } = constraint;
+  findPoses(data, joint, moving);
+  const cosA = pose[COS]!;
+  const sinA = pose[SIN]!;
+  const cosB = pose[POSE + COS]!;
+  const sinB = pose[POSE + SIN]!;
+  const ax = cosA * anchors[0]! - sinA * anchors[1]!;
+  const ay = sinA * anchors[0]! + cosA * anchors[1]!;
+  const bx = cosB * anchors[2]! - sinB * anchors[3]!;
+  const by = sinB * anchors[2]! + cosB * anchors[3]!;
+  const e = at + layout.error;
+  const p = at + jacobian;
+  r[e] = pose[POSE + X]! + bx - (pose[X]! + ax);
+  r[e + 1] = pose[POSE + Y]! + by - (pose[Y]! + ay);
+  r[p] = -1;
+  r[p + TURN_A] = ay;
+  r[p + 3] = 1;
+  r[p + TURN_B] = -by;
+  r[p + ROW + 1] = -1;
+  r[p + ROW + TURN_A] = -ax;
+  r[p + ROW + 4] = 1;
+  r[p + ROW + TURN_B] = bx;
+  if (layout.rows === 3) {
+    r[e + 2] = pose[POSE + ANGLE]! - pose[ANGLE]! - constraint.phase;
+    r[p + 2 * ROW + TURN_A] = -1;
+    r[p + 2 * ROW + TURN_B] = 1;
+  }
+}
+
+/** Starts a sub-step, as `warmStartBlock`. */
+export function warmStartAnchored(data: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints } = data.joints;
+  const v = data.velocity;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { layout, constraint, at, first } = joint;
+    const { rows, impulse, jacobian, push, bias } = layout;
+    place(data, joint, jacobian, false);
+    if (givesAtOnePlace(constraint)) moveToOnePlace(data, joint);
+    writeMatrix(data, joint, jacobian);
+    for (let n = 0; n < rows; n += 1) {
+      r[at + push + n] = 0;
+    }
+    if (constraint.isElastic) {
+      beginSpring(data, joint);
+    } else {
+      r[at + bias + rows - 1] = 0;
+    }
+    if (r[at + j.PUSH] !== 0) {
+      findLength(r, at + layout.error, rows);
+      noteError(data, m);
+    }
+    const a = bodies[first]! & d.OFFSET;
+    const b = bodies[first + 1]! & d.OFFSET;
+    const p = (at + jacobian) & d.OFFSET;
+    const x = r[at + impulse]!;
+    const y = r[at + impulse + 1]!;
+    const w = rows === 3 ? r[at + impulse + 2]! : 0;
+    const mA = v[a + d.INV_MASS]!;
+    const iA = v[a + d.INV_INERTIA]!;
+    const mB = v[b + d.INV_MASS]!;
+    const iB = v[b + d.INV_INERTIA]!;
+    v[a + d.VX] = v[a + d.VX]! - mA * x;
+    v[a + d.VY] = v[a + d.VY]! - mA * y;
+    v[a + d.W] = v[a + d.W]! + iA * x * r[p + TURN_A]! + iA * y * r[p + ROW + TURN_A]! - iA * w;
+    v[b + d.VX] = v[b + d.VX]! + mB * x;
+    v[b + d.VY] = v[b + d.VY]! + mB * y;
+    v[b + d.W] = v[b + d.W]! + iB * x * r[p + TURN_B]! + iB * y * r[p + ROW + TURN_B]! + iB * w;
+  }
+}
+
+/** One velocity sweep, from the first to the last, or back: as `solveVelocityBlock`. */
+export function solveVelocityAnchored(data: SolverData, start: number, end: number, isBack: boolean): void {
+  const { records: r, bodies, joints } = data.joints;
+  const v = data.velocity;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[isBack ? start + end - 1 - m : m]!;
+    const { rows, impulse, bias, jacobian, matrix, work } = joint.layout;
+    const isWeld = rows === 3;
+    const i = joint.at & d.OFFSET;
+    const n = joint.first & d.OFFSET;
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    const p = (i + jacobian) & d.OFFSET;
+    const k = (i + matrix) & d.OFFSET;
+    const ax = r[p + TURN_A]!;
+    const bx = r[p + TURN_B]!;
+    const ay = r[p + ROW + TURN_A]!;
+    const by = r[p + ROW + TURN_B]!;
+    const vax = v[a + d.VX]!;
+    const vay = v[a + d.VY]!;
+    const wA = v[a + d.W]!;
+    const vbx = v[b + d.VX]!;
+    const vby = v[b + d.VY]!;
+    const wB = v[b + d.W]!;
+    const softness = -r[i + j.SOFTNESS]!;
+    const kept = 1 - r[i + j.FEEDBACK]!;
+    const l10 = r[k + rows]!;
+    const l20 = isWeld ? r[k + 6]! : 0;
+    const l21 = isWeld ? r[k + 7]! : 0;
+    const oldX = r[i + impulse]!;
+    const oldY = r[i + impulse + 1]!;
+    const oldW = isWeld ? r[i + impulse + 2]! : 0;
+    let x = softness * (ax * wA - vax + (vbx + bx * wB) + r[i + bias]!);
+    let y = softness * (ay * wA - vay + (vby + by * wB) + r[i + bias + 1]!) - l10 * x;
+    let w = isWeld ? (softness * (wB - wA + r[i + bias + 2]!) - l20 * x - l21 * y) * r[k + 8]! : 0;
+    y = y * r[k + rows + 1]! - l21 * w;
+    x = x * r[k]! - l10 * y - l20 * w;
+    let nextX = kept * oldX + x;
+    let nextY = kept * oldY + y;
+    let nextW = kept * oldW + w;
+    if (r[i + j.CHECKED] !== 0) {
+      r[i + work] = nextX;
+      r[i + work + 1] = nextY;
+      if (isWeld) r[i + work + 2] = nextW;
+      if (cutOrBreak(data, joint)) {
+        continue;
+      }
+      nextX = r[i + work]!;
+      nextY = r[i + work + 1]!;
+      if (isWeld) nextW = r[i + work + 2]!;
+    }
+    r[i + impulse] = nextX;
+    r[i + impulse + 1] = nextY;
+    if (isWeld) r[i + impulse + 2] = nextW;
+    x = nextX - oldX;
+    y = nextY - oldY;
+    w = nextW - oldW;
+    const mA = v[a + d.INV_MASS]!;
+    const iA = v[a + d.INV_INERTIA]!;
+    const mB = v[b + d.INV_MASS]!;
+    const iB = v[b + d.INV_INERTIA]!;
+    v[a + d.VX] = vax - mA * x;
+    v[a + d.VY] = vay - mA * y;
+    v[a + d.W] = wA + iA * x * ax + iA * y * ay - iA * w;
+    v[b + d.VX] = vbx + mB * x;
+    v[b + d.VY] = vby + mB * y;
+    v[b + d.W] = wB + iB * x * bx + iB * y * by + iB * w;
+  }
+}
+
+/** Starts a position iteration, as `lineariseBlock`. */
+export function lineariseAnchored(data: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints } = data.joints;
+  const { motion: q } = data;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { layout, first } = joint;
+    const i = joint.at & d.OFFSET;
+    if (r[i + j.PUSH] === 0) {
+      continue;
+    }
+    const { rows, turned } = layout;
+    place(data, joint, turned, true);
+    findLength(r, i + layout.error, rows);
+    const error = length[0]!;
+    if (error > r[i + j.MAX_ERROR]!) {
+      data.joints.break(joint);
+      continue;
+    }
+    correctTo(data, joint, error);
+    const a = bodies[first]! & d.OFFSET;
+    const b = bodies[first + 1]! & d.OFFSET;
+    const p = (i + turned) & d.OFFSET;
+    const e = (i + layout.error) & d.OFFSET;
+    const wA = q[a + d.QW]!;
+    const wB = q[b + d.QW]!;
+    r[e] = r[e]! - (r[p + TURN_A]! * wA - q[a + d.QX]! + (q[b + d.QX]! + r[p + TURN_B]! * wB));
+    r[e + 1] = r[e + 1]! - (r[p + ROW + TURN_A]! * wA - q[a + d.QY]! + (q[b + d.QY]! + r[p + ROW + TURN_B]! * wB));
+    if (rows === 3) r[e + 2] = r[e + 2]! - (wB - wA);
+  }
+}
+
+/** One sweep of a position iteration, from the first to the last, or back: as `pushBlock`. */
+export function pushAnchored(data: SolverData, start: number, end: number, isBack: boolean): void {
+  const { records: r, bodies, joints } = data.joints;
+  const { motion: q } = data;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[isBack ? start + end - 1 - m : m]!;
+    const i = joint.at & d.OFFSET;
+    if (r[i + j.PUSH] === 0) {
+      continue;
+    }
+    const { rows, push, error, turned, matrix } = joint.layout;
+    const isWeld = rows === 3;
+    const n = joint.first & d.OFFSET;
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    const p = (i + turned) & d.OFFSET;
+    const k = (i + matrix) & d.OFFSET;
+    const ax = r[p + TURN_A]!;
+    const bx = r[p + TURN_B]!;
+    const ay = r[p + ROW + TURN_A]!;
+    const by = r[p + ROW + TURN_B]!;
+    const qax = q[a + d.QX]!;
+    const qay = q[a + d.QY]!;
+    const wA = q[a + d.QW]!;
+    const qbx = q[b + d.QX]!;
+    const qby = q[b + d.QY]!;
+    const wB = q[b + d.QW]!;
+    const l10 = r[k + rows]!;
+    const l20 = isWeld ? r[k + 6]! : 0;
+    const l21 = isWeld ? r[k + 7]! : 0;
+    let x = -(r[i + error]! + (ax * wA - qax + (qbx + bx * wB)));
+    let y = -(r[i + error + 1]! + (ay * wA - qay + (qby + by * wB))) - l10 * x;
+    const w = isWeld ? (-(r[i + error + 2]! + (wB - wA)) - l20 * x - l21 * y) * r[k + 8]! : 0;
+    y = y * r[k + rows + 1]! - l21 * w;
+    x = x * r[k]! - l10 * y - l20 * w;
+    r[i + push] = r[i + push]! + x;
+    r[i + push + 1] = r[i + push + 1]! + y;
+    if (isWeld) r[i + push + 2] = r[i + push + 2]! + w;
+    const mA = q[a + d.INV_MASS]!;
+    const iA = q[a + d.INV_INERTIA]!;
+    const mB = q[b + d.INV_MASS]!;
+    const iB = q[b + d.INV_INERTIA]!;
+    q[a + d.QX] = qax - mA * x;
+    q[a + d.QY] = qay - mA * y;
+    q[a + d.QW] = wA + iA * x * ax + iA * y * ay - iA * w;
+    q[b + d.QX] = qbx + mB * x;
+    q[b + d.QY] = qby + mB * y;
+    q[b + d.QW] = wB + iB * x * bx + iB * y * by + iB * w;
+  }
+}
+
+/** Ends a sub-step, as `finishBlock`. */
+export function finishAnchored(data: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints, share } = data.joints;
+  const v = data.velocity;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { rows, push, impulse, jacobian, total, carried, given } = joint.layout;
+    const isWeld = rows === 3;
+    const i = joint.at & d.OFFSET;
+    const p = (i + jacobian) & d.OFFSET;
+    const g = (i + given) & d.OFFSET;
+    const ax = r[p + TURN_A]!;
+    const bx = r[p + TURN_B]!;
+    const ay = r[p + ROW + TURN_A]!;
+    const by = r[p + ROW + TURN_B]!;
+    const carry = share[0]! * r[i + j.CARRY]!;
+    const heldX = r[i + impulse]!;
+    const heldY = r[i + impulse + 1]!;
+    const heldW = isWeld ? r[i + impulse + 2]! : 0;
+    const pushX = r[i + push]!;
+    const pushY = r[i + push + 1]!;
+    const pushW = isWeld ? r[i + push + 2]! : 0;
+    const x = carry * pushX;
+    const y = carry * pushY;
+    const w = carry * pushW;
+    if (carry !== 0) {
+      const a = bodies[joint.first]! & d.OFFSET;
+      const b = bodies[joint.first + 1]! & d.OFFSET;
+      const mA = carry * v[a + d.INV_MASS]!;
+      const iA = carry * v[a + d.INV_INERTIA]!;
+      const mB = carry * v[b + d.INV_MASS]!;
+      const iB = carry * v[b + d.INV_INERTIA]!;
+      v[a + d.VX] = v[a + d.VX]! - mA * pushX;
+      v[a + d.VY] = v[a + d.VY]! - mA * pushY;
+      v[a + d.W] = v[a + d.W]! + iA * pushX * ax + iA * pushY * ay - iA * pushW;
+      v[b + d.VX] = v[b + d.VX]! + mB * pushX;
+      v[b + d.VY] = v[b + d.VY]! + mB * pushY;
+      v[b + d.W] = v[b + d.W]! + iB * pushX * bx + iB * pushY * by + iB * pushW;
+    }
+    r[i + total] = r[i + total]! + heldX;
+    r[i + total + 1] = r[i + total + 1]! + heldY;
+    r[i + carried] = r[i + carried]! + x;
+    r[i + carried + 1] = r[i + carried + 1]! + y;
+    if (isWeld) {
+      r[i + total + 2] = r[i + total + 2]! + heldW;
+      r[i + carried + 2] = r[i + carried + 2]! + w;
+    }
+    r[g] = r[g]! - heldX - x;
+    r[g + 1] = r[g + 1]! - heldY - y;
+    r[g + 2] = r[g + 2]! + ax * heldX + ax * x + ay * heldY + ay * y - heldW - w;
+    r[g + 3] = r[g + 3]! + heldX + x;
+    r[g + 4] = r[g + 4]! + heldY + y;
+    r[g + 5] = r[g + 5]! + bx * heldX + bx * x + by * heldY + by * y + heldW + w;
+  }
+}
