@@ -109,7 +109,7 @@ function foresee(data: SolverData, joint: Joint): void {
 }
 
 /** Within its bounds: what pushes does nothing, or only so much that the bound is not passed. */
-function isSlack(r: Float64Array, { at, layout }: Joint, errors: number): boolean {
+export function isSlack(r: Float64Array, { at, layout }: Joint, errors: number): boolean {
   const error = r[at + errors + layout.rows - 1]!;
   return (r[at + layout.high] === 0 && error < 0) || (r[at + layout.low] === 0 && error > 0);
 }

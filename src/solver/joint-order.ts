@@ -43,7 +43,7 @@ export function orderJoints(world: World): void {
 }
 
 /** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */
-function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnderError, owner }: Constraint): number {
+function kernelFor({ type, members, stiff, breakUnderForce, breakUnderError, owner }: Constraint): number {
   const isSpecial =
     breakUnderForce || breakUnderError || members.some((body) => body.kind === KINEMATIC && body.owner !== owner);
   switch (type) {
@@ -56,10 +56,13 @@ function kernelFor({ type, dimension, members, stiff, breakUnderForce, breakUnde
     case 'CUSTOM':
       return CUSTOM;
     case 'ANGLE':
-    case 'MOTOR':
       return isSpecial ? ROW : TURN;
+    case 'MOTOR':
+      return isSpecial ? BLOCK : TURN;
+    case 'DISTANCE':
+      return ROW;
     default:
-      return dimension === 1 && members.length === 2 ? ROW : BLOCK;
+      return BLOCK;
   }
 }
 

@@ -15,6 +15,18 @@ import { inPieces } from './pieces.js';
 /** Angle, cosine, sine: scratch. */
 const around = new Float64Array(3);
 
+/** As `cosSin`, of the turn of a sub-step, which seldom is large. */
+function turnAround(): void {
+  const turn = around[0]!;
+  const square = turn * turn;
+  if (square > d.SMALL_TURN * d.SMALL_TURN) {
+    cosSin(around);
+    return;
+  }
+  around[1] = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720 - square / 40320)));
+  around[2] = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040 - square / 362880))));
+}
+
 /** Placements of the awake bodies as the step begins. */
 export function packPoses(world: World): void {
   const { liveDynamics, liveKinematics } = world;
@@ -72,15 +84,10 @@ function advancePosesPiece(data: SolverData, from: number, to: number): boolean 
       cut(q, i, most);
     }
     const turn = q[i + d.QW]!;
-    const square = turn * turn;
-    let c = 1 - square * (1 / 2 - square * (1 / 24 - square * (1 / 720 - square / 40320)));
-    let s = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040 - square / 362880))));
-    if (square > d.SMALL_TURN * d.SMALL_TURN) {
-      around[0] = turn;
-      cosSin(around);
-      c = around[1]!;
-      s = around[2]!;
-    }
+    around[0] = turn;
+    turnAround();
+    const c = around[1]!;
+    const s = around[2]!;
     const c0 = p[i + COS]!;
     const s0 = p[i + SIN]!;
     p[i + COS] = c0 * c - s0 * s;
@@ -118,11 +125,7 @@ export function findPoses(data: SolverData, joint: Joint, moving: boolean): void
     const share = moving ? 1 : 0;
     const turn = share * q[b + d.QW]!;
     around[0] = turn;
-    around[1] = 1;
-    around[2] = 0;
-    if (turn !== 0) {
-      cosSin(around);
-    }
+    turnAround();
     const c = around[1]!;
     const s = around[2]!;
     to[at + X] = pose[b + X]! + share * q[b + d.QX]!;

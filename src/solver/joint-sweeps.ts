@@ -5,7 +5,7 @@ import type { Group, Run } from './joint-data.js';
 import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
 import { pushLines, solveVelocityLines } from './line-joints.js';
 import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
-import { pushRows, solveVelocityRows } from './row-joints.js';
+import { lineariseRows, pushRows, solveVelocityRows } from './row-joints.js';
 import { pushTurns, solveVelocityTurns } from './turn-joints.js';
 
 // Sweeps over the runs of a group, each by its kernel.
@@ -106,12 +106,14 @@ export function linearise(data: SolverData, { runs }: Group): void {
   const { joints } = data.joints;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
-    if (kernel === ANCHORED) {
+    if (kernel === ROW) {
+      lineariseRows(data, start, end);
+    } else if (kernel === ANCHORED) {
       lineariseAnchored(data, start, end);
-      continue;
-    }
-    for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
-      lineariseBlock(data, joints[k]!);
+    } else if (kernel === LINE || kernel === BLOCK) {
+      for (let k = start; k < end; k += 1) {
+        lineariseBlock(data, joints[k]!);
+      }
     }
   }
 }

@@ -24,7 +24,7 @@ import { findCompanies, findGuests } from './joint-company.js';
 import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { beginGradients, goOn, noteStart } from './joint-gradients.js';
-import { ANCHORED, CUSTOM, POINT, PUSH, TURN } from './joint-layout.js';
+import { ANCHORED, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
 import { steadyFrame } from './joint-momentum.js';
 import { listBodies, steady } from './joint-numbers.js';
 import { orderJoints } from './joint-order.js';
@@ -43,6 +43,7 @@ import {
   solveVelocityPoints,
   warmStartPoints,
 } from './point-joints.js';
+import { finishRows, warmStartRows } from './row-joints.js';
 import { breakOff } from './ties.js';
 import { beginTurns, finishTurns, packTurn, warmStartTurns } from './turn-joints.js';
 
@@ -226,6 +227,8 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
     warmStartTurns(data, start, end);
   } else if (kernel === ANCHORED) {
     warmStartAnchored(data, start, end);
+  } else if (kernel === ROW) {
+    warmStartRows(data, start, end);
   } else {
     for (let k = start; k < end; k += 1) {
       warmStartBlock(data, k, isFirst);
@@ -385,6 +388,8 @@ function finishGroup(data: SolverData, group: Group): void {
       finishTurns(data, start, end);
     } else if (kernel === ANCHORED) {
       finishAnchored(data, start, end);
+    } else if (kernel === ROW) {
+      finishRows(data, start, end);
     } else {
       for (let k = start; k < end; k += 1) {
         finishBlock(data, joints[k]!);

@@ -1,9 +1,89 @@
+import { MIN_INVERSE_MASS } from '../config.js';
+import { BOUND_SLOP, ROW_TURN } from '../config-joints.js';
+import { beginSpring, correctTo, isSlack, noteError } from './block-joints.js';
+import { length } from './block-rows.js';
 import { tear } from './breaking.js';
 import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
+import { measure } from './joint-pose.js';
 import * as d from './layout.js';
 
-/** The sweeps of block joints for one row between two bodies, straight-line. All else is done there. */
+/** Block joints for one row between two bodies, straight-line: distances, and angles that may break. What they have in common with all others is done there. */
+
+/** Starts a sub-step, as `warmStartBlock`. */
+export function warmStartRows(data: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints, h } = data.joints;
+  const v = data.velocity;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { layout, constraint, first } = joint;
+    const { impulse, push, bias, error, jacobian, matrix } = layout;
+    const i = joint.at & d.OFFSET;
+    measure(data, joint, jacobian, false, constraint.isElastic);
+    const a = bodies[first]! & d.OFFSET;
+    const b = bodies[first + 1]! & d.OFFSET;
+    const p = (i + jacobian) & d.OFFSET;
+    const ax = r[p]!;
+    const ay = r[p + 1]!;
+    const aw = r[p + 2]!;
+    const bx = r[p + 3]!;
+    const by = r[p + 4]!;
+    const bw = r[p + 5]!;
+    const mA = v[a + d.INV_MASS]!;
+    const iA = v[a + d.INV_INERTIA]!;
+    const mB = v[b + d.INV_MASS]!;
+    const iB = v[b + d.INV_INERTIA]!;
+    const k = mA * (ax * ax + ay * ay) + iA * aw * aw + mB * (bx * bx + by * by) + iB * bw * bw;
+    r[i + matrix] = k > MIN_INVERSE_MASS && k < Infinity ? 1 / k : 0;
+    r[i + push] = 0;
+    const distance = r[i + error]!;
+    const isFree = isSlack(r, joint, error);
+    if (constraint.isElastic) {
+      beginSpring(data, joint);
+    } else {
+      const rests = Math.abs(distance) < BOUND_SLOP && r[i + impulse] !== 0;
+      r[i + bias] = isFree && !rests ? distance / h : 0;
+    }
+    if (r[i + j.PUSH] !== 0) {
+      length[0] = isFree ? 0 : Math.abs(distance);
+      noteError(data, m);
+    }
+    const lambda = r[i + impulse]!;
+    v[a + d.VX] = v[a + d.VX]! + mA * lambda * ax;
+    v[a + d.VY] = v[a + d.VY]! + mA * lambda * ay;
+    v[a + d.W] = v[a + d.W]! + iA * lambda * aw;
+    v[b + d.VX] = v[b + d.VX]! + mB * lambda * bx;
+    v[b + d.VY] = v[b + d.VY]! + mB * lambda * by;
+    v[b + d.W] = v[b + d.W]! + iB * lambda * bw;
+  }
+}
+
+/** Starts a position iteration, as `lineariseBlock`. */
+export function lineariseRows(data: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints } = data.joints;
+  const { motion: q } = data;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { layout, first } = joint;
+    const i = joint.at & d.OFFSET;
+    if (r[i + j.PUSH] === 0) {
+      continue;
+    }
+    measure(data, joint, layout.turned, true, true);
+    const e = (i + layout.error) & d.OFFSET;
+    const error = isSlack(r, joint, layout.error) ? 0 : Math.abs(r[e]!);
+    if (error > r[i + j.MAX_ERROR]!) {
+      data.joints.break(joint);
+      continue;
+    }
+    correctTo(data, joint, error);
+    const p = (i + layout.turned) & d.OFFSET;
+    const a = bodies[first]! & d.OFFSET;
+    const b = bodies[first + 1]! & d.OFFSET;
+    const moved = r[p]! * q[a + d.QX]! + r[p + 1]! * q[a + d.QY]! + r[p + 2]! * q[a + d.QW]!;
+    r[e] = r[e]! - (moved + (r[p + 3]! * q[b + d.QX]! + r[p + 4]! * q[b + d.QY]! + r[p + 5]! * q[b + d.QW]!));
+  }
+}
 
 /** One velocity sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
 export function solveVelocityRows(data: SolverData, start: number, end: number, isBack: boolean): void {
@@ -105,5 +185,48 @@ export function pushRows(data: SolverData, start: number, end: number, isBack: b
     q[b + d.QX] = qbx + mB * bx;
     q[b + d.QY] = qby + mB * by;
     q[b + d.QW] = wB + q[b + d.INV_INERTIA]! * lambda * bw;
+  }
+}
+
+/** Ends a sub-step, as `finishBlock`. */
+export function finishRows(data: SolverData, start: number, end: number): void {
+  const { records: r, bodies, joints, share } = data.joints;
+  const v = data.velocity;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { push, impulse, jacobian, turned, total, carried, given } = joint.layout;
+    const i = joint.at & d.OFFSET;
+    const p = (i + jacobian) & d.OFFSET;
+    const t = (i + turned) & d.OFFSET;
+    const g = (i + given) & d.OFFSET;
+    const ax = r[p]!;
+    const ay = r[p + 1]!;
+    const bx = r[p + 3]!;
+    const by = r[p + 4]!;
+    // As `hasTurnedFar`.
+    const dot = ax * r[t]! + ay * r[t + 1]! + (bx * r[t + 3]! + by * r[t + 4]!);
+    const along = dot < ROW_TURN * (ax * ax + ay * ay + (bx * bx + by * by)) ? t : p;
+    const carry = share[0]! * r[i + j.CARRY]!;
+    const held = r[i + impulse]!;
+    const pushed = carry * r[i + push]!;
+    if (carry !== 0) {
+      const a = bodies[joint.first]! & d.OFFSET;
+      const b = bodies[joint.first + 1]! & d.OFFSET;
+      const mA = carry * v[a + d.INV_MASS]! * r[i + push]!;
+      const iA = carry * v[a + d.INV_INERTIA]! * r[i + push]!;
+      const mB = carry * v[b + d.INV_MASS]! * r[i + push]!;
+      const iB = carry * v[b + d.INV_INERTIA]! * r[i + push]!;
+      v[a + d.VX] = v[a + d.VX]! + mA * r[along]!;
+      v[a + d.VY] = v[a + d.VY]! + mA * r[along + 1]!;
+      v[a + d.W] = v[a + d.W]! + iA * r[along + 2]!;
+      v[b + d.VX] = v[b + d.VX]! + mB * r[along + 3]!;
+      v[b + d.VY] = v[b + d.VY]! + mB * r[along + 4]!;
+      v[b + d.W] = v[b + d.W]! + iB * r[along + 5]!;
+    }
+    r[i + total] = r[i + total]! + held;
+    r[i + carried] = r[i + carried]! + pushed;
+    for (let c = 0; c < 6; c += 1) {
+      r[g + c] = r[g + c]! + r[p + c]! * held + r[along + c]! * pushed;
+    }
   }
 }

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { phys2D, type RigidBody } from '../../src/index.js';
-import { BLOCK, POINT, ROW, TURN } from '../../src/solver/joint-layout.js';
+import { ANCHORED, BLOCK, LINE, POINT, ROW, TURN } from '../../src/solver/joint-layout.js';
 import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun } from '../../src/solver/joint-sweeps.js';
 import { add, plainBody, steps, tie, weightless } from '../conformance/setting.js';
 
@@ -9,7 +9,7 @@ function hub() {
   const world = weightless();
   const bodyA = plainBody({ angularVelocity: 3 });
   const spokes = Array.from(
-    { length: 16 },
+    { length: 24 },
     (_, i): RigidBody => plainBody({ position: [1 + i, 2], velocity: [i, -2] }),
   );
   add(world, bodyA, ...spokes);
@@ -20,6 +20,8 @@ function hub() {
       () => phys2D.createAngleConstraint({ bodyA, bodyB, lowerBound: 0.2, upperBound: 0.3, ratio: 1 + i / 8 }),
       () => phys2D.createDistanceConstraint({ ...place, lowerBound: 1, upperBound: 2 }),
       () => phys2D.createWeldConstraint(place),
+      () => phys2D.createLineConstraint({ ...place, axis: [1, 2], lowerBound: -1, upperBound: 1 }),
+      () => phys2D.createPulleyConstraint({ ...place, bodyC: bodyA, bodyD: spokes[0]!, upperBound: 2 }),
     ];
     tie(world, kinds[Math.floor(i / 4)]!());
   }
@@ -50,7 +52,7 @@ it.each([
     return found;
   });
   const forth = outcome((kernel, start, end) => solve(data, kernel, start, end, false));
-  expect(joints.runs.map(({ kernel }) => kernel).sort()).toEqual([POINT, TURN, ROW, BLOCK]);
+  expect(joints.runs.map(({ kernel }) => kernel).sort()).toEqual([POINT, TURN, ROW, LINE, ANCHORED, BLOCK]);
   expect(back).toEqual(single);
   expect(back.numbers).not.toEqual(forth.numbers);
 });

@@ -1,0 +1,143 @@
+import { describe, expect, it } from 'vitest';
+import { type Constraint, phys2D } from '../../src/index.js';
+import { finishAnchored, warmStartAnchored } from '../../src/solver/anchored-joints.js';
+import {
+  finishBlock,
+  lineariseBlock,
+  pushBlock,
+  solveVelocityBlock,
+  warmStartBlock,
+} from '../../src/solver/block-joints.js';
+import type { SolverData } from '../../src/solver/data.js';
+import { ANCHORED, BLOCK, LINE, ROW } from '../../src/solver/joint-layout.js';
+import { linearise, pushRun, solveVelocityRun } from '../../src/solver/joint-sweeps.js';
+import { finishRows, warmStartRows } from '../../src/solver/row-joints.js';
+import { add, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
+import { Chance } from '../geometry/forms.js';
+
+// The straight-line kernels do what the general one does, with the same operations in the same order; the sweeps over single rows, which round once less, in another one.
+
+type Loop = (data: SolverData, start: number, end: number) => unknown;
+
+/** Pairs of bodies, some of them immovable, joined by what the kernel solves: rigid, soft, limited and breaking. */
+function pairs(join: (both: object) => Constraint): SolverData {
+  const chance = new Chance(7);
+  const random = (from: number, to: number) => chance.span(from, to);
+  const world = weightless();
+  for (let i = 0; i < 60; i += 1) {
+    const [x, y] = [9 * (i % 8), 9 * Math.floor(i / 8)];
+    const place = { position: [x, y] as const, rotation: random(-3, 3) };
+    const bodyA =
+      i % 5 === 4 ? staticBody(place) : plainBody({ ...place, mass: random(0.1, 9), angularVelocity: random(-4, 4) });
+    const bodyB = plainBody({
+      position: [x + random(-2, 2), y + random(-2, 2)],
+      velocity: [random(-5, 5), random(-5, 5)],
+      inertia: random(0.1, 5),
+    });
+    const soft = i % 3 === 1 ? { stiff: false, frequency: random(1, 9), damping: random(0, 1) } : {};
+    const most = { breakUnderError: true, maxError: i % 11 === 6 ? 0.01 : 1e6 };
+    const limits = i % 7 === 3 ? { maxForce: 20 } : i % 7 === 5 ? { maxForce: 1e6, breakUnderForce: true } : {};
+    add(world, bodyA, bodyB);
+    const anchors = { anchorA: [random(-1, 1), random(-1, 1)], anchorB: [random(-1, 1), random(-1, 1)] };
+    tie(world, join({ bodyA, bodyB, ...anchors, ...soft, ...most, ...limits }));
+  }
+  steps(world, 2);
+  expect(world.solver.joints.joints.length).toBeGreaterThan(40);
+  return world.solver;
+}
+
+function each(solve: (data: SolverData, index: number) => unknown): Loop {
+  return (data, start, end) => {
+    for (let k = start; k < end; k += 1) solve(data, k);
+  };
+}
+
+function isNear(one: number, other: number, tolerance: number): boolean {
+  return one === other || Math.abs(one - other) <= tolerance * Math.max(1, Math.abs(other));
+}
+
+/** What a loop over all joints makes of the numbers of a step. */
+function outcome(data: SolverData, loop: Loop): number[][] {
+  const { joints } = data;
+  const arrays = [data.velocity, data.motion, joints.records, joints.worst];
+  const before = arrays.map((array) => array.slice());
+  joints.worst.fill(0);
+  for (const { start, end } of joints.runs) loop(data, start, end);
+  // What is there only while a joint is solved.
+  for (const { at, layout } of joints.joints) joints.records.fill(0, at + layout.work, at + layout.work + layout.rows);
+  const after = arrays.map((array) => [...array]);
+  for (const [i, array] of arrays.entries()) array.set(before[i]!);
+  joints.broken.length = 0;
+  return after;
+}
+
+describe.each([
+  ['distances', ROW, phys2D.createDistanceConstraint, { lowerBound: 0.5, upperBound: 1.5 }],
+  ['distances of one length', ROW, phys2D.createDistanceConstraint, { lowerBound: 1, upperBound: 1 }],
+  ['lines', LINE, phys2D.createLineConstraint, { axis: [1, 2], lowerBound: -0.5, upperBound: 0.5 }],
+  ['slots', LINE, phys2D.createLineConstraint, { axis: [1, 2], lowerBound: 0.5, upperBound: 0.5 }],
+  ['welds', ANCHORED, phys2D.createWeldConstraint, { phase: 0.3 }],
+  ['points', ANCHORED, phys2D.createPointConstraint, {}],
+])('%s', (_, kernel, create, options) => {
+  const data = pairs((both) => create({ ...both, ...options } as never));
+  const makeLinear = each((all, k) => lineariseBlock(all, all.joints.joints[k]!));
+  const run = { kernel, start: 0, end: 0, isStrained: false };
+
+  it('have their kernel', () => {
+    const kernels = new Set(data.joints.joints.map((joint) => joint.kernel));
+    expect(kernels.has(kernel)).toBe(true);
+    expect(kernels.has(BLOCK)).toBe(false);
+  });
+
+  it.each<[string, Loop, Loop]>([
+    [
+      'begin a sub-step',
+      each((all, k) => warmStartBlock(all, k, true)),
+      kernel === ROW
+        ? warmStartRows
+        : kernel === ANCHORED
+          ? warmStartAnchored
+          : each((all, k) => warmStartBlock(all, k, true)),
+    ],
+    [
+      'are swept over velocities',
+      each((all, k) => solveVelocityBlock(all, all.joints.joints[k]!)),
+      (all, start, end) => solveVelocityRun(all, kernel, start, end, false),
+    ],
+    [
+      'are made linear',
+      makeLinear,
+      (all, start, end) => linearise(all, { ...all.joints.groups[0]!, runs: [{ ...run, start, end }] } as never),
+    ],
+    [
+      'are swept over positions',
+      (all, start, end) => {
+        makeLinear(all, start, end);
+        each((same, k) => pushBlock(same, same.joints.joints[k]!))(all, start, end);
+      },
+      (all, start, end) => {
+        makeLinear(all, start, end);
+        pushRun(all, kernel, start, end, false);
+      },
+    ],
+    [
+      'end a sub-step',
+      each((all, k) => finishBlock(all, all.joints.joints[k]!)),
+      kernel === ROW
+        ? finishRows
+        : kernel === ANCHORED
+          ? finishAnchored
+          : each((all, k) => finishBlock(all, all.joints.joints[k]!)),
+    ],
+  ])('%s as by the general one', (_name, wanted, straight) => {
+    data.joints.share[0] = 0.5;
+    const found = outcome(data, straight);
+    const general = outcome(data, wanted);
+    const tolerance = kernel === ROW ? 1e-12 : 0;
+    const off = found.flatMap((numbers, i) =>
+      numbers.filter((number, k) => !isNear(number, general[i]![k]!, tolerance)),
+    );
+    expect(off).toEqual([]);
+    expect(found).not.toEqual(outcome(data, () => {}));
+  });
+});
