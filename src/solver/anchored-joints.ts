@@ -95,20 +95,27 @@ export function warmStartAnchored(data: SolverData, start: number, end: number):
   }
 }
 
-/** One velocity sweep, from the first to the last, or back: as `solveVelocityBlock`. */
-export function solveVelocityAnchored(data: SolverData, start: number, end: number, isBack: boolean): void {
+/** One sweep, from the first to the last, or back: over velocities as `solveVelocityBlock` or, if `moving`, over the motion of the sub-step as `pushBlock`. */
+export function sweepAnchored(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
-  const v = data.velocity;
+  const v = moving ? data.motion : data.velocity;
   for (let m = start; m < end; m += 1) {
     const joint = joints[isBack ? start + end - 1 - m : m]!;
-    const { rows, impulse, bias, jacobian, matrix, work } = joint.layout;
-    const isWeld = rows === 3;
     const i = joint.at & d.OFFSET;
+    if (moving && r[i + j.PUSH] === 0) {
+      continue;
+    }
+    const { rows, impulse, push, bias, error, jacobian, turned, matrix, work } = joint.layout;
+    const isWeld = rows === 3;
     const n = joint.first & d.OFFSET;
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const p = (i + jacobian) & d.OFFSET;
+    const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
     const k = (i + matrix) & d.OFFSET;
+    const o = (i + (moving ? push : impulse)) & d.OFFSET;
+    const e = (i + (moving ? error : bias)) & d.OFFSET;
+    const softness = moving ? -1 : -r[i + j.SOFTNESS]!;
+    const kept = moving ? 1 : 1 - r[i + j.FEEDBACK]!;
     const ax = r[p + TURN_A]!;
     const bx = r[p + TURN_B]!;
     const ay = r[p + ROW + TURN_A]!;
@@ -119,39 +126,39 @@ export function solveVelocityAnchored(data: SolverData, start: number, end: numb
     const vbx = v[b + d.VX]!;
     const vby = v[b + d.VY]!;
     const wB = v[b + d.W]!;
-    const softness = -r[i + j.SOFTNESS]!;
-    const kept = 1 - r[i + j.FEEDBACK]!;
     const l10 = r[k + rows]!;
     const l20 = isWeld ? r[k + 6]! : 0;
     const l21 = isWeld ? r[k + 7]! : 0;
-    const oldX = r[i + impulse]!;
-    const oldY = r[i + impulse + 1]!;
-    const oldW = isWeld ? r[i + impulse + 2]! : 0;
-    let x = softness * (ax * wA - vax + (vbx + bx * wB) + r[i + bias]!);
-    let y = softness * (ay * wA - vay + (vby + by * wB) + r[i + bias + 1]!) - l10 * x;
-    let w = isWeld ? (softness * (wB - wA + r[i + bias + 2]!) - l20 * x - l21 * y) * r[k + 8]! : 0;
+    const oldX = r[o]!;
+    const oldY = r[o + 1]!;
+    const oldW = isWeld ? r[o + 2]! : 0;
+    let x = softness * (ax * wA - vax + (vbx + bx * wB) + r[e]!);
+    let y = softness * (ay * wA - vay + (vby + by * wB) + r[e + 1]!) - l10 * x;
+    let w = isWeld ? (softness * (wB - wA + r[e + 2]!) - l20 * x - l21 * y) * r[k + 8]! : 0;
     y = y * r[k + rows + 1]! - l21 * w;
     x = x * r[k]! - l10 * y - l20 * w;
     let nextX = kept * oldX + x;
     let nextY = kept * oldY + y;
     let nextW = kept * oldW + w;
-    if (r[i + j.CHECKED] !== 0) {
-      r[i + work] = nextX;
-      r[i + work + 1] = nextY;
-      if (isWeld) r[i + work + 2] = nextW;
-      if (cutOrBreak(data, joint)) {
-        continue;
+    if (!moving) {
+      if (r[i + j.CHECKED] !== 0) {
+        r[i + work] = nextX;
+        r[i + work + 1] = nextY;
+        if (isWeld) r[i + work + 2] = nextW;
+        if (cutOrBreak(data, joint)) {
+          continue;
+        }
+        nextX = r[i + work]!;
+        nextY = r[i + work + 1]!;
+        if (isWeld) nextW = r[i + work + 2]!;
       }
-      nextX = r[i + work]!;
-      nextY = r[i + work + 1]!;
-      if (isWeld) nextW = r[i + work + 2]!;
+      x = nextX - oldX;
+      y = nextY - oldY;
+      w = nextW - oldW;
     }
-    r[i + impulse] = nextX;
-    r[i + impulse + 1] = nextY;
-    if (isWeld) r[i + impulse + 2] = nextW;
-    x = nextX - oldX;
-    y = nextY - oldY;
-    w = nextW - oldW;
+    r[o] = nextX;
+    r[o + 1] = nextY;
+    if (isWeld) r[o + 2] = nextW;
     const mA = v[a + d.INV_MASS]!;
     const iA = v[a + d.INV_INERTIA]!;
     const mB = v[b + d.INV_MASS]!;
@@ -194,57 +201,6 @@ export function lineariseAnchored(data: SolverData, start: number, end: number):
     r[e] = r[e]! - (r[p + TURN_A]! * wA - q[a + d.QX]! + (q[b + d.QX]! + r[p + TURN_B]! * wB));
     r[e + 1] = r[e + 1]! - (r[p + ROW + TURN_A]! * wA - q[a + d.QY]! + (q[b + d.QY]! + r[p + ROW + TURN_B]! * wB));
     if (rows === 3) r[e + 2] = r[e + 2]! - (wB - wA);
-  }
-}
-
-/** One sweep of a position iteration, from the first to the last, or back: as `pushBlock`. */
-export function pushAnchored(data: SolverData, start: number, end: number, isBack: boolean): void {
-  const { records: r, bodies, joints } = data.joints;
-  const { motion: q } = data;
-  for (let m = start; m < end; m += 1) {
-    const joint = joints[isBack ? start + end - 1 - m : m]!;
-    const i = joint.at & d.OFFSET;
-    if (r[i + j.PUSH] === 0) {
-      continue;
-    }
-    const { rows, push, error, turned, matrix } = joint.layout;
-    const isWeld = rows === 3;
-    const n = joint.first & d.OFFSET;
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const p = (i + turned) & d.OFFSET;
-    const k = (i + matrix) & d.OFFSET;
-    const ax = r[p + TURN_A]!;
-    const bx = r[p + TURN_B]!;
-    const ay = r[p + ROW + TURN_A]!;
-    const by = r[p + ROW + TURN_B]!;
-    const qax = q[a + d.QX]!;
-    const qay = q[a + d.QY]!;
-    const wA = q[a + d.QW]!;
-    const qbx = q[b + d.QX]!;
-    const qby = q[b + d.QY]!;
-    const wB = q[b + d.QW]!;
-    const l10 = r[k + rows]!;
-    const l20 = isWeld ? r[k + 6]! : 0;
-    const l21 = isWeld ? r[k + 7]! : 0;
-    let x = -(r[i + error]! + (ax * wA - qax + (qbx + bx * wB)));
-    let y = -(r[i + error + 1]! + (ay * wA - qay + (qby + by * wB))) - l10 * x;
-    const w = isWeld ? (-(r[i + error + 2]! + (wB - wA)) - l20 * x - l21 * y) * r[k + 8]! : 0;
-    y = y * r[k + rows + 1]! - l21 * w;
-    x = x * r[k]! - l10 * y - l20 * w;
-    r[i + push] = r[i + push]! + x;
-    r[i + push + 1] = r[i + push + 1]! + y;
-    if (isWeld) r[i + push + 2] = r[i + push + 2]! + w;
-    const mA = q[a + d.INV_MASS]!;
-    const iA = q[a + d.INV_INERTIA]!;
-    const mB = q[b + d.INV_MASS]!;
-    const iB = q[b + d.INV_INERTIA]!;
-    q[a + d.QX] = qax - mA * x;
-    q[a + d.QY] = qay - mA * y;
-    q[a + d.QW] = wA + iA * x * ax + iA * y * ay - iA * w;
-    q[b + d.QX] = qbx + mB * x;
-    q[b + d.QY] = qby + mB * y;
-    q[b + d.QW] = wB + iB * x * bx + iB * y * by + iB * w;
   }
 }
 

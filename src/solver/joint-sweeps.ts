@@ -1,9 +1,9 @@
-import { lineariseAnchored, pushAnchored, solveVelocityAnchored } from './anchored-joints.js';
+import { lineariseAnchored, sweepAnchored } from './anchored-joints.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './block-joints.js';
 import type { SolverData } from './data.js';
 import type { Group, Run } from './joint-data.js';
 import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
-import { pushLines, solveVelocityLines } from './line-joints.js';
+import { sweepLines } from './line-joints.js';
 import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
 import { lineariseRows, pushRows, solveVelocityRows } from './row-joints.js';
 import { pushTurns, solveVelocityTurns } from './turn-joints.js';
@@ -55,9 +55,9 @@ export function solveVelocityRun(
   } else if (kernel === ROW) {
     solveVelocityRows(data, start, end, isBack);
   } else if (kernel === LINE) {
-    solveVelocityLines(data, start, end, isBack);
+    sweepLines(data, start, end, isBack, false);
   } else if (kernel === ANCHORED) {
-    solveVelocityAnchored(data, start, end, isBack);
+    sweepAnchored(data, start, end, isBack, false);
   } else if (kernel === BLOCK) {
     for (let k = start; k < end; k += 1) {
       solveVelocityBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
@@ -77,9 +77,9 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
   if (kernel === ROW) {
     pushRows(data, start, end, isBack);
   } else if (kernel === LINE) {
-    pushLines(data, start, end, isBack);
+    sweepLines(data, start, end, isBack, true);
   } else if (kernel === ANCHORED) {
-    pushAnchored(data, start, end, isBack);
+    sweepAnchored(data, start, end, isBack, true);
   } else if (kernel === BLOCK) {
     for (let k = start; k < end; k += 1) {
       pushBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
