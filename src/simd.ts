@@ -13,6 +13,10 @@ interface Runtime {
 
 /** The kernels: addresses of records, of the offsets of bodies, of `velocity` or `motion`, or of both; from one index to another. */
 interface Exports {
+  addForces: (velocity: number, drive: number, from: number, to: number) => void;
+  moveOn: (velocity: number, motion: number, drive: number, from: number, to: number) => void;
+  advance: (velocity: number, motion: number, drive: number, from: number, to: number) => number;
+  advancePoses: (velocity: number, motion: number, pose: number, from: number, to: number) => number;
   warmStartOne: WarmStart;
   warmStartTwo: WarmStart;
   solveVelocityOne: Sweep;
@@ -73,6 +77,18 @@ function allotMemory(size: number): Room {
 function loopsOf(kernels: Exports, step: Float64Array): Loops {
   return {
     ...plain,
+    addForces: ({ velocity, drive }, from, to) => kernels.addForces(velocity.byteOffset, drive.byteOffset, from, to),
+    moveOn: ({ velocity, motion, drive }, from, to, h) => {
+      step[0] = h;
+      kernels.moveOn(velocity.byteOffset, motion.byteOffset, drive.byteOffset, from, to);
+    },
+    advance: (data, from, to) => {
+      const { velocity, motion, drive } = data;
+      for (let k = from; k < to; k += 1) {
+        k = kernels.advance(velocity.byteOffset, motion.byteOffset, drive.byteOffset, k, to);
+        if (k < to) plain.advance(data, k, k + 1);
+      }
+    },
     warmStartOne: ({ one: { records, bodies }, velocity, motion }, from, to, h) => {
       step[0] = h;
       kernels.warmStartOne(records.byteOffset, bodies.byteOffset, velocity.byteOffset, motion.byteOffset, from, to);
@@ -127,6 +143,10 @@ function pointKernelsOf(kernels: Exports, step: Float64Array): PointKernels {
     finish: ({ points, pointBodies, velocity, joints: { share } }, from, to) => {
       step[0] = share[0]!;
       return kernels.finishPoints(points.byteOffset, pointBodies.byteOffset, velocity.byteOffset, from, to);
+    },
+    advancePoses: ({ velocity, motion, pose, joints: { h } }, from, to) => {
+      step[0] = h;
+      return kernels.advancePoses(velocity.byteOffset, motion.byteOffset, pose.byteOffset, from, to);
     },
   };
 }

@@ -191,7 +191,7 @@ export class ShockList {
 /** Everything the solver keeps for a world. Of it only the previous sub-step's length and what joints remember survives a step. */
 export class SolverData {
   bodyCount = 0;
-  /** The loops over contacts, and lent for a step, as the arrays of contacts are, what they work on; at other times these are anyone's. */
+  /** The loops over bodies and contacts, and lent for a step, as the arrays of contacts are, what they work on; at other times these are anyone's. */
   loops: Loops | null = null;
   velocity = new Float64Array(0);
   motion = new Float64Array(0);
@@ -201,7 +201,7 @@ export class SolverData {
   points = new Float64Array(0);
   pointBodies = new Int32Array(0);
   pointKernels: PointKernels | null = null;
-  drive = new Float64Array(64 * d.BODY_STRIDE);
+  drive = new Float64Array(0);
   /** What contacts ask of their bodies, by slot: bits. */
   traits = new Uint8Array(64);
   /** The pairs that are being packed; what lies beyond their count is old. */
@@ -268,10 +268,8 @@ export class SolverData {
     this.scratch = this.kernels.lend(this, this.scratch);
     this.scratch.reserve(count, 0, 0, 0);
     this.lay(this.scratch);
-    if (count * d.BODY_STRIDE > this.drive.length) {
-      const size = grown(count);
-      this.drive = new Float64Array(size * d.BODY_STRIDE);
-      this.traits = new Uint8Array(size);
+    if (count > this.traits.length) {
+      this.traits = new Uint8Array(grown(count));
     }
     this.motion.fill(0, 0, count * d.BODY_STRIDE);
     this.velocity.fill(0, 0, d.BODY_STRIDE);
@@ -308,9 +306,10 @@ export class SolverData {
     this.velocity = doubles[0]!;
     this.motion = doubles[1]!;
     this.pose = doubles[2]!;
-    this.one.lay(doubles[3]!, offsets[0]!);
-    this.two.lay(doubles[4]!, offsets[1]!);
-    this.points = doubles[5]!;
+    this.drive = doubles[3]!;
+    this.one.lay(doubles[4]!, offsets[0]!);
+    this.two.lay(doubles[5]!, offsets[1]!);
+    this.points = doubles[6]!;
     this.pointBodies = offsets[2]!;
   }
 }

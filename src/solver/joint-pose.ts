@@ -73,6 +73,19 @@ export function advancePoses(data: SolverData): void {
 
 /** @returns whether something was cut. */
 function advancePosesPiece(data: SolverData, from: number, to: number): boolean {
+  const { pointKernels } = data;
+  if (pointKernels === null) {
+    return advancePlain(data, from, to);
+  }
+  let isCut = false;
+  for (let k = from; k < to; k += 1) {
+    k = pointKernels.advancePoses(data, k, to);
+    isCut = (k < to && advancePlain(data, k, k + 1)) || isCut;
+  }
+  return isCut;
+}
+
+function advancePlain(data: SolverData, from: number, to: number): boolean {
   const { pose: p, velocity: v, motion: q } = data;
   const most = MAX_SPEED * data.joints.h;
   let isCut = false;

@@ -1,15 +1,19 @@
+import { addForces, advance, moveOn } from './body-loops.js';
 import type { SolverData } from './data.js';
 import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
 
-/** Starts a sub-step, of length h, for contacts from one index to another. */
+/** A loop in a sub-step of length h, over bodies or contacts from one index to another. */
 type Start = (data: SolverData, from: number, to: number, h: number) => void;
 
 /** Sweeps over contacts from one index to another. @returns whether it changed anything worth another iteration. */
 export type Sweep = (data: SolverData, from: number, to: number, h: number) => boolean;
 
-/** The loops over contacts of one point and of two. */
+/** The loops over bodies, and over contacts of one point and of two. */
 export interface Loops {
+  readonly addForces: (data: SolverData, from: number, to: number) => void;
+  readonly moveOn: Start;
+  readonly advance: (data: SolverData, from: number, to: number) => void;
   readonly warmStartOne: Start;
   readonly warmStartTwo: Start;
   readonly solveVelocityOne: Sweep;
@@ -20,6 +24,9 @@ export interface Loops {
 
 /** The loops in plain TypeScript. */
 export const plain: Loops = {
+  addForces,
+  moveOn,
+  advance,
   warmStartOne,
   warmStartTwo,
   solveVelocityOne,

@@ -25,6 +25,8 @@ export interface PointKernels {
   readonly push: FastLoop;
   readonly pushLinearly: FastLoop;
   readonly finish: FastLoop;
+  /** Adds the motion of the sub-step to the placements of bodies. @returns the index of the first that it left to the loop in TypeScript. */
+  readonly advancePoses: FastLoop;
 }
 
 /** The same in TypeScript, over each record or, with a `step` of 2, every second one, or back with a negative one. @returns `true` if an error was worth another iteration. */

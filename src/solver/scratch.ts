@@ -9,7 +9,7 @@ const START = 2048;
 /** How much there is room for at first. */
 const FEWEST = 64;
 
-/** A buffer, and the loops that work on it: over contacts, and over rigid point joints, if there are others than those in TypeScript. */
+/** A buffer, and the loops that work on it: over bodies and contacts, and over rigid point joints and what they join, if there are others than those in TypeScript. */
 export interface Room {
   readonly buffer: ArrayBuffer;
   readonly loops: Loops;
@@ -25,7 +25,7 @@ export class Scratch {
   /** Who has it for a step. */
   user: object | null = null;
   room: Room;
-  /** `velocity`, `motion` and `pose` of `SolverData`, the records of contacts of one point and of two and of rigid point joints, … */
+  /** `velocity`, `motion`, `pose` and `drive` of `SolverData`, the records of contacts of one point and of two and of rigid point joints, … */
   doubles: readonly Float64Array<ArrayBuffer>[] = [];
   /** … and of these the offsets of the two bodies' records. */
   offsets: readonly Int32Array<ArrayBuffer>[] = [];
@@ -53,7 +53,15 @@ export class Scratch {
   private lay(): Room {
     const { bodies, ones, twos, points, doubles, offsets } = this;
     const ofBodies = BODY_STRIDE * bodies;
-    const lengths = [ofBodies, ofBodies, ofBodies, ONE_STRIDE * ones, TWO_STRIDE * twos, POINT_STRIDE * points];
+    const lengths = [
+      ofBodies,
+      ofBodies,
+      ofBodies,
+      ofBodies,
+      ONE_STRIDE * ones,
+      TWO_STRIDE * twos,
+      POINT_STRIDE * points,
+    ];
     const counts = [ones, twos, points];
     const room = this.allot(START + 8 * [...lengths, ...counts].reduce((sum, length) => sum + length));
     const { buffer } = room;
