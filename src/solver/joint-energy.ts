@@ -8,6 +8,7 @@ import {
   STUCK_STANDS,
   TOUCHED_EXCESS,
 } from '../config-joints.js';
+import type { List } from '../math/list.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
@@ -152,6 +153,9 @@ function goAsMoved(
 
 /** rad. Without full turns that its velocity did not tell of: corrections of straight chains make some. */
 function turnOf(angle: number, told: number): number {
+  if (Math.abs(angle) < Math.PI) {
+    return angle;
+  }
   const all = Math.round(angle / (2 * Math.PI));
   const untold = Math.round((angle - told) / (2 * Math.PI));
   return angle - 2 * Math.PI * Math.max(Math.min(0, all), Math.min(Math.max(0, all), untold));
@@ -215,20 +219,16 @@ function measure(data: SolverData, group: Group): void {
   const { bodies, guests, isAnchored, touched, isAfloat } = group;
   sums.fill(0);
   isCarried = false;
-  for (let n = 0; n < bodies.count; n += 1) {
-    const i = bodies.items[n]!;
-    add(data, i);
-    sums[LIGHTEST] = Math.max(sums[LIGHTEST]!, data.velocity[i + d.INV_MASS]!);
-  }
+  add(data, bodies);
   if (isAnchored) {
     sums[MASS] = Infinity;
   }
   const least = sums[LEAST]!;
+  const lightest = sums[LIGHTEST]!;
   sums[OWN_MASS] = sums[MASS]!;
-  for (let n = 0; n < guests.count; n += 1) {
-    add(data, guests.items[n]!);
-  }
+  if (guests.count > 0) add(data, guests);
   sums[LEAST] = least;
+  sums[LIGHTEST] = lightest;
   if (touched && !isAfloat) {
     sums[MASS] = Infinity;
   }
@@ -237,36 +237,57 @@ function measure(data: SolverData, group: Group): void {
 /**
  * A velocity is that which a sub-step ends with, half a sub-step ahead of the place: ½·m·v² + ½·h·m·a·v − m·a·x is what the scheme keeps of the energy (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, IX).
  */
-function add({ velocity: v, motion: q, drive: f, joints: { h, hasSprings, work } }: SolverData, offset: number): void {
-  const i = offset & d.OFFSET;
-  if (hasSprings) sums[WORK] = sums[WORK]! + work[i / d.BODY_STRIDE]!;
-  const inverseMass = v[i + d.INV_MASS]!;
-  const inverseInertia = v[i + d.INV_INERTIA]!;
-  const vx = v[i + d.VX]!;
-  const vy = v[i + d.VY]!;
-  const w = v[i + d.W]!;
-  const gainX = f[i + d.GAIN_X]!;
-  const gainY = f[i + d.GAIN_Y]!;
-  const gainW = f[i + d.GAIN_W]!;
-  if (inverseMass > 0) {
-    const m = 1 / inverseMass;
-    sums[KINETIC] = sums[KINETIC]! + 0.5 * m * (vx * vx + vy * vy);
-    sums[AHEAD] = sums[AHEAD]! + 0.5 * m * (gainX * vx + gainY * vy);
-    sums[WORK] = sums[WORK]! + (m * (gainX * q[i + d.DX]! + gainY * q[i + d.DY]!)) / h;
-    sums[LEAST] = sums[LEAST]! + 0.5 * m * (gainX * gainX + gainY * gainY);
-    sums[PX] = sums[PX]! + m * vx;
-    sums[PY] = sums[PY]! + m * vy;
-    sums[MASS] = sums[MASS]! + m;
-  } else {
-    isCarried ||= vx !== 0 || vy !== 0;
-    sums[MASS] = Infinity;
+function add(data: SolverData, { items, count }: List<number>): void {
+  const { velocity: v, motion: q, drive: f } = data;
+  const { h, hasSprings, work: worked } = data.joints;
+  let kinetic = sums[KINETIC]!;
+  let ahead = sums[AHEAD]!;
+  let work = sums[WORK]!;
+  let least = sums[LEAST]!;
+  let mass = sums[MASS]!;
+  let px = sums[PX]!;
+  let py = sums[PY]!;
+  let lightest = sums[LIGHTEST]!;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]! & d.OFFSET;
+    if (hasSprings) work += worked[i / d.BODY_STRIDE]!;
+    const inverseMass = v[i + d.INV_MASS]!;
+    const inverseInertia = v[i + d.INV_INERTIA]!;
+    const vx = v[i + d.VX]!;
+    const vy = v[i + d.VY]!;
+    const w = v[i + d.W]!;
+    const gainX = f[i + d.GAIN_X]!;
+    const gainY = f[i + d.GAIN_Y]!;
+    const gainW = f[i + d.GAIN_W]!;
+    lightest = inverseMass > lightest ? inverseMass : lightest;
+    if (inverseMass > 0) {
+      const m = 1 / inverseMass;
+      kinetic += 0.5 * m * (vx * vx + vy * vy);
+      ahead += 0.5 * m * (gainX * vx + gainY * vy);
+      work += (m * (gainX * q[i + d.DX]! + gainY * q[i + d.DY]!)) / h;
+      least += 0.5 * m * (gainX * gainX + gainY * gainY);
+      px += m * vx;
+      py += m * vy;
+      mass += m;
+    } else {
+      isCarried ||= vx !== 0 || vy !== 0;
+      mass = Infinity;
+    }
+    if (inverseInertia > 0) {
+      const inertia = 1 / inverseInertia;
+      kinetic += 0.5 * inertia * w * w;
+      ahead += 0.5 * inertia * gainW * w;
+      work += (inertia * gainW * q[i + d.DW]!) / h;
+    } else {
+      isCarried ||= w !== 0;
+    }
   }
-  if (inverseInertia > 0) {
-    const inertia = 1 / inverseInertia;
-    sums[KINETIC] = sums[KINETIC]! + 0.5 * inertia * w * w;
-    sums[AHEAD] = sums[AHEAD]! + 0.5 * inertia * gainW * w;
-    sums[WORK] = sums[WORK]! + (inertia * gainW * q[i + d.DW]!) / h;
-  } else {
-    isCarried ||= w !== 0;
-  }
+  sums[KINETIC] = kinetic;
+  sums[AHEAD] = ahead;
+  sums[WORK] = work;
+  sums[LEAST] = least;
+  sums[MASS] = mass;
+  sums[PX] = px;
+  sums[PY] = py;
+  sums[LIGHTEST] = lightest;
 }
