@@ -6,6 +6,7 @@ import { PUSH_SHARE_CIRCLES, PUSH_SHARE_DYNAMIC, PUSH_SHARE_HOOKED } from '../..
 import { createCustomConstraint, createWorld, phys2D, simdKernels, type World, worldState } from '../../src/index.js';
 import { type Kernels, plainKernels } from '../../src/kernels.js';
 import { recordAt, SolverData } from '../../src/solver/data.js';
+import { advance, integratePositions, integrateVelocities } from '../../src/solver/integrate.js';
 import { Group, JointData } from '../../src/solver/joint-data.js';
 import {
   ANCHOR_AX,
@@ -18,6 +19,7 @@ import {
   POINT_STRIDE,
 } from '../../src/solver/joint-layout.js';
 import { addJoint, allot } from '../../src/solver/joint-list.js';
+import { advancePoses } from '../../src/solver/joint-pose.js';
 import * as d from '../../src/solver/layout.js';
 import { type Loops, plain } from '../../src/solver/loops.js';
 import {
@@ -110,14 +112,14 @@ function filled(kernels: Kernels, drawn: readonly Drawn[], bodies: readonly numb
   return data;
 }
 
-const LOOPS: readonly (keyof Loops)[] = [
+const LOOPS = [
   'warmStartOne',
   'warmStartTwo',
   'solveVelocityOne',
   'solveVelocityTwo',
   'solvePositionOne',
   'solvePositionTwo',
-];
+] as const satisfies readonly (keyof Loops)[];
 
 describe.each(LOOPS)('%s', (loop) => {
   it('does the same in WebAssembly, to the bit: whatever shares a body, wherever it begins and ends', () => {
@@ -149,6 +151,55 @@ describe.each(LOOPS)('%s', (loop) => {
         },
       ),
       { numRuns: 150 },
+    );
+  });
+});
+
+/** A number of a body: most are small, some have no end. */
+const ofBody = oneof({ weight: 30, arbitrary: value }, constantFrom(0.3, -0.3, 7, 2e6, -2e6, Infinity, Number.NaN));
+
+describe.each<[string, (data: SolverData, h: number) => void]>([
+  ['integrateVelocities', integrateVelocities],
+  ['integratePositions', integratePositions],
+  ['advance', advance],
+  ['advancePoses', advancePoses],
+])('%s', (_, loop) => {
+  it('does the same in WebAssembly, to the bit: whatever turns far, is touched, or has no end', () => {
+    const size = BODIES * d.BODY_STRIDE;
+    const numbers = array(ofBody, { minLength: size, maxLength: size });
+    assert(
+      property(
+        numbers,
+        numbers,
+        numbers,
+        array(constantFrom(0, 1), { minLength: BODIES, maxLength: BODIES }),
+        constantFrom(0.01, 0.1, 1),
+        constantFrom(1 / 240, 1 / 60),
+        (velocity, motion, drive, touched, turns, h) => {
+          const [expected, found] = [plainKernels, simdKernels].map((kernels) => {
+            const data = new SolverData(new JointData(), kernels);
+            data.resetBodies(BODIES);
+            data.joints.h = h;
+            data.velocity.set(velocity);
+            data.motion.set(motion);
+            data.pose.set([...motion].reverse());
+            data.drive.set(drive);
+            for (let k = 0; k < BODIES; k += 1) {
+              const at = k * d.BODY_STRIDE;
+              data.drive[at + d.TOUCHED] = touched[k]!;
+              for (const n of [d.QW, d.DW]) data.motion[at + n]! *= turns;
+              // Such as rest damping sees.
+              if (turns < 0.1) for (const n of [d.VX, d.VY, d.W]) data.velocity[at + n]! *= 0.005;
+            }
+            loop(data, h);
+            const arrays = [data.velocity, data.motion, data.pose, data.drive].map((numbers) => numbers.slice());
+            data.release();
+            return arrays;
+          });
+          expect(found).toEqual(expected);
+        },
+      ),
+      { numRuns: 300 },
     );
   });
 });
