@@ -21,16 +21,7 @@ import {
   VY,
   W,
 } from '../src/solver/layout';
-import { at, H, put, splat } from './lanes';
-
-/** Of one body: its number, from the start of its record. */
-function get(record: usize, offset: i32): f64 {
-  return load<f64>(record + offset * 8);
-}
-
-function set(record: usize, offset: i32, value: f64): void {
-  store<f64>(record + offset * 8, value);
-}
+import { at, get, H, put, set, splat } from './lanes';
 
 export function addForces(velocity: usize, drive: usize, from: i32, to: i32): void {
   for (let k = from; k < to; k += 1) {

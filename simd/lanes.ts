@@ -68,6 +68,15 @@ export function put(record: usize, offset: i32, value: v128): void {
   v128.store(record + offset * 8, value);
 }
 
+/** One number of one body or contact. */
+export function get(record: usize, offset: i32): f64 {
+  return load<f64>(record + offset * 8);
+}
+
+export function set(record: usize, offset: i32, value: f64): void {
+  store<f64>(record + offset * 8, value);
+}
+
 /** The first lanes, and the second ones, of two vectors. */
 export function first(x: v128, y: v128): v128 {
   return v128.shuffle<f64>(x, y, 0, 2);

@@ -21,6 +21,7 @@ interface Exports {
   warmStartTwo: WarmStart;
   solveVelocityOne: Sweep;
   solveVelocityTwo: Sweep;
+  solvePositionOne: Sweep;
   solvePositionTwo: Sweep;
   warmStartPoints: (records: number, bodies: number, v: number, pose: number, from: number, to: number) => number;
   solveVelocityPoints: Sweep;
@@ -104,6 +105,13 @@ function loopsOf(kernels: Exports, step: Float64Array): Loops {
     solveVelocityTwo: ({ two: { records, bodies }, velocity }, from, to, h) => {
       step[0] = h;
       return kernels.solveVelocityTwo(records.byteOffset, bodies.byteOffset, velocity.byteOffset, from, to) !== 0;
+    },
+    solvePositionOne: (data, from, to) => {
+      const { one, motion } = data;
+      const { records, bodies } = one;
+      const found = kernels.solvePositionOne(records.byteOffset, bodies.byteOffset, motion.byteOffset, from, to);
+      if ((found & 2) !== 0) data.crowded = true;
+      return (found & 1) !== 0;
     },
     solvePositionTwo: ({ two: { records, bodies }, motion }, from, to) =>
       kernels.solvePositionTwo(records.byteOffset, bodies.byteOffset, motion.byteOffset, from, to) !== 0,

@@ -87,7 +87,7 @@ saved.restore(saved.snapshot());${DROP}`,
     name: 'everything',
     code: `import { phys2D } from 'phys2d';\n${DEVICE}${DROP}`,
     parts: ALL,
-    budget: 109_800,
+    budget: 110_200,
   },
   {
     name: 'everything, with debug drawing',
@@ -99,7 +99,7 @@ debug.drawWorld(phys2D.createWorld());
 debug.end();
 ${DEVICE}${DROP}`,
     parts: [...ALL, 'debug'],
-    budget: 116_800,
+    budget: 117_200,
   },
 ];
 
