@@ -73,6 +73,8 @@ export class Group {
   fresh = true;
   /** For so many steps more large errors are corrected without momentum. */
   settling = 0;
+  /** Some of its joints are custom constraints. */
+  hasCustoms = false;
   /** Joints hold it to what does not move at two places or more: they may not all be met … */
   isBetween = false;
   /** … and for so many steps there was an error that no sweep removed; … */
@@ -177,6 +179,8 @@ export class JointData implements Keeper {
   eases = false;
   /** … and it is looked at what groups are, see `WEIGH_STEPS`. */
   weighs = false;
+  /** Some joint is a custom constraint. */
+  hasCustoms = false;
   /** There are springs in this step. Their work is added up, by slot … */
   hasSprings = false;
   work = new Float64Array(0);
@@ -214,6 +218,7 @@ export class JointData implements Keeper {
     this.joints.length = 0;
     this.runs.length = 0;
     this.groups.length = 0;
+    this.hasCustoms = false;
     this.size = 0;
     this.members = 0;
   }

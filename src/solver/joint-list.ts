@@ -4,7 +4,7 @@ import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEE
 import type { Constraint } from '../constraint/constraint.js';
 import { POSE } from '../constraint/layout.js';
 import { type Group, type Joint, type JointData, keepsNumbers, type Run } from './joint-data.js';
-import { type BlockLayout, KEPT_STRIDE, POINT, TURN, TURN_STRIDE } from './joint-layout.js';
+import { type BlockLayout, CUSTOM, KEPT_STRIDE, POINT, TURN, TURN_STRIDE } from './joint-layout.js';
 import { WINDOW } from './layout.js';
 
 // Lists joints: which lie side by side in runs, and where each has its numbers. What a world without constraints does without.
@@ -32,6 +32,8 @@ export function addJoint(
   }
   const run = group.runs[group.runs.length - 1];
   group.end += 1;
+  group.hasCustoms ||= kernel === CUSTOM;
+  data.hasCustoms ||= kernel === CUSTOM;
   if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
     run.end += 1;
   } else {

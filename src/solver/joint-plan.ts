@@ -27,7 +27,7 @@ import {
 } from '../config-joints.js';
 import { findLength, length } from './block-rows.js';
 import { recordAt, type SolverData } from './data.js';
-import { type Group, hasCallbacks, type Joint } from './joint-data.js';
+import type { Group, Joint } from './joint-data.js';
 import { mayMakeEnergy } from './joint-energy.js';
 import { findMovers } from './joint-gradients.js';
 import { hasHub } from './joint-hubs.js';
@@ -251,7 +251,7 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
   const before = isFirst ? h / (impulseScale || 1) : h;
   const span = Math.max(h, before, group.span - h / 4);
   const calm = JOINT_CALM * h * (h / span);
-  group.span = group.error > calm * calm || (isFirst && group.runs.some(hasCallbacks)) ? span : h;
+  group.span = group.error > calm * calm || (isFirst && group.hasCustoms) ? span : h;
   if (isFirst && impulseScale === 0) {
     group.sweeps = NEW_JOINT_SWEEPS;
   }

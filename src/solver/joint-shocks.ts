@@ -14,7 +14,7 @@ export function linkShocks(data: SolverData): void {
     if (group.runs.every(hasCallbacks)) {
       continue;
     }
-    const known = group.runs.some(hasCallbacks) ? -1 : index + 1;
+    const known = group.hasCustoms ? -1 : index + 1;
     for (let n = 0; n < group.bodies.count; n += 1) {
       groupOf[group.bodies.items[n]! / BODY_STRIDE] = known;
     }

@@ -21,7 +21,7 @@ import {
 import { closeOpen } from './close-joints.js';
 import type { SolverData } from './data.js';
 import { findCompanies, findGuests } from './joint-company.js';
-import { type Group, hasCallbacks, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
+import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { noteEnergy, takeExcesses } from './joint-energy.js';
 import { beginGradients, goOn, noteStart } from './joint-gradients.js';
 import { ANCHORED, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
@@ -71,7 +71,7 @@ function packJoints(world: World, h: number): void {
   if (joints.runs.length > 0) {
     packPoses(world);
   }
-  if (joints.runs.some(hasCallbacks)) {
+  if (joints.hasCustoms) {
     // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
     joints.fetchAll();
   }
@@ -239,7 +239,7 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
 /** Velocity iteration `i` of `count`. */
 function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   const { groups } = data.joints;
-  sweepCustoms(data, i, solveVelocityBlock);
+  if (data.joints.hasCustoms) sweepCustoms(data, i, solveVelocityBlock);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const { beside } = group;
@@ -299,7 +299,7 @@ function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joi
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups } = data.joints;
   left.found = false;
-  sweepCustoms(data, i, pushCustom);
+  if (data.joints.hasCustoms) sweepCustoms(data, i, pushCustom);
   let isLeft = left.found;
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;

@@ -51,8 +51,11 @@ function settleFrames(data: SolverData, jointSolver: JointSolver): void {
 
 /** The offset of one that can be pushed; 0 if none can, or it is no frame that is to be solved. */
 function someBodyOfFrame(data: SolverData, group: Group): number {
+  if (!(group.isBent && group.touched)) {
+    return 0;
+  }
   const { items, count } = group.bodies;
-  for (let n = 0; n < count && group.touched && group.isBent; n += 1) {
+  for (let n = 0; n < count; n += 1) {
     if (canMove(data, items[n]!)) return items[n]!;
   }
   return 0;

@@ -21,7 +21,18 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
   constraint: ['failed', 'place', 'fetched'],
   arbiter: ['foreseen'],
   group: [
-    ...['start', 'end', 'tolerance', 'error', 'pushed', 'touched', 'isBeside', 'branches', 'isIndeterminate'],
+    ...[
+      'start',
+      'end',
+      'hasCustoms',
+      'tolerance',
+      'error',
+      'pushed',
+      'touched',
+      'isBeside',
+      'branches',
+      'isIndeterminate',
+    ],
     ...[
       'isDriven',
       'isAnchored',
