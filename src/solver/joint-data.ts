@@ -12,6 +12,8 @@ import {
   CUSTOM,
   KEPT_IMPULSE_X,
   KEPT_IMPULSE_Y,
+  KEPT_ORIGIN_AX,
+  KEPT_ORIGIN_AY,
   KEPT_SUM_WA,
   KEPT_SUM_WB,
   KEPT_SUM_X,
@@ -225,8 +227,8 @@ export class JointData implements Keeper {
 
   /** What a joint that keeps its numbers here has in its record. */
   fetch(index: number, { impulse, given }: Numbers): void {
-    const { records: r, bodies } = this;
-    const { kernel, at, first, constraint } = this.joints[index]!;
+    const { records: r } = this;
+    const { kernel, at } = this.joints[index]!;
     if (kernel === TURN) {
       impulse[0] = r[at + TURN_IMPULSE]!;
       given[2] = r[at + TURN_GIVEN_A]!;
@@ -242,9 +244,9 @@ export class JointData implements Keeper {
     given[4] = r[at + KEPT_SUM_Y]!;
     given[5] = r[at + KEPT_SUM_WB]!;
     for (let k = 0; k < 2; k += 1) {
-      if (bodies[first + k] === 0) {
-        // The arms of what is immovable are from the origin of the world.
-        const { x, y } = constraint.members[k]!;
+      const x = r[at + KEPT_ORIGIN_AX + 2 * k]!;
+      const y = r[at + KEPT_ORIGIN_AY + 2 * k]!;
+      if (x !== 0 || y !== 0) {
         given[3 * k + 2] = given[3 * k + 2]! - (x * given[3 * k + 1]! - y * given[3 * k]!);
       }
     }

@@ -46,7 +46,12 @@ export const KEPT_SUM_WA = 8;
 export const KEPT_SUM_WB = 9;
 /** Which of the records for a step is its own. */
 export const KEPT_SLOT = 10;
-export const KEPT_STRIDE = 11;
+/** Where the origins are of those of its bodies that are immovable, else 0: their arms are from that of the world. */
+export const KEPT_ORIGIN_AX = 11;
+export const KEPT_ORIGIN_AY = 12;
+export const KEPT_ORIGIN_BX = 13;
+export const KEPT_ORIGIN_BY = 14;
+export const KEPT_STRIDE = 15;
 
 /**
  * Their records for a step lie two by two, as those of contacts (`layout.ts`). What velocity iterations use stands first: arms, impulse and K⁻¹ …

@@ -72,7 +72,8 @@ export function packContacts(world: World): void {
     }
   }
   if (count > 0) packWindow(solver, count, timeStamp);
-  solver.drive[d.TOUCHED] = 0;
+  // Where nothing is awake the arrays are not this world's.
+  if (solver.bodyCount > 1) solver.drive[d.TOUCHED] = 0;
   sorted.count = kept;
   // Asked first, here and elsewhere: to set a length takes its time even where that changes nothing.
   if (dynamicArbiters.length > dynamics) dynamicArbiters.length = dynamics;

@@ -39,11 +39,13 @@ const FAR_BLOCK = 8;
 export function packPoint(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, constraint } = joint;
+  // First, as what it gave in the last step may not have been fetched from here yet.
+  const { impulse } = constraint;
+  r[at + j.KEPT_IMPULSE_X] = impulse[0]!;
+  r[at + j.KEPT_IMPULSE_Y] = impulse[1]!;
+  r[at + j.KEPT_SLOT] = joint.slot;
   packAnchor(data, joint, 0);
   packAnchor(data, joint, 1);
-  r[at + j.KEPT_SLOT] = joint.slot;
-  r[at + j.KEPT_IMPULSE_X] = constraint.impulse[0]!;
-  r[at + j.KEPT_IMPULSE_Y] = constraint.impulse[1]!;
 }
 
 function packAnchor(data: SolverData, joint: Joint, k: number): void {
@@ -58,6 +60,8 @@ function packAnchor(data: SolverData, joint: Joint, k: number): void {
   const isImmovable = slot === 0;
   r[at + j.KEPT_ANCHOR_AX + 2 * k] = isImmovable ? body.x + body.cos * x - body.sin * y : x;
   r[at + j.KEPT_ANCHOR_AY + 2 * k] = isImmovable ? body.y + body.sin * x + body.cos * y : y;
+  r[at + j.KEPT_ORIGIN_AX + 2 * k] = isImmovable ? body.x : 0;
+  r[at + j.KEPT_ORIGIN_AY + 2 * k] = isImmovable ? body.y : 0;
   bodies[first + k] = slot * d.BODY_STRIDE;
 }
 

@@ -39,9 +39,9 @@ export function step(world: World, dt: number): void {
   integrate(world, h);
   world.jointSolver?.store(world);
   store(world);
-  solver.release();
   profile?.lap('store');
   continuous(world, dt);
+  solver.release();
   world.events.noteWoken(world);
   sleepKinematics(world);
   profile?.lap('continuous');

@@ -98,3 +98,24 @@ describe('a ray in a preSolve handler at the end of a step', () => {
     expect(look(phys2D.createSweepAndPruneBroadphase())).toEqual(tree);
   });
 });
+
+it('a handler that steps another world changes nothing in its own, also at the end of a step', () => {
+  const bounce = (steps: boolean): number => {
+    const other = phys2D.createWorld({ gravity: [0, 5000] });
+    add(other, { shapes: [ball(1)] });
+    const world = phys2D.createWorld({ gravity: [0, 10] });
+    add(world, { type: 'static', position: [0, 5.1], shapes: [box(18, 0.2)] });
+    const shape = ball(0.1, 0.5);
+    const bullet = add(world, { bullet: true, shapes: [shape], velocity: [0, 60] });
+    let asked = 0;
+    shape.addEventListener('preSolve', () => {
+      asked += 1;
+      if (steps) other.step(1 / 60);
+    });
+    for (let i = 0; i < 8; i += 1) world.step(1 / 60);
+    expect(asked).toBeGreaterThan(0);
+    return bullet.getVelocity()[1];
+  };
+  expect(bounce(true)).toBe(bounce(false));
+  expect(bounce(false)).toBeLessThan(-10);
+});
