@@ -34,7 +34,7 @@ export class PointConstraint extends AnchoredConstraint {
 
   /** @internal */
   measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
-    pointRows(pose, this.anchors, out, c, j, 6);
+    pointRows(pose, this.anchors, out, c, j);
   }
 }
 
@@ -43,25 +43,24 @@ export function holdsBoth({ members }: Constraint, bodyA: RigidBody, bodyB: Rigi
   return members.includes(bodyA) && members.includes(bodyB);
 }
 
-/** @internal the two rows of "wB = wA", `stride` apart */
-export function pointRows(
-  pose: Float64Array,
-  anchors: Float64Array,
-  out: Float64Array,
-  c: number,
-  j: number,
-  stride: number,
-): void {
-  for (let k = 0; k < 2; k += 1) {
-    const at = k * POSE;
-    const sign = k === 0 ? -1 : 1;
-    const rx = pose[at + COS]! * anchors[2 * k]! - pose[at + SIN]! * anchors[2 * k + 1]!;
-    const ry = pose[at + SIN]! * anchors[2 * k]! + pose[at + COS]! * anchors[2 * k + 1]!;
-    out[c] = out[c]! + sign * (pose[at + X]! + rx);
-    out[c + 1] = out[c + 1]! + sign * (pose[at + Y]! + ry);
-    out[j + 3 * k] = sign;
-    out[j + 3 * k + 2] = -sign * ry;
-    out[j + stride + 3 * k + 1] = sign;
-    out[j + stride + 3 * k + 2] = sign * rx;
-  }
+/** @internal the two rows of "wB = wA" */
+export function pointRows(pose: Float64Array, anchors: Float64Array, out: Float64Array, c: number, j: number): void {
+  const cosA = pose[COS]!;
+  const sinA = pose[SIN]!;
+  const cosB = pose[POSE + COS]!;
+  const sinB = pose[POSE + SIN]!;
+  const ax = cosA * anchors[0]! - sinA * anchors[1]!;
+  const ay = sinA * anchors[0]! + cosA * anchors[1]!;
+  const bx = cosB * anchors[2]! - sinB * anchors[3]!;
+  const by = sinB * anchors[2]! + cosB * anchors[3]!;
+  out[c] = out[c]! - (pose[X]! + ax) + (pose[POSE + X]! + bx);
+  out[c + 1] = out[c + 1]! - (pose[Y]! + ay) + (pose[POSE + Y]! + by);
+  out[j] = -1;
+  out[j + 2] = ay;
+  out[j + 3] = 1;
+  out[j + 5] = -by;
+  out[j + 7] = -1;
+  out[j + 8] = -ax;
+  out[j + 10] = 1;
+  out[j + 11] = bx;
 }

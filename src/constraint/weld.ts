@@ -20,8 +20,7 @@ export class WeldConstraint extends AnchoredConstraint {
   /** Tells the kinds apart. */
   readonly type = 'WELD';
 
-  /** @internal rad */
-  phase: number;
+  private phase: number;
 
   /** @internal use `createWeldConstraint` */
   constructor(params: WeldConstraintParams) {
@@ -51,7 +50,7 @@ export class WeldConstraint extends AnchoredConstraint {
 
   /** @internal */
   measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
-    pointRows(pose, this.anchors, out, c, j, 6);
+    pointRows(pose, this.anchors, out, c, j);
     out[c + 2] = pose[POSE + ANGLE]! - pose[ANGLE]! - this.phase;
     out[j + 14] = -1;
     out[j + 17] = 1;

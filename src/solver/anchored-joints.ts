@@ -1,12 +1,9 @@
-import { ANGLE, COS, POSE, SIN, X, Y } from '../constraint/layout.js';
-import type { WeldConstraint } from '../constraint/weld.js';
 import { beginSpring, correctTo, noteError } from './block-joints.js';
 import { findLength, length, writeMatrix } from './block-rows.js';
 import { cutOrBreak } from './breaking.js';
 import type { SolverData } from './data.js';
-import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
-import { findPoses, givesAtOnePlace, moveToOnePlace } from './joint-pose.js';
+import { measure } from './joint-pose.js';
 import * as d from './layout.js';
 
 /**
@@ -19,40 +16,6 @@ const ROW = 6;
 const TURN_A = 2;
 const TURN_B = 5;
 
-/** Error and Jacobian, as `measure`. */
-function place(data: SolverData, joint: Joint, jacobian: number, moving: boolean): void {
-  const { records: r, pose } = data.joints;
-  const { at, layout } = joint;
-  const constraint = joint.constraint as WeldConstraint;
-  const { anchors } = constraint;
-  findPoses(data, joint, moving);
-  const cosA = pose[COS]!;
-  const sinA = pose[SIN]!;
-  const cosB = pose[POSE + COS]!;
-  const sinB = pose[POSE + SIN]!;
-  const ax = cosA * anchors[0]! - sinA * anchors[1]!;
-  const ay = sinA * anchors[0]! + cosA * anchors[1]!;
-  const bx = cosB * anchors[2]! - sinB * anchors[3]!;
-  const by = sinB * anchors[2]! + cosB * anchors[3]!;
-  const e = at + layout.error;
-  const p = at + jacobian;
-  r[e] = pose[POSE + X]! + bx - (pose[X]! + ax);
-  r[e + 1] = pose[POSE + Y]! + by - (pose[Y]! + ay);
-  r[p] = -1;
-  r[p + TURN_A] = ay;
-  r[p + 3] = 1;
-  r[p + TURN_B] = -by;
-  r[p + ROW + 1] = -1;
-  r[p + ROW + TURN_A] = -ax;
-  r[p + ROW + 4] = 1;
-  r[p + ROW + TURN_B] = bx;
-  if (layout.rows === 3) {
-    r[e + 2] = pose[POSE + ANGLE]! - pose[ANGLE]! - constraint.phase;
-    r[p + 2 * ROW + TURN_A] = -1;
-    r[p + 2 * ROW + TURN_B] = 1;
-  }
-}
-
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartAnchored(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints } = data.joints;
@@ -61,8 +24,7 @@ export function warmStartAnchored(data: SolverData, start: number, end: number):
     const joint = joints[m]!;
     const { layout, constraint, at, first } = joint;
     const { rows, impulse, jacobian, push, bias } = layout;
-    place(data, joint, jacobian, false);
-    if (givesAtOnePlace(constraint)) moveToOnePlace(data, joint);
+    measure(data, joint, jacobian, false, true);
     writeMatrix(data, joint, jacobian);
     for (let n = 0; n < rows; n += 1) {
       r[at + push + n] = 0;
@@ -184,7 +146,7 @@ export function lineariseAnchored(data: SolverData, start: number, end: number):
       continue;
     }
     const { rows, turned } = layout;
-    place(data, joint, turned, true);
+    measure(data, joint, turned, true, true);
     findLength(r, i + layout.error, rows);
     const error = length[0]!;
     if (error > r[i + j.MAX_ERROR]!) {

@@ -9,7 +9,7 @@ import type { SolverData } from './data.js';
 import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 import { noteLag } from './joint-numbers.js';
-import { givesAtOnePlace, measure, moveToOnePlace, showPoses } from './joint-pose.js';
+import { measure, showPoses } from './joint-pose.js';
 import * as d from './layout.js';
 
 /**
@@ -48,7 +48,6 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   const { isElastic } = constraint;
   if (isFirst || !isCustom(constraint)) {
     measure(data, joint, layout.jacobian, false, isElastic);
-    if (givesAtOnePlace(constraint)) moveToOnePlace(data, joint);
   } else if (isElastic) {
     foresee(data, joint);
   }

@@ -53,6 +53,7 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   factor(r, at + matrix, rows, MIN_INVERSE_MASS);
 }
 
+/** The same for two bodies, whose records begin at `a` and `b`, and three rows at most, which begin at `p`: straight-line. */
 function writePairMatrix(
   r: Float64Array,
   v: Float64Array,
@@ -66,46 +67,46 @@ function writePairMatrix(
   const iA = v[a + d.INV_INERTIA]!;
   const mB = v[b + d.INV_MASS]!;
   const iB = v[b + d.INV_INERTIA]!;
-  const x = r[p]!;
-  const y = r[p + 1]!;
-  const w = r[p + 2]!;
-  const X = r[p + 3]!;
-  const Y = r[p + 4]!;
-  const W = r[p + 5]!;
-  const k00 = mA * (x * x + y * y) + iA * w * w + mB * (X * X + Y * Y) + iB * W * W;
+  const ax = r[p]!;
+  const ay = r[p + 1]!;
+  const aw = r[p + 2]!;
+  const bx = r[p + 3]!;
+  const by = r[p + 4]!;
+  const bw = r[p + 5]!;
+  const k00 = mA * (ax * ax + ay * ay) + iA * aw * aw + mB * (bx * bx + by * by) + iB * bw * bw;
   const d0 = k00 > MIN_INVERSE_MASS && k00 < Infinity ? 1 / k00 : 0;
   r[k] = d0;
   if (rows === 1) return;
-  const x1 = r[p + 6]!;
-  const y1 = r[p + 7]!;
-  const w1 = r[p + 8]!;
-  const X1 = r[p + 9]!;
-  const Y1 = r[p + 10]!;
-  const W1 = r[p + 11]!;
-  const k10 = mA * (x1 * x + y1 * y) + iA * w1 * w + mB * (X1 * X + Y1 * Y) + iB * W1 * W;
-  const k11 = mA * (x1 * x1 + y1 * y1) + iA * w1 * w1 + mB * (X1 * X1 + Y1 * Y1) + iB * W1 * W1;
+  const ax1 = r[p + 6]!;
+  const ay1 = r[p + 7]!;
+  const aw1 = r[p + 8]!;
+  const bx1 = r[p + 9]!;
+  const by1 = r[p + 10]!;
+  const bw1 = r[p + 11]!;
+  const k10 = mA * (ax1 * ax + ay1 * ay) + iA * aw1 * aw + mB * (bx1 * bx + by1 * by) + iB * bw1 * bw;
+  const k11 = mA * (ax1 * ax1 + ay1 * ay1) + iA * aw1 * aw1 + mB * (bx1 * bx1 + by1 * by1) + iB * bw1 * bw1;
   const l10 = k10 * d0;
-  const p1 = k11 - l10 * k10;
-  const d1 = p1 > MIN_INVERSE_MASS && p1 > DEPENDENT * k11 && p1 < Infinity ? 1 / p1 : 0;
+  const pivot1 = k11 - l10 * k10;
+  const d1 = pivot1 > MIN_INVERSE_MASS && pivot1 > DEPENDENT * k11 && pivot1 < Infinity ? 1 / pivot1 : 0;
   r[k + rows] = l10;
   r[k + rows + 1] = d1;
   if (rows === 2) return;
-  const x2 = r[p + 12]!;
-  const y2 = r[p + 13]!;
-  const w2 = r[p + 14]!;
-  const X2 = r[p + 15]!;
-  const Y2 = r[p + 16]!;
-  const W2 = r[p + 17]!;
-  const k20 = mA * (x2 * x + y2 * y) + iA * w2 * w + mB * (X2 * X + Y2 * Y) + iB * W2 * W;
-  const k21 = mA * (x2 * x1 + y2 * y1) + iA * w2 * w1 + mB * (X2 * X1 + Y2 * Y1) + iB * W2 * W1;
-  const k22 = mA * (x2 * x2 + y2 * y2) + iA * w2 * w2 + mB * (X2 * X2 + Y2 * Y2) + iB * W2 * W2;
+  const ax2 = r[p + 12]!;
+  const ay2 = r[p + 13]!;
+  const aw2 = r[p + 14]!;
+  const bx2 = r[p + 15]!;
+  const by2 = r[p + 16]!;
+  const bw2 = r[p + 17]!;
+  const k20 = mA * (ax2 * ax + ay2 * ay) + iA * aw2 * aw + mB * (bx2 * bx + by2 * by) + iB * bw2 * bw;
+  const k21 = mA * (ax2 * ax1 + ay2 * ay1) + iA * aw2 * aw1 + mB * (bx2 * bx1 + by2 * by1) + iB * bw2 * bw1;
+  const k22 = mA * (ax2 * ax2 + ay2 * ay2) + iA * aw2 * aw2 + mB * (bx2 * bx2 + by2 * by2) + iB * bw2 * bw2;
   const u21 = k21 - k20 * l10;
   const l20 = k20 * d0;
   const l21 = u21 * d1;
-  const p2 = k22 - l20 * k20 - l21 * u21;
+  const pivot2 = k22 - l20 * k20 - l21 * u21;
   r[k + 6] = l20;
   r[k + 7] = l21;
-  r[k + 8] = p2 > MIN_INVERSE_MASS && p2 > DEPENDENT * k22 && p2 < Infinity ? 1 / p2 : 0;
+  r[k + 8] = pivot2 > MIN_INVERSE_MASS && pivot2 > DEPENDENT * k22 && pivot2 < Infinity ? 1 / pivot2 : 0;
 }
 
 /** All rows of J, times velocities or times the motion of the sub-step, to the numbers at `work`. */

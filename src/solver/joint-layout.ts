@@ -99,7 +99,7 @@ export const POINT_STRIDE = 31;
 export const POINT = 0;
 /** … angles, motors, and points beside others, that do not break … */
 export const TURN = 1;
-/** … one row between two bodies … */
+/** … distances, and angles that may break … */
 export const ROW = 2;
 /** … lines … */
 export const LINE = 3;

@@ -124,7 +124,7 @@ function cut(numbers: Float64Array, i: number, most: number): void {
 }
 
 /** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
-export function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
+function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose: to } = data.joints;
   const { motion: q, pose } = data;
   const { layout, first, constraint } = joint;
@@ -149,7 +149,7 @@ export function findPoses(data: SolverData, joint: Joint, moving: boolean): void
   }
 }
 
-/** Error and Jacobian for the present placement. */
+/** Error and Jacobian for the placement with which the sub-step begins or, if `moving`, that reached within it. */
 export function measure(data: SolverData, joint: Joint, jacobian: number, moving: boolean, withError: boolean): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
@@ -169,6 +169,9 @@ export function measure(data: SolverData, joint: Joint, jacobian: number, moving
   mergeTwins(data, joint, jacobian);
   if (constraint.bounded) {
     compareWithBounds(r, joint);
+  }
+  if (!moving && givesAtOnePlace(constraint)) {
+    moveToOnePlace(data, joint);
   }
 }
 
@@ -254,7 +257,7 @@ export function hidePoses(data: SolverData): void {
  * Whether a joint holds two points together, and gives what it gives to both bodies at one place between these: where they lie apart, as a soft joint lets them, what is given at either would turn both bodies together,
  * out of nothing. Rigid points do not: of these, and of how they are corrected, pendulums keep their energy only with their own arms.
  */
-export function givesAtOnePlace({ type, isElastic }: Constraint): boolean {
+function givesAtOnePlace({ type, isElastic }: Constraint): boolean {
   return type === 'WELD' || (type === 'POINT' && isElastic);
 }
 
@@ -262,7 +265,7 @@ export function givesAtOnePlace({ type, isElastic }: Constraint): boolean {
  * Moves the arms of the first two rows of the Jacobian for velocities to there. A soft joint then damps as seen from what turns, between as A and as B, as the line between the anchors does, so that a wheel on a soft joint that gives way turns on, and what hangs
  * on the rim of one goes with it. But what turns faster than the joint swings would be whirled ever farther, as a shaft by damping that turns with it: there they are moved by less.
  */
-export function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joint): void {
+function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joint): void {
   const { velocity: v, joints } = data;
   const { records: r, bodies } = joints;
   const a = bodies[first]!;

@@ -5,7 +5,7 @@ import type { Group, Run } from './joint-data.js';
 import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
 import { sweepLines } from './line-joints.js';
 import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
-import { lineariseRows, pushRows, solveVelocityRows } from './row-joints.js';
+import { lineariseRows, sweepRows } from './row-joints.js';
 import { pushTurns, solveVelocityTurns } from './turn-joints.js';
 
 // Sweeps over the runs of a group, each by its kernel.
@@ -53,7 +53,7 @@ export function solveVelocityRun(
   } else if (kernel === TURN) {
     solveVelocityTurns(data, start, end, isBack);
   } else if (kernel === ROW) {
-    solveVelocityRows(data, start, end, isBack);
+    sweepRows(data, start, end, isBack, false);
   } else if (kernel === LINE) {
     sweepLines(data, start, end, isBack, false);
   } else if (kernel === ANCHORED) {
@@ -75,7 +75,7 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
     return pushTurns(data, start, end, isBack);
   }
   if (kernel === ROW) {
-    pushRows(data, start, end, isBack);
+    sweepRows(data, start, end, isBack, true);
   } else if (kernel === LINE) {
     sweepLines(data, start, end, isBack, true);
   } else if (kernel === ANCHORED) {

@@ -1,14 +1,13 @@
-import { MIN_INVERSE_MASS } from '../config.js';
 import { BOUND_SLOP, ROW_TURN } from '../config-joints.js';
 import { beginSpring, correctTo, isSlack, noteError } from './block-joints.js';
-import { length } from './block-rows.js';
+import { length, writeMatrix } from './block-rows.js';
 import { tear } from './breaking.js';
 import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
 import { measure } from './joint-pose.js';
 import * as d from './layout.js';
 
-/** Block joints for one row between two bodies, straight-line: distances, and angles that may break. What they have in common with all others is done there. */
+/** Block joints for one row between two bodies, straight-line: distances, and the angles that `turn-joints.ts` does not solve. What they have in common with all others is done there. */
 
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartRows(data: SolverData, start: number, end: number): void {
@@ -17,9 +16,10 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
     const { layout, constraint, first } = joint;
-    const { impulse, push, bias, error, jacobian, matrix } = layout;
+    const { impulse, push, bias, error, jacobian } = layout;
     const i = joint.at & d.OFFSET;
     measure(data, joint, jacobian, false, constraint.isElastic);
+    writeMatrix(data, joint, jacobian);
     const a = bodies[first]! & d.OFFSET;
     const b = bodies[first + 1]! & d.OFFSET;
     const p = (i + jacobian) & d.OFFSET;
@@ -33,8 +33,6 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
     const iA = v[a + d.INV_INERTIA]!;
     const mB = v[b + d.INV_MASS]!;
     const iB = v[b + d.INV_INERTIA]!;
-    const k = mA * (ax * ax + ay * ay) + iA * aw * aw + mB * (bx * bx + by * by) + iB * bw * bw;
-    r[i + matrix] = k > MIN_INVERSE_MASS && k < Infinity ? 1 / k : 0;
     r[i + push] = 0;
     const distance = r[i + error]!;
     const isFree = isSlack(r, joint, error);
@@ -85,50 +83,54 @@ export function lineariseRows(data: SolverData, start: number, end: number): voi
   }
 }
 
-/** One velocity sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ). */
-export function solveVelocityRows(data: SolverData, start: number, end: number, isBack: boolean): void {
+/** One sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ) or, if `moving`, over the motion of the sub-step, with C as its linear part has it. */
+export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
-  const v = data.velocity;
-  const { layout } = joints[start]!;
-  const { impulse, bias, jacobian, matrix, low, high, total, size } = layout;
-  const step = isBack ? -1 : 1;
-  let k = isBack ? end - 1 : start;
-  let i = joints[k]!.at;
-  let n = joints[k]!.first;
-  for (; k >= start && k < end; k += step, i = (i + step * size) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
+  const v = moving ? data.motion : data.velocity;
+  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, total } = joints[start]!.layout;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[isBack ? start + end - 1 - m : m]!;
+    const i = joint.at & d.OFFSET;
+    if (moving && r[i + j.PUSH] === 0) {
+      continue;
+    }
+    const n = joint.first & d.OFFSET;
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const row = (i + jacobian) & d.OFFSET;
-    const ax = r[row]!;
-    const ay = r[row + 1]!;
-    const aw = r[row + 2]!;
-    const bx = r[row + 3]!;
-    const by = r[row + 4]!;
-    const bw = r[row + 5]!;
+    const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
+    const o = (i + (moving ? push : impulse)) & d.OFFSET;
+    const softness = moving ? 1 : r[i + j.SOFTNESS]!;
+    const feedback = moving ? 0 : r[i + j.FEEDBACK]!;
+    const ax = r[p]!;
+    const ay = r[p + 1]!;
+    const aw = r[p + 2]!;
+    const bx = r[p + 3]!;
+    const by = r[p + 4]!;
+    const bw = r[p + 5]!;
     const vax = v[a + d.VX]!;
     const vay = v[a + d.VY]!;
     const wA = v[a + d.W]!;
     const vbx = v[b + d.VX]!;
     const vby = v[b + d.VY]!;
     const wB = v[b + d.W]!;
-    const c = ax * vax + ay * vay + aw * wA + bx * vbx + by * vby + bw * wB + r[i + bias]!;
-    const old = r[i + impulse]!;
+    const c = ax * vax + ay * vay + aw * wA + bx * vbx + by * vby + bw * wB + r[i + (moving ? error : bias)]!;
+    const old = r[o]!;
     const least = r[i + low]!;
     const most = r[i + high]!;
-    let next = old - r[i + j.SOFTNESS]! * r[i + matrix]! * c - r[i + j.FEEDBACK]! * old;
+    let next = old - softness * r[i + matrix]! * c - feedback * old;
     next = next < least ? least : next > most ? most : next;
-    if (r[i + j.CHECKED] !== 0) {
+    if (!moving && r[i + j.CHECKED] !== 0) {
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;
       if (sum > breaking || sum < -breaking) {
-        tear(data, joints[k]!);
+        tear(data, joint);
         continue;
       }
       const limit = r[i + j.LIMIT]!;
       next = next > limit ? limit : next < -limit ? -limit : next;
     }
     const lambda = next - old;
-    r[i + impulse] = next;
+    r[o] = next;
     const mA = v[a + d.INV_MASS]! * lambda;
     const mB = v[b + d.INV_MASS]! * lambda;
     v[a + d.VX] = vax + mA * ax;
@@ -137,54 +139,6 @@ export function solveVelocityRows(data: SolverData, start: number, end: number, 
     v[b + d.VX] = vbx + mB * bx;
     v[b + d.VY] = vby + mB * by;
     v[b + d.W] = wB + v[b + d.INV_INERTIA]! * lambda * bw;
-  }
-}
-
-/** One sweep of a position iteration, from the first to the last, or back: moves the bodies by −M⁻¹·Jᵀ·C / K, C as its linear part has it. */
-export function pushRows(data: SolverData, start: number, end: number, isBack: boolean): void {
-  const { records: r, bodies, joints } = data.joints;
-  const { motion: q } = data;
-  const { layout } = joints[start]!;
-  const { push, error, turned, matrix, low, high, size } = layout;
-  const step = isBack ? -1 : 1;
-  let k = isBack ? end - 1 : start;
-  let i = joints[k]!.at;
-  let n = joints[k]!.first;
-  for (; k >= start && k < end; k += step, i = (i + step * size) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
-    if (r[i + j.PUSH] === 0) {
-      continue;
-    }
-    const a = bodies[n]! & d.OFFSET;
-    const b = bodies[n + 1]! & d.OFFSET;
-    const row = (i + turned) & d.OFFSET;
-    const ax = r[row]!;
-    const ay = r[row + 1]!;
-    const aw = r[row + 2]!;
-    const bx = r[row + 3]!;
-    const by = r[row + 4]!;
-    const bw = r[row + 5]!;
-    const qax = q[a + d.QX]!;
-    const qay = q[a + d.QY]!;
-    const wA = q[a + d.QW]!;
-    const qbx = q[b + d.QX]!;
-    const qby = q[b + d.QY]!;
-    const wB = q[b + d.QW]!;
-    const c = ax * qax + ay * qay + aw * wA + bx * qbx + by * qby + bw * wB + r[i + error]!;
-    const old = r[i + push]!;
-    const least = r[i + low]!;
-    const most = r[i + high]!;
-    let next = old - r[i + matrix]! * c;
-    next = next < least ? least : next > most ? most : next;
-    const lambda = next - old;
-    r[i + push] = next;
-    const mA = q[a + d.INV_MASS]! * lambda;
-    const mB = q[b + d.INV_MASS]! * lambda;
-    q[a + d.QX] = qax + mA * ax;
-    q[a + d.QY] = qay + mA * ay;
-    q[a + d.QW] = wA + q[a + d.INV_INERTIA]! * lambda * aw;
-    q[b + d.QX] = qbx + mB * bx;
-    q[b + d.QY] = qby + mB * by;
-    q[b + d.QW] = wB + q[b + d.INV_INERTIA]! * lambda * bw;
   }
 }
 
