@@ -1,5 +1,5 @@
-import { beginSpring, correctTo, noteError } from './block-joints.js';
-import { findLength, length, writeMatrix } from './block-rows.js';
+import { beginSpring, correct, noteError } from './block-joints.js';
+import { applyRows, clear, findLength, length, writeMatrix } from './block-rows.js';
 import { cutOrBreak } from './breaking.js';
 import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
@@ -18,17 +18,14 @@ const TURN_B = 5;
 
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartAnchored(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const v = data.velocity;
+  const { records: r, joints } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
-    const { layout, constraint, at, first } = joint;
+    const { layout, constraint, at } = joint;
     const { rows, impulse, jacobian, push, bias } = layout;
     measure(data, joint, jacobian, false, true);
     writeMatrix(data, joint, jacobian);
-    for (let n = 0; n < rows; n += 1) {
-      r[at + push + n] = 0;
-    }
+    clear(r, at + push, rows);
     if (constraint.isElastic) {
       beginSpring(data, joint);
     } else {
@@ -38,22 +35,7 @@ export function warmStartAnchored(data: SolverData, start: number, end: number):
       findLength(r, at + layout.error, rows);
       noteError(data, m);
     }
-    const a = bodies[first]! & d.OFFSET;
-    const b = bodies[first + 1]! & d.OFFSET;
-    const p = (at + jacobian) & d.OFFSET;
-    const x = r[at + impulse]!;
-    const y = r[at + impulse + 1]!;
-    const w = rows === 3 ? r[at + impulse + 2]! : 0;
-    const mA = v[a + d.INV_MASS]!;
-    const iA = v[a + d.INV_INERTIA]!;
-    const mB = v[b + d.INV_MASS]!;
-    const iB = v[b + d.INV_INERTIA]!;
-    v[a + d.VX] = v[a + d.VX]! - mA * x;
-    v[a + d.VY] = v[a + d.VY]! - mA * y;
-    v[a + d.W] = v[a + d.W]! + iA * x * r[p + TURN_A]! + iA * y * r[p + ROW + TURN_A]! - iA * w;
-    v[b + d.VX] = v[b + d.VX]! + mB * x;
-    v[b + d.VY] = v[b + d.VY]! + mB * y;
-    v[b + d.W] = v[b + d.W]! + iB * x * r[p + TURN_B]! + iB * y * r[p + ROW + TURN_B]! + iB * w;
+    applyRows(data, joint, jacobian, impulse, 1, false);
   }
 }
 
@@ -136,40 +118,28 @@ export function sweepAnchored(data: SolverData, start: number, end: number, isBa
 
 /** Starts a position iteration, as `lineariseBlock`. */
 export function lineariseAnchored(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const { motion: q } = data;
+  const { records: r, joints } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
-    const { layout, first } = joint;
+    const { rows, turned, error: errors } = joint.layout;
     const i = joint.at & d.OFFSET;
     if (r[i + j.PUSH] === 0) {
       continue;
     }
-    const { rows, turned } = layout;
     measure(data, joint, turned, true, true);
-    findLength(r, i + layout.error, rows);
+    findLength(r, i + errors, rows);
     const error = length[0]!;
     if (error > r[i + j.MAX_ERROR]!) {
       data.joints.break(joint);
       continue;
     }
-    correctTo(data, joint, error);
-    const a = bodies[first]! & d.OFFSET;
-    const b = bodies[first + 1]! & d.OFFSET;
-    const p = (i + turned) & d.OFFSET;
-    const e = (i + layout.error) & d.OFFSET;
-    const wA = q[a + d.QW]!;
-    const wB = q[b + d.QW]!;
-    r[e] = r[e]! - (r[p + TURN_A]! * wA - q[a + d.QX]! + (q[b + d.QX]! + r[p + TURN_B]! * wB));
-    r[e + 1] = r[e + 1]! - (r[p + ROW + TURN_A]! * wA - q[a + d.QY]! + (q[b + d.QY]! + r[p + ROW + TURN_B]! * wB));
-    if (rows === 3) r[e + 2] = r[e + 2]! - (wB - wA);
+    correct(data, joint, error);
   }
 }
 
 /** Ends a sub-step, as `finishBlock`. */
 export function finishAnchored(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints, share } = data.joints;
-  const v = data.velocity;
+  const { records: r, joints, share } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
     const { rows, push, impulse, jacobian, total, carried, given } = joint.layout;
@@ -192,18 +162,7 @@ export function finishAnchored(data: SolverData, start: number, end: number): vo
     const y = carry * pushY;
     const w = carry * pushW;
     if (carry !== 0) {
-      const a = bodies[joint.first]! & d.OFFSET;
-      const b = bodies[joint.first + 1]! & d.OFFSET;
-      const mA = carry * v[a + d.INV_MASS]!;
-      const iA = carry * v[a + d.INV_INERTIA]!;
-      const mB = carry * v[b + d.INV_MASS]!;
-      const iB = carry * v[b + d.INV_INERTIA]!;
-      v[a + d.VX] = v[a + d.VX]! - mA * pushX;
-      v[a + d.VY] = v[a + d.VY]! - mA * pushY;
-      v[a + d.W] = v[a + d.W]! + iA * pushX * ax + iA * pushY * ay - iA * pushW;
-      v[b + d.VX] = v[b + d.VX]! + mB * pushX;
-      v[b + d.VY] = v[b + d.VY]! + mB * pushY;
-      v[b + d.W] = v[b + d.W]! + iB * pushX * bx + iB * pushY * by + iB * pushW;
+      applyRows(data, joint, jacobian, push, carry, false);
     }
     r[i + total] = r[i + total]! + heldX;
     r[i + total + 1] = r[i + total + 1]! + heldY;

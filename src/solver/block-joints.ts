@@ -243,7 +243,7 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
 export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
-  const { rows, turned, work } = layout;
+  const { turned } = layout;
   if (r[at + j.PUSH] === 0) {
     return;
   }
@@ -257,18 +257,14 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
     data.joints.break(joint);
     return;
   }
-  correctTo(data, joint, error);
-  multiplyRows(data, joint, turned, true);
-  for (let n = 0; n < rows; n += 1) {
-    r[at + layout.error + n] = r[at + layout.error + n]! - r[at + work + n]!;
-  }
+  correct(data, joint, error);
 }
 
-/** K for corrections, and how much of an error of that length is corrected. */
-export function correctTo(data: SolverData, joint: Joint, error: number): void {
+/** K for corrections; and of an error of that length what is to be corrected, less its linear part. */
+export function correct(data: SolverData, joint: Joint, error: number): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
-  const { rows, turned } = layout;
+  const { rows, turned, work } = layout;
   r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
   if (r[at + j.SNAPPED] !== 0) {
     dropTurning(data, joint);
@@ -276,8 +272,10 @@ export function correctTo(data: SolverData, joint: Joint, error: number): void {
   writeMatrix(data, joint, turned);
   const reach = r[at + j.REACH]!;
   const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
-  for (let n = 0; n < rows && share < 1; n += 1) {
-    r[at + layout.error + n] = share * r[at + layout.error + n]!;
+  multiplyRows(data, joint, turned, true);
+  for (let n = 0; n < rows; n += 1) {
+    const e = at + layout.error + n;
+    r[e] = (share < 1 ? share * r[e]! : r[e]!) - r[at + work + n]!;
   }
 }
 

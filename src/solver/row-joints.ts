@@ -1,6 +1,6 @@
 import { BOUND_SLOP, ROW_TURN } from '../config-joints.js';
-import { beginSpring, correctTo, isSlack, noteError } from './block-joints.js';
-import { length, writeMatrix } from './block-rows.js';
+import { beginSpring, correct, isSlack, noteError } from './block-joints.js';
+import { applyRows, length, writeMatrix } from './block-rows.js';
 import { tear } from './breaking.js';
 import type { SolverData } from './data.js';
 import * as j from './joint-layout.js';
@@ -11,28 +11,14 @@ import * as d from './layout.js';
 
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartRows(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints, h } = data.joints;
-  const v = data.velocity;
+  const { records: r, joints, h } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
-    const { layout, constraint, first } = joint;
+    const { layout, constraint } = joint;
     const { impulse, push, bias, error, jacobian } = layout;
     const i = joint.at & d.OFFSET;
     measure(data, joint, jacobian, false, constraint.isElastic);
     writeMatrix(data, joint, jacobian);
-    const a = bodies[first]! & d.OFFSET;
-    const b = bodies[first + 1]! & d.OFFSET;
-    const p = (i + jacobian) & d.OFFSET;
-    const ax = r[p]!;
-    const ay = r[p + 1]!;
-    const aw = r[p + 2]!;
-    const bx = r[p + 3]!;
-    const by = r[p + 4]!;
-    const bw = r[p + 5]!;
-    const mA = v[a + d.INV_MASS]!;
-    const iA = v[a + d.INV_INERTIA]!;
-    const mB = v[b + d.INV_MASS]!;
-    const iB = v[b + d.INV_INERTIA]!;
     r[i + push] = 0;
     const distance = r[i + error]!;
     const isFree = isSlack(r, joint, error);
@@ -46,40 +32,27 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
       length[0] = isFree ? 0 : Math.abs(distance);
       noteError(data, m);
     }
-    const lambda = r[i + impulse]!;
-    v[a + d.VX] = v[a + d.VX]! + mA * lambda * ax;
-    v[a + d.VY] = v[a + d.VY]! + mA * lambda * ay;
-    v[a + d.W] = v[a + d.W]! + iA * lambda * aw;
-    v[b + d.VX] = v[b + d.VX]! + mB * lambda * bx;
-    v[b + d.VY] = v[b + d.VY]! + mB * lambda * by;
-    v[b + d.W] = v[b + d.W]! + iB * lambda * bw;
+    applyRows(data, joint, jacobian, impulse, 1, false);
   }
 }
 
 /** Starts a position iteration, as `lineariseBlock`. */
 export function lineariseRows(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints } = data.joints;
-  const { motion: q } = data;
+  const { records: r, joints } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
-    const { layout, first } = joint;
+    const { layout } = joint;
     const i = joint.at & d.OFFSET;
     if (r[i + j.PUSH] === 0) {
       continue;
     }
     measure(data, joint, layout.turned, true, true);
-    const e = (i + layout.error) & d.OFFSET;
-    const error = isSlack(r, joint, layout.error) ? 0 : Math.abs(r[e]!);
+    const error = isSlack(r, joint, layout.error) ? 0 : Math.abs(r[i + layout.error]!);
     if (error > r[i + j.MAX_ERROR]!) {
       data.joints.break(joint);
       continue;
     }
-    correctTo(data, joint, error);
-    const p = (i + layout.turned) & d.OFFSET;
-    const a = bodies[first]! & d.OFFSET;
-    const b = bodies[first + 1]! & d.OFFSET;
-    const moved = r[p]! * q[a + d.QX]! + r[p + 1]! * q[a + d.QY]! + r[p + 2]! * q[a + d.QW]!;
-    r[e] = r[e]! - (moved + (r[p + 3]! * q[b + d.QX]! + r[p + 4]! * q[b + d.QY]! + r[p + 5]! * q[b + d.QW]!));
+    correct(data, joint, error);
   }
 }
 
@@ -144,8 +117,7 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
 
 /** Ends a sub-step, as `finishBlock`. */
 export function finishRows(data: SolverData, start: number, end: number): void {
-  const { records: r, bodies, joints, share } = data.joints;
-  const v = data.velocity;
+  const { records: r, joints, share } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
     const { push, impulse, jacobian, turned, total, carried, given } = joint.layout;
@@ -164,18 +136,7 @@ export function finishRows(data: SolverData, start: number, end: number): void {
     const held = r[i + impulse]!;
     const pushed = carry * r[i + push]!;
     if (carry !== 0) {
-      const a = bodies[joint.first]! & d.OFFSET;
-      const b = bodies[joint.first + 1]! & d.OFFSET;
-      const mA = carry * v[a + d.INV_MASS]! * r[i + push]!;
-      const iA = carry * v[a + d.INV_INERTIA]! * r[i + push]!;
-      const mB = carry * v[b + d.INV_MASS]! * r[i + push]!;
-      const iB = carry * v[b + d.INV_INERTIA]! * r[i + push]!;
-      v[a + d.VX] = v[a + d.VX]! + mA * r[along]!;
-      v[a + d.VY] = v[a + d.VY]! + mA * r[along + 1]!;
-      v[a + d.W] = v[a + d.W]! + iA * r[along + 2]!;
-      v[b + d.VX] = v[b + d.VX]! + mB * r[along + 3]!;
-      v[b + d.VY] = v[b + d.VY]! + mB * r[along + 4]!;
-      v[b + d.W] = v[b + d.W]! + iB * r[along + 5]!;
+      applyRows(data, joint, along - i, push, carry, false);
     }
     r[i + total] = r[i + total]! + held;
     r[i + carried] = r[i + carried]! + pushed;

@@ -41,6 +41,7 @@ export function step(world: World, dt: number): void {
   store(world);
   profile?.lap('store');
   continuous(world, dt);
+  // Impacts still ask what forces add, and their handlers may step another world.
   solver.release();
   world.events.noteWoken(world);
   sleepKinematics(world);
