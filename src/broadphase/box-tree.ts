@@ -266,8 +266,8 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     let best: R | null = null;
     for (const owner of trees) {
       const { tree } = owner;
-      const { boxes } = tree;
       const stack = tree.root < 0 ? [] : [tree.root];
+      const { boxes } = tree;
       while (stack.length > 0) {
         const node = stack.pop()!;
         const distance = entry(boxes, BOX * node, origin, direction);

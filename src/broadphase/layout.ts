@@ -9,6 +9,10 @@ export const BOX = 4;
 /** Levels by which two subtrees may differ in height: more allows better trees, less makes the worst ones less high. */
 export const MAX_LEAN = 4;
 
+/** In place of the height of a node: it is not in use; it is a leaf without a place in the tree. */
+export const FREE = 254;
+export const WAITING = 255;
+
 /** Of a handle: its leaf in the tree of its kind, −1 once removed; whether that is the static one, */
 export const LEAF = 0;
 export const STATIC = 1;
