@@ -8,6 +8,7 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { joinLists, leaveLists } from './arbiter-lists.js';
 import { enliven, neighboursOf, quieten, wakeBody } from './sleep.js';
+import { wakeTies } from './ties.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {
@@ -66,6 +67,8 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
     return;
   }
   enliven(world, body);
+  // Those of a kinematic body that moved slept if nothing else of them was dynamic.
+  wakeTies(world, body);
   if (kind === DYNAMIC) {
     world.events.woke(body);
   }

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
-import type { RigidBody, World } from '../../src/index.js';
+import { phys2D, type RigidBody, type World } from '../../src/index.js';
 import { add, addFloor, arbiterOf, boxBody, disc, heavy, near, plainBody, steps, weightless } from './setting.js';
 
 const TYPES = ['setAsDynamic', 'setAsKinematic', 'setAsStatic'] as const;
@@ -49,6 +49,27 @@ describe('type changes', () => {
     expect([body.getVelocity(), lists(world, body)]).toEqual([[1, -2], ['liveDynamics']]);
     steps(world, 6);
     near(body.getVelocity(), [1, -1]);
+  });
+
+  it('what was dragged as a kinematic body hangs on its constraints again', () => {
+    for (const from of ['setAsKinematic', 'setAsStatic'] as const) {
+      const world = heavy();
+      const hook = phys2D.createRigidBody({ type: 'static' });
+      const bob = plainBody({ position: [2, 0] });
+      add(world, bob);
+      const rope = phys2D.createDistanceConstraint({ bodyA: hook, bodyB: bob, upperBound: 2 });
+      world.addConstraint(rope);
+      bob[from]();
+      for (let i = 0; i < 30; i += 1) {
+        bob.setVelocityFromPosition([1.5, 0.02 * i], 0, 1 / 60);
+        steps(world, 1);
+      }
+      expect(rope.sleeping).toBe(true);
+      bob.setAsDynamic();
+      expect(rope.sleeping).toBe(false);
+      steps(world, 120);
+      expect(Math.hypot(...bob.getPosition())).toBeLessThan(2.01);
+    }
   });
 
   it('C-175 from any type to any other, asleep or awake', () => {
