@@ -123,8 +123,11 @@ export const ARBITER_CACHE = 30;
 /** steps. The same for a sensor, which has nothing to keep; long enough to tell a pause from no interaction. */
 export const SENSOR_CACHE = 1;
 
-/** steps. A body sleeps when it, and its island, have been at rest for longer than this. */
+/** steps. A body sleeps when it, and its island, have been at rest for longer than this … */
 export const SLEEP_DELAY = 60;
+
+/** Hz. … of which shorter ones count as so many in a second. */
+export const REST_RATE = 60;
 
 /** (m/s)². At rest: squared speed, and squared motion of the last step over dt². */
 export const SLEEP_SPEED_SQUARED = 0.0006;

@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
-import { SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
+import { REST_RATE, SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { SLEEP } from '../listeners.js';
 import type { World } from '../world.js';
@@ -63,6 +63,14 @@ function isAtRest(body: RigidBody, dt: number): boolean {
 }
 
 /**
+ * Whether a step counts for those that rest. Of steps shorter than 1 / REST_RATE only as many as there would be of those: in slow motion what swings is slow for many steps
+ * where it turns back.
+ */
+function countsAsRest(time: number, dt: number): boolean {
+  return REST_RATE * dt >= 1 || Math.floor(REST_RATE * time) > Math.floor(REST_RATE * (time - dt));
+}
+
+/**
  * Joins the live dynamic bodies that touch into islands; those whose bodies have all rested for longer than the delay fall
  * asleep, the others share the latest wake time of their members.
  */
@@ -75,11 +83,14 @@ export function sleepIslands(world: World, dt: number): void {
   if (!world.allowSleeping || count + world.liveConstraints.length === 0) {
     return;
   }
+  const waits = !countsAsRest(world.simulatedTime, dt);
   for (let i = 0; i < live.length; i += 1) {
     const body = live[i]!;
     body.refreshMass();
     if (!isAtRest(body, dt)) {
       body.wakeTime = stamp;
+    } else if (waits && body.wakeTime < stamp) {
+      body.wakeTime += 1;
     }
   }
   const { liveConstraints } = world;
