@@ -255,5 +255,12 @@ export const STUCK_ERROR = 3e-4;
 /** The share of its kinetic energy by which what cannot be met moves otherwise than it is told to, from which on it is told how it moves: 0.15 slows ropes between two posts that swing. */
 export const STUCK_APART = 0.25;
 
+/**
+ * For so many steps on end what touches something moved with less than this share of the energy that its velocities tell of: then they are what it moved by. A tank that was parked told of 1.3 m/s for ever, and never slept; a belt that stood of
+ * 6 m/s (shares of 0.0003).
+ */
+export const UNTRUE_STEPS = 16;
+export const UNTRUE_SHARE = 0.01;
+
 /** The share of that energy that the motion may have where something is touched: with 1 beams that a ball strikes gain 0.36 times what it brings, not 0.21. */
 export const STUCK_STANDS = 0.25;

@@ -81,10 +81,12 @@ export class Group {
   isBetween = false;
   /** … and for so many steps there was an error that no sweep removed; … */
   stuck = 0;
-  /** … in this step its bodies are told how they moved, see `goAsMoved` in `joint-energy.ts`; … */
+  /** … in this step its bodies are told how they moved, see `joint-motion.ts`; … */
   isUnmet = false;
   /** … for an error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
   isTorn = false;
+  /** For so many steps its velocities told of far more motion than there was. */
+  untrue = 0;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
   span = 0;
   /** How often it is in this sub-step, spread over the iterations … */

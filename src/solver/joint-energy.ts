@@ -1,17 +1,9 @@
-import {
-  EASY_TURN,
-  EXCESS_FADES,
-  EXCESS_REMOVED,
-  EXCESS_SHARE,
-  HEAVY,
-  STUCK_APART,
-  STUCK_STANDS,
-  TOUCHED_EXCESS,
-} from '../config-joints.js';
+import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../config-joints.js';
 import type { List } from '../math/list.js';
 import { recordAt, type SolverData } from './data.js';
 import type { Group, Joint } from './joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
+import { goAsMoved } from './joint-motion.js';
 import * as d from './layout.js';
 
 // Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
@@ -76,7 +68,8 @@ export function takeExcesses(data: SolverData): void {
   const { groups } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
-    if (group.isUnmet) goAsMoved(data, group);
+    if (group.isUnmet || group.touched) goAsMoved(data, group);
+    else group.untrue = 0;
     if (group.isWatched && group.settling === 0) {
       takeExcess(data, group);
     } else if (!group.touched) {
@@ -112,53 +105,6 @@ function takeExcess(data: SolverData, group: Group): void {
   if (!group.touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
   }
-}
-
-/**
- * Of a group whose joints cannot all be met: where velocities and motion differ by more than a share of the energy, and motion has less of it, the bodies get the velocities by which they moved in the step. Each
- * sub-step corrects the same errors once more, and would make momentum of it without end.
- */
-function goAsMoved(
-  { velocity: v, motion: q, joints: { h, substeps } }: SolverData,
-  { bodies: { items, count }, touched }: Group,
-): void {
-  const dt = h * substeps;
-  let told = 0;
-  let moved = 0;
-  let apart = 0;
-  for (let n = 0; n < count; n += 1) {
-    const i = items[n]!;
-    const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
-    const inertia = v[i + d.INV_INERTIA]! > 0 ? 1 / v[i + d.INV_INERTIA]! : 0;
-    const vx = v[i + d.VX]!;
-    const vy = v[i + d.VY]!;
-    const vw = v[i + d.W]!;
-    const x = q[i + d.DX]! / dt;
-    const y = q[i + d.DY]! / dt;
-    const w = turnOf(q[i + d.DW]!, vw * dt) / dt;
-    told += m * (vx * vx + vy * vy) + inertia * vw * vw;
-    moved += m * (x * x + y * y) + inertia * w * w;
-    apart += m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
-  }
-  const isWrong = apart > STUCK_APART * told && moved < (touched ? STUCK_STANDS : 1) * told;
-  for (let n = 0; n < count && isWrong; n += 1) {
-    const i = items[n]!;
-    if (v[i + d.INV_MASS]! + v[i + d.INV_INERTIA]! > 0) {
-      v[i + d.VX] = q[i + d.DX]! / dt;
-      v[i + d.VY] = q[i + d.DY]! / dt;
-      v[i + d.W] = turnOf(q[i + d.DW]!, v[i + d.W]! * dt) / dt;
-    }
-  }
-}
-
-/** rad. Without full turns that its velocity did not tell of: corrections of straight chains make some. */
-function turnOf(angle: number, told: number): number {
-  if (Math.abs(angle) < Math.PI) {
-    return angle;
-  }
-  const all = Math.round(angle / (2 * Math.PI));
-  const untold = Math.round((angle - told) / (2 * Math.PI));
-  return angle - 2 * Math.PI * Math.max(Math.min(0, all), Math.min(Math.max(0, all), untold));
 }
 
 /** It is the light bodies that whirl: of a ball on a thin chain the links, not the ball. */

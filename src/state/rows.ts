@@ -9,6 +9,7 @@ import {
   NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
   STUCK_STEPS,
+  UNTRUE_STEPS,
 } from '../config-joints.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { DEAD, KEPT, LISTED, SHOWN } from '../contact/bits.js';
@@ -349,6 +350,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.excess = tape.number(group.excess);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
   group.stuck = tape.integer(group.stuck, 0, STUCK_STEPS);
+  group.untrue = tape.integer(group.untrue, 0, UNTRUE_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);
   group.to = tape.integer(group.to, -MOST, MOST);
 }
