@@ -142,7 +142,8 @@ function withoutCollinear(where: string, name: string, flat: readonly number[], 
       kept.push(flat[2 * i]!, flat[2 * i + 1]!);
     } else if (turn < -limit || ax * bx + ay * by < 0) {
       const vertex = reversed ? count - 1 - i : i;
-      const rule = `must go once around a convex polygon, got vertex ${vertex} bending the other way`;
+      const found = turn < -limit ? 'bending the other way' : 'turning straight back';
+      const rule = `must go once around a convex polygon, got vertex ${vertex} ${found}`;
       throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * i]}, ${flat[2 * i + 1]}]`);
     }
   }

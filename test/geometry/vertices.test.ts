@@ -104,9 +104,9 @@ describe('a convex polygon', () => {
   });
 
   it('is refused if it has no area', () => {
-    expect(() => clean(pairs([0, 0, 1, 1, 3, 3]))).toThrow('bending the other way');
-    expect(() => clean(pairs([0, 0, 2, 0, 1, 0]))).toThrow('vertex 0 bending the other way');
-    expect(() => clean(pairs([0, 0, 0, 2, 0, 1]))).toThrow('vertex 0 bending the other way');
+    expect(() => clean(pairs([0, 0, 1, 1, 3, 3]))).toThrow('vertex 0 turning straight back');
+    expect(() => clean(pairs([0, 0, 2, 0, 1, 0]))).toThrow('turning straight back');
+    expect(() => clean(pairs([0, 0, 0, 2, 0, 1]))).toThrow('turning straight back');
     // A lens whose sides bend by less than the tolerance at each vertex: only the two tips are left.
     const h = 0.9 * COLLINEAR_TOLERANCE;
     const side = [-1, -0.5, 0, 0.5].map((x): Vec2 => [x, h * (x * x - 1)]);
