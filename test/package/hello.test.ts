@@ -25,16 +25,17 @@ it('hello ends by itself, with a table and the same state hash on every run', ()
   expect(Object.keys(rows)).toEqual([
     'simulated time',
     'bodies',
-    'awake bodies',
-    'contacts',
+    'awake at the end',
+    'most contacts',
     'median step',
     'p95 step',
-    'deepest penetration',
+    'deepest overlap',
     'state hash',
   ]);
-  expect(rows['simulated time']).toBe('10.00 s');
+  expect(rows['simulated time']).toBe('12.00 s');
+  expect(rows['awake at the end']).toBe('0');
   expect(rows['state hash']).toMatch(/^[0-9a-f]{8,16}$/);
-  expect(first.stdout.match(/step +\d+ of 600/g)).toHaveLength(10);
+  expect(first.stdout.match(/step +\d+ of 720/g)).toHaveLength(8);
 
   const second = run();
   expect(second.status).toBe(0);
