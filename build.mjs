@@ -186,11 +186,23 @@ function buildTypes() {
       wanted.add(join(dirname(name), `${target}.d.ts`));
     }
     mkdirSync(dirname(join(dist, name)), { recursive: true });
-    writeFileSync(join(dist, name), text);
+    writeFileSync(
+      join(dist, name),
+      hideConstructors(text, readFileSync(join(root, 'src', name.replace('.d.ts', '.ts')), 'utf8')),
+    );
   }
   rmSync(all, { recursive: true });
 
   writeFileSync(join(dist, 'umd.d.cts'), umdTypes());
+}
+
+/** Where `stripInternal` took the constructor of a class there would be a public one without arguments: objects are made by the functions for it. */
+function hideConstructors(declarations, source) {
+  const internal = /class (\w+)(?:(?!^\S)[\s\S])*?@internal[^*]*\*\/\s*constructor\(/gm;
+  return [...source.matchAll(internal)].reduce(
+    (text, [, name]) => text.replace(new RegExp(`(class ${name}\\b[^{]*\\{\n)`), '$1    protected constructor();\n'),
+    declarations,
+  );
 }
 
 /** Every public name as a member of one namespace: what `require` and the script tag give. */

@@ -30,7 +30,7 @@ export type { PointConstraintParams } from './constraint/point.js';
 export { PointConstraint } from './constraint/point.js';
 export type { PulleyConstraintParams } from './constraint/pulley.js';
 export { PulleyConstraint } from './constraint/pulley.js';
-export type { Bounds, TwoAnchorParams, TwoBodyParams } from './constraint/two-body.js';
+export type { Bounds, RatioParams, TwoAnchorParams, TwoBodyParams } from './constraint/two-body.js';
 export { TwoBodyConstraint } from './constraint/two-body.js';
 export type { WeldConstraintParams } from './constraint/weld.js';
 export { WeldConstraint } from './constraint/weld.js';
