@@ -23,7 +23,7 @@ const UNMEASURED = 'Speed beside the same engines: `npm run bench -- --write`.';
 
 function qualityOf(page) {
   const rows = tableBelow(page, /^\| +\| rows led /m);
-  return `**Quality**, how well scenes with a known answer come out: in how many rows an engine is the best, and how many targets it meets, as measured
+  return `**Quality**, how well scenes with a known answer come out: how many figures an engine is best at, alone or tied, and how many of phys2d's own targets it meets, as measured
 on ${dateOf(page)} by \`${commandOf(page)}\`; all rows are in [bench/QUALITY.md](bench/QUALITY.md).
 
 ${rows.join('\n')}`;
@@ -35,11 +35,13 @@ function speedOf(page) {
   if (chosen.length === 0) {
     throw new Error(`bench/RESULTS.md has none of the scenes ${SCENES.join(', ')}`);
   }
-  return `**Speed**, the median of a step in ms (in parentheses how well it was solved, less is better), as measured on ${dateOf(page)} by
+  return `**Speed**, the median of a step in ms (in parentheses how well it was solved, less is better; hits, and bodies awake, should be equal), as measured on ${dateOf(page)} by
 \`${commandOf(page)}\`. phys2d meets ${metOf(page)} of its targets of speed and garbage; they, more scenes, and how they are measured, are in
 [bench/RESULTS.md](bench/RESULTS.md).
 
-${[head, line, ...chosen].join('\n')}`;
+${[head, line, ...chosen].join('\n')}
+
+†: too slow to do all steps. –: has no such thing. A negative sag: the engine keeps boxes a little apart.`;
 }
 
 function dateOf(page) {

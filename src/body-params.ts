@@ -13,13 +13,16 @@ export interface RigidBodyParams {
   type?: BodyType | undefined;
   /** Attached in order; one that has a body already is skipped. Default none. */
   shapes?: ArrayLike<Shape> | undefined;
-  /** kg, > 0. With `Infinity` nothing that it meets moves or stops it, walls neither. Default: computed from the shapes, and kept in step with them. */
+  /**
+   * kg, > 0. Says nothing of `inertia`, which still comes from the density of the shapes: set both, or a density instead. With `Infinity` nothing moves or stops the
+   * body, neither gravity nor walls. Default: computed from the shapes, and kept in step with them.
+   */
   mass?: number | undefined;
-  /** kg·m² about the body origin, > 0, `Infinity` allowed. Default: computed from the shapes, and kept in step with them. */
+  /** kg·m² about the body origin, > 0; with `Infinity` nothing turns the body. Default: computed from the density of the shapes, and kept in step with them. */
   inertia?: number | undefined;
   /** Stays asleep when added to a world. Default `false`. */
   sleeping?: boolean | undefined;
-  /** Is swept against other dynamic bodies too. Default `false`. */
+  /** Does not pass through other dynamic bodies when it is fast. Static and kinematic ones nothing passes anyway. Default `false`. */
   bullet?: boolean | undefined;
   /** World position of the body origin, m. Default `[0, 0]`. */
   position?: Vec2Like | undefined;

@@ -106,7 +106,7 @@ export abstract class BodyState extends BodyNumbers {
     return shapes;
   }
 
-  /** Is swept against other dynamic bodies too. A change wakes nothing; within a step it may take effect in that one. */
+  /** Does not pass through other dynamic bodies when it is fast. A change wakes nothing; within a step it may take effect in that one. */
   get bullet(): boolean {
     return this.isBullet;
   }

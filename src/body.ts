@@ -36,7 +36,7 @@ export class RigidBody extends BodyState {
     return this.owner;
   }
 
-  /** Asleep. A static body in a world always is. */
+  /** Whether it is at rest and left out of steps. Of a static body in a world always `true`. */
   get sleeping(): boolean {
     return this.asleep;
   }
@@ -101,7 +101,7 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** m/s. */
+  /** Velocity of the body origin, m/s; y points down. */
   getVelocity(): Vec2;
   getVelocity<T extends NumberSink>(dst: T): T;
   getVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -118,7 +118,7 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** rad/s. */
+  /** How fast the body turns, rad/s; clockwise on screen. */
   getAngularVelocity(): number {
     return this.w;
   }
@@ -194,7 +194,7 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** N. */
+  /** The force that `setForce` set, N: without gravity, contacts and constraints. */
   getForce(): Vec2;
   getForce<T extends NumberSink>(dst: T): T;
   getForce<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -211,7 +211,7 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** N·m. */
+  /** The torque that `setTorque` set, N·m. */
   getTorque(): number {
     return this.appliedTorque;
   }
@@ -268,7 +268,7 @@ export class RigidBody extends BodyState {
     return this.mass;
   }
 
-  /** Fixes the mass, kg, > 0, `Infinity` allowed. Wakes the body if the value changes or was "from shapes". */
+  /** Fixes the mass, kg, > 0, `Infinity` allowed; the inertia stays as it is, see `RigidBodyParams.mass`. Wakes the body if the value changes or was "from shapes". */
   setMass(mass: number): void {
     positiveOrInfinite('RigidBody.setMass', 'mass', mass);
     if (mass !== this.fixedMass) {

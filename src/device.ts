@@ -141,5 +141,5 @@ export class Physics2DDevice {
   }
 }
 
-/** A device that is ready to use. */
+/** The engine: `phys2D.createWorld()`, `phys2D.createRigidBody()` and so on make all there is. A bundle that imports it has everything. */
 export const phys2D: Physics2DDevice = /* @__PURE__ */ Physics2DDevice.create();

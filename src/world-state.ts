@@ -60,9 +60,9 @@ export interface WorldParams {
   broadphase?: Broadphase | undefined;
   /** m/s². Default `[0, 10]`: down, as y points down. */
   gravity?: Vec2Like | undefined;
-  /** Total per step, integer from 1 to 1e9. Default 8. */
+  /** In a whole step, integer from 1 to 1e9; each sub-step has its share, at least one. Default 8. */
   velocityIterations?: number | undefined;
-  /** Total per step, integer from 1 to 1e9. Default 8. */
+  /** In a whole step, as `velocityIterations`. Default 8. */
   positionIterations?: number | undefined;
   /** Equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them. Default 4. */
   substeps?: number | undefined;

@@ -1,7 +1,7 @@
 import { ANGLE, POSE } from './layout.js';
 import { type Bounds, RatioConstraint, type RatioParams, takeBounds } from './two-body.js';
 
-/** Options of `createAngleConstraint`: bounds in rad, both 0 by default. */
+/** Options of `createAngleConstraint`. Bounds in rad; both are 0 by default, which turns the bodies to the same angle. */
 export interface AngleConstraintParams extends RatioParams, Bounds {}
 
 /**
@@ -20,22 +20,22 @@ export class AngleConstraint extends RatioConstraint {
     takeBounds(this, where, params, 0, 0);
   }
 
-  /** rad. */
+  /** The least angle, rad. */
   getLowerBound(): number {
     return this.lower;
   }
 
-  /** Not above the upper bound. */
+  /** Sets the least angle, rad: not above the upper bound. Wakes the constraint if changed. */
   setLowerBound(lowerBound: number): void {
     this.setLower(lowerBound);
   }
 
-  /** rad. */
+  /** The greatest angle, rad. */
   getUpperBound(): number {
     return this.upper;
   }
 
-  /** Not below the lower bound. */
+  /** Sets the greatest angle, rad: not below the lower bound. Wakes the constraint if changed. */
   setUpperBound(upperBound: number): void {
     this.setUpper(upperBound);
   }

@@ -63,7 +63,7 @@ export interface Keeper {
 
 /**
  * A relation between bodies that the solver keeps. It acts while it is in a world, enabled, awake, and all its dynamic bodies are in that
- * world; static and kinematic bodies serve as anchors wherever they are. All setters wake it if they change anything.
+ * world; static and kinematic bodies serve as anchors wherever they are, but only in a world does a kinematic one move or drive anything. All setters wake it if they change anything.
  *
  * A kind says what it is in one place, `measure`: its position error C, one number per dimension, and the derivative of C
  * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.

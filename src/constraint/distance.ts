@@ -3,7 +3,7 @@ import { nonNegativeOrInfinite } from '../validate.js';
 import { Link } from './link.js';
 import { BoundedConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
 
-/** Options of `createDistanceConstraint`: bounds in m, `lowerBound` >= 0, both 0 by default. */
+/** Options of `createDistanceConstraint`. Bounds in m, `lowerBound` >= 0; both are 0 by default, so give `upperBound` for a rope, and both for a rod. */
 export interface DistanceConstraintParams extends TwoAnchorParams, Bounds {}
 
 /**
@@ -31,7 +31,7 @@ export class DistanceConstraint extends BoundedConstraint {
     return nonNegativeOrInfinite(where, name, bound);
   }
 
-  /** @internal No distance is below 0, but its linear part is when a body passes the anchor. */
+  /** @internal As a body passes the anchor, what the distance comes to in linear terms is below 0: that is no bound to keep. */
   override lowerLimit(): number {
     return this.lower === 0 && this.upper > 0 ? -Infinity : this.lower;
   }

@@ -4,7 +4,7 @@ import { RatioConstraint, type RatioParams } from './two-body.js';
 
 /** Options of `createMotorConstraint`. */
 export interface MotorConstraintParams extends RatioParams {
-  /** rad/s. Default 0. */
+  /** How fast body B is to turn against body A, rad/s. Default 0. */
   rate?: number | undefined;
 }
 
@@ -27,7 +27,7 @@ export class MotorConstraint extends RatioConstraint {
     this.positional = false;
   }
 
-  /** rad/s. */
+  /** The rate that is to be kept, rad/s. */
   getRate(): number {
     return this.rate;
   }

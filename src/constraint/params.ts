@@ -6,13 +6,16 @@ import type { Constraint } from './constraint.js';
 export interface ConstraintConfig {
   /** Rigid: errors are removed outright. `false`: a damped spring. Default `true`. */
   stiff?: boolean | undefined;
-  /** Of the spring, Hz, > 0, whatever the masses. Default 10. */
+  /** With `stiff: false`: how fast the spring swings, Hz, > 0, whatever the masses. Default 10. */
   frequency?: number | undefined;
-  /** Damping ratio of the spring, >= 0; 1 is critical. Default 1. */
+  /** With `stiff: false`: the damping ratio, >= 0; at 1 the spring comes to rest without swinging over. Default 1. */
   damping?: number | undefined;
-  /** N (N·m for angles), >= 0: limits the force of elastic and velocity-only constraints, breaks any if `breakUnderForce`. Default `Infinity`. */
+  /**
+   * The largest force, N (for angles and motors torque, N·m), >= 0, of constraints that are not stiff, and of motors. A stiff one takes no notice, unless it
+   * has `breakUnderForce`: any constraint that has breaks above it. Default `Infinity`.
+   */
   maxForce?: number | undefined;
-  /** m (rad for angles), >= 0: breaks if `breakUnderError`; else the largest correcting speed of an elastic constraint. Default `Infinity`. */
+  /** With `breakUnderError` the error above which the constraint breaks, m (for angles rad), >= 0. Else, with `stiff: false`, the largest speed at which it corrects one, m/s. Default `Infinity`. */
   maxError?: number | undefined;
   /** Leaves the world when it breaks; `false`: stays, disabled. Default `true`. */
   removeOnBreak?: boolean | undefined;

@@ -7,8 +7,8 @@ import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
 export interface PointConstraintParams extends TwoAnchorParams {}
 
 /**
- * Two points of two bodies coincide; the bodies turn freely about them. A second one between the same bodies holds them like a weld, at any distance: of the two, added in this order, the first gives what keeps the
- * points together, and the second what keeps the angle, as if it were a couple.
+ * A hinge: two points of two bodies coincide, and the bodies turn freely about them. For limits add an angle constraint, to drive it a motor constraint. A second point constraint
+ * between the same bodies holds them as a weld does: then the first one is told what keeps the points together, and the second what keeps the angle.
  *
  *     C = wB − wA = 0,   w = x + r,   r = R(θ) · anchor
  *     J = [−1, 0, rA.y, 1, 0, −rB.y;  0, −1, −rA.x, 0, 1, rB.x]
@@ -22,7 +22,7 @@ export class PointConstraint extends AnchoredConstraint {
     super('createPointConstraint', 2, params);
   }
 
-  /** @internal Whether one of two points keeps an angle only hangs on where both are: joints are to be listed again. */
+  /** @internal Of two points between the same bodies the second keeps an angle, unless both are in one place: joints are to be listed again. */
   protected override moved(): void {
     const { owner, bodyA, bodyB } = this;
     if (owner !== null) {

@@ -12,15 +12,15 @@ import {
   takeBounds,
 } from './two-body.js';
 
-/** Options of `createPulleyConstraint`: bounds in m, both 0 by default. */
+/** Options of `createPulleyConstraint`. Bounds of both links together, m; both are 0 by default, so give `upperBound`. */
 export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
-  /** May be bodyB. */
+  /** Where the second link begins; may be bodyB. */
   bodyC: RigidBody;
   /** Where the second link ends. */
   bodyD: RigidBody;
-  /** Body C coordinates, m. Default `[0, 0]`. */
+  /** Where on body C, in its own coordinates, m. Default `[0, 0]`. */
   anchorC?: Vec2Like | undefined;
-  /** Body D coordinates, m. Default `[0, 0]`. */
+  /** Where on body D, likewise. Default `[0, 0]`. */
   anchorD?: Vec2Like | undefined;
   /** Length of rope that the first link gives for a unit of the second, not 0. Default 1. */
   ratio?: number | undefined;

@@ -7,31 +7,31 @@ import type { ConstraintParams } from './params.js';
 
 /** Options of constraints between two bodies. */
 export interface TwoBodyParams extends ConstraintParams {
-  /** In any world or none; static, it is an anchor. */
+  /** The first body. A static one may be in no world: it holds the other in place. */
   bodyA: RigidBody;
-  /** If it is bodyA again, the constraint does nothing. */
+  /** The second body, likewise. If it is bodyA again, the constraint does nothing. */
   bodyB: RigidBody;
 }
 
 /** Options of constraints of the rotations of two bodies. */
 export interface RatioParams extends TwoBodyParams {
-  /** Turns of body A for one of body B, not 0. Default 1. */
+  /** Turns of body A for one of body B, not 0; negative for gears that mesh, which turn opposite ways. Default 1. */
   ratio?: number | undefined;
 }
 
 /** Options of constraints between points of two bodies. */
 export interface TwoAnchorParams extends TwoBodyParams {
-  /** Body A coordinates, m. Default `[0, 0]`. */
+  /** Where on body A, in its own coordinates, m: of a point in the world `bodyA.transformWorldPointToLocal(point)`. Default `[0, 0]`. */
   anchorA?: Vec2Like | undefined;
-  /** Body B coordinates, m. Default `[0, 0]`. */
+  /** Where on body B, likewise. Default `[0, 0]`. */
   anchorB?: Vec2Like | undefined;
 }
 
 /** Between which values what is constrained may be. */
 export interface Bounds {
-  /** Not above `upperBound`, −`Infinity` for none. If both are equal the constraint is an equality. */
+  /** The least value, not above `upperBound`; −`Infinity` for none. If both are equal the value is fixed. */
   lowerBound?: number | undefined;
-  /** `Infinity` for none. */
+  /** The greatest value; `Infinity` for none. */
   upperBound?: number | undefined;
 }
 
@@ -112,7 +112,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     tape.list(this.anchors);
   }
 
-  /** Body A coordinates, m. */
+  /** The anchor on body A, in its coordinates, m. */
   getAnchorA(): Vec2;
   getAnchorA<T extends NumberSink>(dst: T): T;
   getAnchorA<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -124,7 +124,7 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     this.setAnchor('A', 0, anchor);
   }
 
-  /** Body B coordinates, m. */
+  /** The anchor on body B, in its coordinates, m. */
   getAnchorB(): Vec2;
   getAnchorB<T extends NumberSink>(dst: T): T;
   getAnchorB<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -163,22 +163,22 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
 
 /** An anchored constraint that keeps a length, or a length along a line, between bounds. */
 export abstract class BoundedConstraint extends AnchoredConstraint {
-  /** m. */
+  /** The least length, m. */
   getLowerBound(): number {
     return this.lower;
   }
 
-  /** Not above the upper bound, m; of a distance not below 0. */
+  /** Sets the least length, m: not above the upper bound; of a distance not below 0. Wakes the constraint if changed. */
   setLowerBound(lowerBound: number): void {
     this.setLower(lowerBound);
   }
 
-  /** m. */
+  /** The greatest length, m. */
   getUpperBound(): number {
     return this.upper;
   }
 
-  /** Not below the lower bound, m. */
+  /** Sets the greatest length, m: not below the lower bound. Wakes the constraint if changed. */
   setUpperBound(upperBound: number): void {
     this.setUpper(upperBound);
   }

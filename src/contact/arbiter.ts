@@ -94,7 +94,7 @@ export class Arbiter extends PairState {
     return this.shapeB.owner ?? this.shapeB.former!;
   }
 
-  /** None, one or two points, B's end of two second. Skip those that are not `active`. */
+  /** Up to two points; of two the second is at the end of shape B. Skip those that are not `active`. */
   get contacts(): Contact[] {
     this.seenPoints ??= { list: [], points: [new Contact(this, 0), new Contact(this, 1)] };
     const { list, points } = this.seenPoints;
@@ -120,7 +120,10 @@ export class Arbiter extends PairState {
     return this.numbers[this.at + c.STEP_ROLL]!;
   }
 
-  /** `[jx, jy, jw]` given to a body in the latest step, jw about its origin; zeros for a stranger. */
+  /**
+   * `[jx, jy, jw]` given to a body in the latest step, jw about its origin; zeros for a stranger. Of two contacts jw is that of their friction as it is told of each, which may
+   * be some per cent off where one of them lies deeper: the solver has one friction for both.
+   */
   getImpulseForBody(body: RigidBody): Vec3;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec3 {

@@ -18,7 +18,7 @@ export interface Ray {
   origin: Vec2Like;
   /** Need not be a unit vector; must not be zero. */
   direction: Vec2Like;
-  /** May be `Infinity`. */
+  /** How far the ray goes, in lengths of `direction`; may be `Infinity`. */
   maxFactor: number;
 }
 

@@ -47,7 +47,7 @@ export interface ShapeParams {
   material?: Material | undefined;
   /** Bits that say what this shape is. Default 1. */
   group?: number | undefined;
-  /** Bits of the groups that this shape meets. Default 0xffffffff. */
+  /** Bits of the groups that this shape meets: two shapes meet if each one's `group` has a bit in the other's `mask`. Default 0xffffffff. */
   mask?: number | undefined;
   /** Anything of yours. Default `null`. */
   userData?: UserDataOf<'shape'> | undefined;
