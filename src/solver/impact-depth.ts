@@ -5,7 +5,7 @@ import { mixElasticity } from '../material.js';
 import { halfWidthOf, type Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
 import type { Mover } from './movers.js';
-import { isTied } from './ties.js';
+import { isInTrain } from './ties.js';
 
 // How deep into each other shapes that meet in a step have to get for an impact: contacts see to what gets less deep.
 
@@ -55,6 +55,7 @@ export function areElastic(a: Shape, b: Shape): boolean {
   return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
 }
 
+/** What only hangs on static bodies, as a flipper does, is not: it stays on its way when it is put back. */
 export function isJointed(a: Shape, b: Shape): boolean {
-  return isTied(a.owner!) || isTied(b.owner!);
+  return isInTrain(a.owner!) || isInTrain(b.owner!);
 }

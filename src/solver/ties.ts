@@ -1,5 +1,5 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC } from '../body-kind.js';
+import { DYNAMIC, STATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { BREAK } from '../listeners.js';
 import { takeOut } from '../math/list.js';
@@ -127,6 +127,15 @@ export function isTied(body: RigidBody): boolean {
 
 function ties(this: RigidBody, { enabled, owner }: Constraint): boolean {
   return enabled && owner === this.owner;
+}
+
+/** Some constraint of its world that is enabled ties the body to another one that may move: put back on its way it leaves that one behind. */
+export function isInTrain(body: RigidBody): boolean {
+  return body.constraints.some(draws, body);
+}
+
+function draws(this: RigidBody, { enabled, owner, members }: Constraint): boolean {
+  return enabled && owner === this.owner && members.some((other) => other !== this && other.kind !== STATIC);
 }
 
 /** Wakes the sleeping constraints of a body, as it joins the world. */
