@@ -1,4 +1,4 @@
-// Contacts of one point, two at a time, and over positions one by one: what `src/solver/one-point.ts` does, operation by operation, so that the results are the same to the bit.
+// Contacts of one point, two at a time, and over positions one by one: what `src/solver/contacts/one-point.ts` does, operation by operation, so that the results are the same to the bit.
 import {
   CALM_ACCELERATION,
   CONTACT_SLOP,

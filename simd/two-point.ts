@@ -1,4 +1,4 @@
-// Contacts of two points, two at a time: what `src/solver/two-point.ts` does, operation by operation, so that the results are the same to the bit.
+// Contacts of two points, two at a time: what `src/solver/contacts/two-point.ts` does, operation by operation, so that the results are the same to the bit.
 import { CALM_ACCELERATION } from '../src/config';
 import * as d from '../src/solver/layout';
 import * as n from './lanes';

@@ -16,7 +16,7 @@ import { WeldConstraint, type WeldConstraintParams } from './constraint/weld.js'
 import { DEFAULT_MATERIAL, Material, type MaterialParams } from './material.js';
 import { Circle, type CircleParams } from './shape/circle.js';
 import { Polygon, type PolygonParams } from './shape/polygon.js';
-import { jointSolver } from './solver/joints.js';
+import { jointSolver } from './solver/joints/joints.js';
 import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 

@@ -1,6 +1,6 @@
 import { allotPlain, Kernels } from './kernels.js';
+import type { PointKernels } from './solver/joints/point-joints.js';
 import { type Loops, plain } from './solver/loops.js';
-import type { PointKernels } from './solver/point-joints.js';
 import type { Room } from './solver/scratch.js';
 import { CODE } from './solver/simd-code.js';
 

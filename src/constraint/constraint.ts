@@ -9,7 +9,7 @@ import {
   removeListener,
 } from '../listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
-import type { JointSolver } from '../solver/joints.js';
+import type { JointSolver } from '../solver/joints/joints.js';
 import type { Island } from '../solver/sleep.js';
 import type { Tape } from '../state/tape.js';
 import type { UserDataOf } from '../user-data.js';
@@ -137,7 +137,7 @@ export abstract class BaseConstraint {
   fresh = true;
   /** @internal … after a step in which it was solved: the way to what it asks for now takes a whole step */
   shifted = false;
-  /** @internal J. What a spring may give; Infinity: what it holds, whatever that is */
+  /** @internal the energy, J, that a spring may give back; Infinity: what it holds, whatever that is */
   stored = Infinity;
 
   /** @internal */
@@ -156,8 +156,8 @@ export abstract class BaseConstraint {
   }
 
   /**
-   * @internal Adds the error C to `out[c + d]` (not needed unless `withError`) and the Jacobian to `out[j + d·3N + 3k + component]` (x, y,
-   * angular), which are 0, for the bodies' placements in `pose`; see layout.ts.
+   * @internal Adds to `out`, which is 0 there, for the placements of the N bodies in `pose` (see layout.ts): the error of row d to `c + d` (not needed unless `withError`; of a
+   * constraint of velocities alone the velocity that is wanted, with the sign changed), and its derivative by x, y and angle of body k to `j + 3·N·d + 3·k` and the two after it.
    */
   abstract measure(pose: Float64Array, out: Float64Array, c: number, j: number, withError: boolean): void;
 

@@ -1,10 +1,10 @@
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Kernels } from '../kernels.js';
 import { grown, widened } from '../math/doubles.js';
-import type { JointData } from './joint-data.js';
+import type { JointData } from './joints/joint-data.js';
+import type { PointKernels } from './joints/point-joints.js';
 import * as d from './layout.js';
 import type { Loops } from './loops.js';
-import type { PointKernels } from './point-joints.js';
 import type { Scratch } from './scratch.js';
 
 /** Where the record of a contact begins, of `stride` numbers. */

@@ -12,10 +12,10 @@ import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
+import { noteGround, smoothSeams } from './contacts/seams.js';
+import { goesFar } from './impacts/movers.js';
+import { passes } from './impacts/passing.js';
 import { areApart, canGiveWay, canInteract, mayInteract } from './interaction.js';
-import { goesFar } from './movers.js';
-import { passes } from './passing.js';
-import { noteGround, smoothSeams } from './seams.js';
 import { sleepPair, wakeBody } from './sleep.js';
 
 /**

@@ -1,7 +1,7 @@
 import { addForces, advance, moveOn } from './body-loops.js';
+import { solvePositionOne, solveVelocityOne, warmStartOne } from './contacts/one-point.js';
+import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './contacts/two-point.js';
 import type { SolverData } from './data.js';
-import { solvePositionOne, solveVelocityOne, warmStartOne } from './one-point.js';
-import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './two-point.js';
 
 /** A loop in a sub-step of length h, over bodies or contacts from one index to another. */
 type Start = (data: SolverData, from: number, to: number, h: number) => void;

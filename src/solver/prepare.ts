@@ -3,10 +3,10 @@ import { DYNAMIC } from '../body-kind.js';
 import { MAX_GROWTH, REST_SPIN_WEIGHT } from '../config.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
+import { packContacts } from './contacts/pack-contacts.js';
 import type { SolverData } from './data.js';
 import { holdWild } from './freeze.js';
 import * as d from './layout.js';
-import { packContacts } from './pack-contacts.js';
 
 /** What a drag leaves of a velocity after h seconds, (1 − drag)^h: remembered, as most bodies have the same drag in all steps. */
 class Keep {

@@ -1,7 +1,7 @@
-import { POINT_STRIDE } from './joint-layout.js';
+import { POINT_STRIDE } from './joints/joint-layout.js';
+import type { PointKernels } from './joints/point-joints.js';
 import { BODY_STRIDE, ONE_STRIDE, TWO_STRIDE } from './layout.js';
 import type { Loops } from './loops.js';
-import type { PointKernels } from './point-joints.js';
 
 /** Bytes. Below it WebAssembly has numbers of its own. */
 const START = 2048;

@@ -5,12 +5,12 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import type { World } from '../world.js';
+import { storeOne, storeTwo } from './contacts/store-contacts.js';
 import type { ContactBatch, SolverData } from './data.js';
-import { endForesight } from './foresee.js';
 import { settleFrozen } from './freeze.js';
-import { noteMet, settleMet } from './late.js';
+import { endForesight } from './impacts/foresee.js';
+import { noteMet, settleMet } from './impacts/late.js';
 import * as d from './layout.js';
-import { storeOne, storeTwo } from './store-contacts.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
 export function store(world: World): void {

@@ -20,7 +20,7 @@ import type { Material } from '../material.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
-import type { Group } from '../solver/joint-data.js';
+import type { Group } from '../solver/joints/joint-data.js';
 import { AGAIN, COUNT, FACE, FLAGS_END, ROLLED, SOLVED, USUAL } from './layout.js';
 import { areSame, Row, type Tape } from './tape.js';
 

@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { CLEAR_STEPS } from '../../src/config.js';
 import { BoxTreeBroadphase, phys2D, type RigidBody, SweepAndPrune, type World } from '../../src/index.js';
-import { ClearSpace } from '../../src/solver/clear-space.js';
+import { ClearSpace } from '../../src/solver/impacts/clear-space.js';
 import { add, box, boxBody, DT, disc, heavy, plainBody, steps, weightless } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 

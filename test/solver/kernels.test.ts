@@ -1,17 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D } from '../../src/index.js';
-import { finishAnchored, warmStartAnchored } from '../../src/solver/anchored-joints.js';
+import type { SolverData } from '../../src/solver/data.js';
+import { finishAnchored, warmStartAnchored } from '../../src/solver/joints/anchored-joints.js';
 import {
   finishBlock,
   lineariseBlock,
   pushBlock,
   solveVelocityBlock,
   warmStartBlock,
-} from '../../src/solver/block-joints.js';
-import type { SolverData } from '../../src/solver/data.js';
-import { ANCHORED, LINE, ROW } from '../../src/solver/joint-layout.js';
-import { linearise, pushRun, solveVelocityRun } from '../../src/solver/joint-sweeps.js';
-import { finishRows, warmStartRows } from '../../src/solver/row-joints.js';
+} from '../../src/solver/joints/block-joints.js';
+import { ANCHORED, LINE, ROW } from '../../src/solver/joints/joint-layout.js';
+import { linearise, pushRun, solveVelocityRun } from '../../src/solver/joints/joint-sweeps.js';
+import { finishRows, warmStartRows } from '../../src/solver/joints/row-joints.js';
 import { add, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
 

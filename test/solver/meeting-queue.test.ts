@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { phys2D } from '../../src/index.js';
-import { type Meeting, MeetingQueue } from '../../src/solver/meeting-queue.js';
-import { Movers } from '../../src/solver/movers.js';
+import { type Meeting, MeetingQueue } from '../../src/solver/impacts/meeting-queue.js';
+import { Movers } from '../../src/solver/impacts/movers.js';
 import { generator } from '../scenes/mixed.js';
 
 // Meetings come out in time, however their times are changed in between.

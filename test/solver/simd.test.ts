@@ -7,7 +7,7 @@ import { createCustomConstraint, createWorld, phys2D, simdKernels, type World, w
 import { type Kernels, plainKernels } from '../../src/kernels.js';
 import { recordAt, SolverData } from '../../src/solver/data.js';
 import { advance, integratePositions, integrateVelocities } from '../../src/solver/integrate.js';
-import { Group, JointData } from '../../src/solver/joint-data.js';
+import { Group, JointData } from '../../src/solver/joints/joint-data.js';
 import {
   ANCHOR_AX,
   ANCHOR_AY,
@@ -17,18 +17,18 @@ import {
   POINT,
   POINT_SNAPS,
   POINT_STRIDE,
-} from '../../src/solver/joint-layout.js';
-import { addJoint, allot } from '../../src/solver/joint-list.js';
-import { advancePoses } from '../../src/solver/joint-pose.js';
-import * as d from '../../src/solver/layout.js';
-import { type Loops, plain } from '../../src/solver/loops.js';
+} from '../../src/solver/joints/joint-layout.js';
+import { addJoint, allot } from '../../src/solver/joints/joint-list.js';
+import { advancePoses } from '../../src/solver/joints/joint-pose.js';
 import {
   finishPoints,
   pushPoints,
   pushPointsLinearly,
   solveVelocityPoints,
   warmStartPoints,
-} from '../../src/solver/point-joints.js';
+} from '../../src/solver/joints/point-joints.js';
+import * as d from '../../src/solver/layout.js';
+import { type Loops, plain } from '../../src/solver/loops.js';
 import { DT, plainBody } from '../conformance/setting.js';
 import { buildJointGrid } from '../scenes/joint-grid.js';
 import { buildMixed } from '../scenes/mixed.js';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
-import { solveVelocityContacts } from '../../src/solver/contacts.js';
+import { solveVelocityContacts } from '../../src/solver/contacts/contacts.js';
 import { BODY_STRIDE, VY, WINDOW } from '../../src/solver/layout.js';
 import {
   add,

@@ -1,7 +1,13 @@
 import { expect, it } from 'vitest';
 import { phys2D, type RigidBody } from '../../src/index.js';
-import { ANCHORED, BLOCK, LINE, POINT, ROW, TURN } from '../../src/solver/joint-layout.js';
-import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun } from '../../src/solver/joint-sweeps.js';
+import { ANCHORED, BLOCK, LINE, POINT, ROW, TURN } from '../../src/solver/joints/joint-layout.js';
+import {
+  linearise,
+  pushRun,
+  pushRunLinearly,
+  pushTurnedRun,
+  solveVelocityRun,
+} from '../../src/solver/joints/joint-sweeps.js';
 import { add, plainBody, steps, tie, weightless } from '../conformance/setting.js';
 
 /** A hub, whose joints of each kernel share it, so that their order counts. */

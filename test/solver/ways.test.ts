@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D } from '../../src/index.js';
-import { Ways } from '../../src/solver/ways.js';
+import { Ways } from '../../src/solver/impacts/ways.js';
 import { bestTime } from '../best-time.js';
 import { generator } from '../scenes/mixed.js';
 

@@ -1,0 +1,400 @@
+import { findImpactDepth, impactDepth } from '../../collide/gap.js';
+import {
+  BOUNCE_LOAD,
+  BOUNCE_ROUNDS,
+  BOUNCE_RUBS,
+  BOUNCE_SWEEPS,
+  BOUNCE_THRESHOLD,
+  FORESIGHT_DEPTH,
+  TOUCH_DEPTH,
+} from '../../config.js';
+import { type BounceList, recordAt, type SolverData } from '../data.js';
+import { Ledger } from '../impacts/no-gain.js';
+import * as d from '../layout.js';
+import { isTied } from '../ties.js';
+import { solveVelocityOne } from './one-point.js';
+import { solveVelocityTwo } from './two-point.js';
+
+/** In `hit`: the point bounced in this sub-step, … */
+const BOUNCED = 1;
+/** … or is to bounce with all that the sweeps solve, as it bears a load that these must start from. */
+const LOADED = 2;
+
+/** What is known of a point: numbers that go from function to function would be boxed. */
+const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
+
+/** Finds the speed at which the surfaces of a point part: negative, they come. */
+function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: number): void {
+  const a = bodies[2 * k]! & d.OFFSET;
+  const b = bodies[2 * k + 1]! & d.OFFSET;
+  plan.comes =
+    arms[4 * k]! * (v[b + d.VX]! - v[a + d.VX]!) +
+    arms[4 * k + 1]! * (v[b + d.VY]! - v[a + d.VY]!) +
+    arms[4 * k + 3]! * v[b + d.W]! -
+    arms[4 * k + 2]! * v[a + d.W]!;
+}
+
+/** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
+function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k: number): void {
+  const { records: r, stride } = list.batches[k]!;
+  const record = recordAt(list.index[k]!, stride);
+  const i = record + list.shift[k]!;
+  const a = list.bodies[2 * k]!;
+  const b = list.bodies[2 * k + 1]!;
+  const isOne = stride === d.ONE_STRIDE;
+  plan.separation =
+    r[i + d.START1]! +
+    r[record + d.NX]! * (q[b + d.DX]! - q[a + d.DX]!) +
+    r[record + d.NY]! * (q[b + d.DY]! - q[a + d.DY]!) +
+    v[b + d.COS_LESS_ONE]! * r[record + (isOne ? d.PIVOT_B : d.RT_B)]! +
+    v[b + d.SIN]! * r[i + d.RN_B1]! -
+    v[a + d.COS_LESS_ONE]! * r[record + (isOne ? d.PIVOT_A : d.RT_A)]! -
+    v[a + d.SIN]! * r[i + d.RN_A1]!;
+}
+
+/** What forces add in a sub-step to the velocity of one body against another along `(nx, ny)`; `a` and `b` are the offsets of their records. */
+export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: number, ny: number): number {
+  return nx * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) + ny * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!);
+}
+
+/** The same for a point of the list. */
+function gainOf(data: SolverData, k: number): number {
+  const { bounces: list } = data;
+  const { records: r, stride } = list.batches[k]!;
+  const record = recordAt(list.index[k]!, stride);
+  return normalGain(data, list.bodies[2 * k]!, list.bodies[2 * k + 1]!, r[record + d.NX]!, r[record + d.NY]!);
+}
+
+/**
+ * The normal velocity that a bounce ends with, with the sign changed, as its bias, for one that comes with `comes` and is found at a separation ≤ 0: what
+ * fell on below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
+ * ahead of the true one by half of `gain`, which is about to be added, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
+ */
+function planSpeed({ bias }: BounceList, k: number, h: number): void {
+  const { elasticity, comes, gain, separation } = plan;
+  const lift = gain < 0 ? (2 * gain * separation) / h : 0;
+  const speed = comes + 0.5 * gain;
+  const onSurface = speed * speed - lift;
+  bias[k] = -Math.sqrt(elasticity * elasticity * (onSurface > 0 ? onSurface : 0) + lift) + 0.5 * gain;
+}
+
+/**
+ * Before gravity: how fast each point of a bouncing material has to leave. Blows go on from body to body in rounds: what comes at once bounces at once, and what
+ * that sends on bounces in the next; so the last of a row of balls that touch flies off, and the others stay. One that will bounce but has not met the other
+ * surface yet is left out of the sub-step, so that it gets there at full speed.
+ */
+export function planBounces(data: SolverData, h: number): void {
+  const { bounces: list } = data;
+  list.hit.fill(0);
+  let count = planRound(data, h, 0);
+  for (let round = 1; round <= BOUNCE_ROUNDS && count > 0; round += 1) {
+    solveRound(data, h, count, round);
+    count = planRound(data, h, round);
+  }
+  for (let k = 0; k < list.count; k += 1) {
+    if (list.hit[k] === BOUNCED && hangs(list, k)) {
+      keepLeaving(data, k);
+    } else if (list.bias[k]! > 0) {
+      dropImpulses(list, k);
+    }
+  }
+}
+
+/**
+ * Plans what bounces in a round, in the first one of all points, else of the bodies that bounced in the last one. They are marked; what `markHard` marked is not
+ * needed any more. @returns how many contacts do.
+ */
+function planRound(data: SolverData, h: number, round: number): number {
+  const { bounces: list, velocity: v } = data;
+  const { bodies, bouncing, bias, hit, elasticity, shift } = list;
+  let count = 0;
+  for (let k = 0; k < list.count; k += 1) {
+    if (round > 0 && v[bodies[2 * k]! + d.MARK] !== -round && v[bodies[2 * k + 1]! + d.MARK] !== -round) {
+      continue;
+    }
+    // What makes energy makes it once in a sub-step.
+    const restitution = round === 0 ? elasticity[k]! : Math.min(elasticity[k]!, 1);
+    findSpeed(data, k);
+    const leaves = restitution * plan.comes;
+    bias[k] = leaves > BOUNCE_THRESHOLD ? leaves : 0;
+    hit[k] = hit[k]! & BOUNCED;
+    if (leaves < -BOUNCE_THRESHOLD) {
+      plan.elasticity = restitution;
+      planBounce(data, k, h, round);
+      const first = shift[k] === 0 ? k : k - 1;
+      if (bouncesNow(list, k) && (count === 0 || bouncing[count - 1] !== first)) {
+        bouncing[count] = first;
+        count += 1;
+      }
+    }
+  }
+  for (let n = 0; n < count; n += 1) {
+    const k = bouncing[n]!;
+    setBiases(data, k);
+    v[bodies[2 * k]! + d.MARK] = -1 - round;
+    v[bodies[2 * k + 1]! + d.MARK] = -1 - round;
+  }
+  // What stands for all that cannot move.
+  v[d.MARK] = 0;
+  return count;
+}
+
+/** Of a contact that bounces, given by its first point: those of its points that do not bounce stay out of the round. */
+function setBiases({ bounces: list }: SolverData, first: number): void {
+  const { records: r, stride } = list.batches[first]!;
+  const record = recordAt(list.index[first]!, stride);
+  const after = first + (stride === d.TWO_STRIDE ? 2 : 1);
+  for (let k = first; k < after; k += 1) {
+    const bounces = bouncesNow(list, k);
+    r[record + list.shift[k]! + d.BIAS1] = bounces ? list.bias[k]! + r[record + d.SURFACE_N]! : d.OFF;
+    list.bias[k] = 0;
+    if (bounces) list.hit[k] = BOUNCED;
+  }
+}
+
+function bouncesNow({ bias, hit }: BounceList, k: number): boolean {
+  return bias[k]! < 0 && hit[k] !== LOADED;
+}
+
+/**
+ * Sweeps over what bounces in a round until nothing changes. Friction gets no larger after the first few: in a corner that of one wall presses onto the
+ * other one, and would grow with each sweep.
+ */
+function solveRound(data: SolverData, h: number, count: number, round: number): void {
+  const { bounces: list } = data;
+  const isFree = collect(data, count, round);
+  noteVelocities(data, ledger.before);
+  dropAll(list, count);
+  let changed = true;
+  for (let i = 0; i < BOUNCE_RUBS && changed; i += 1) {
+    changed = sweepBouncing(data, h, count);
+  }
+  swapFriction(list, count);
+  for (let i = 0; i < BOUNCE_SWEEPS && changed; i += 1) {
+    changed = sweepBouncing(data, h, count);
+  }
+  swapFriction(list, count);
+  noteVelocities(data, ledger.after);
+  if (isFree && ledger.gains()) {
+    lessenFriction(data, h, count);
+  }
+  dropAll(list, count);
+}
+
+/** The bodies of a round, by the offsets of their records, and their energy: scratch. */
+const involved: number[] = [];
+let bodyCount = 0;
+const ledger = /* @__PURE__ */ new Ledger();
+/** What the contacts of a round gave with friction: scratch. */
+const given: number[] = [];
+
+/** Lists the bodies of a round, which are marked. @returns whether nothing drives them, and nothing is set to bounce higher than it came. */
+function collect({ bounces: list, velocity: v }: SolverData, count: number, round: number): boolean {
+  let isFree = true;
+  bodyCount = 0;
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    const { records: r, stride } = list.batches[k]!;
+    const record = recordAt(list.index[k]!, stride);
+    isFree &&= list.elasticity[k]! <= 1 && r[record + d.SURFACE_T] === 0 && r[record + d.SURFACE_N] === 0;
+    for (let side = 0; side < 2; side += 1) {
+      const at = list.bodies[2 * k + side]!;
+      if (v[at + d.MARK] === -round) {
+        v[at + d.MARK] = -round - 0.5;
+        involved[bodyCount] = at;
+        bodyCount += 1;
+      }
+    }
+  }
+  ledger.open(bodyCount);
+  const { weights } = ledger;
+  for (let n = 0; n < bodyCount; n += 1) {
+    const at = involved[n]!;
+    const mass = v[at + d.INV_MASS]!;
+    const inertia = v[at + d.INV_INERTIA]!;
+    v[at + d.MARK] = -round;
+    weights[3 * n] = mass > 0 ? 1 / mass : 0;
+    weights[3 * n + 1] = weights[3 * n]!;
+    weights[3 * n + 2] = inertia > 0 ? 1 / inertia : 0;
+    isFree &&= mass > 0 || inertia > 0 || (v[at + d.VX] === 0 && v[at + d.VY] === 0 && v[at + d.W] === 0);
+  }
+  return isFree;
+}
+
+function noteVelocities({ velocity: v }: SolverData, into: Float64Array): void {
+  for (let n = 0; n < bodyCount; n += 1) {
+    const at = involved[n]!;
+    into[3 * n] = v[at + d.VX]!;
+    into[3 * n + 1] = v[at + d.VY]!;
+    into[3 * n + 2] = v[at + d.W]!;
+  }
+}
+
+function setVelocities({ velocity: v }: SolverData, from: Float64Array): void {
+  for (let n = 0; n < bodyCount; n += 1) {
+    const at = involved[n]!;
+    v[at + d.VX] = from[3 * n]!;
+    v[at + d.VY] = from[3 * n + 1]!;
+    v[at + d.W] = from[3 * n + 2]!;
+  }
+}
+
+/** What contacts of two points and of one give. */
+const OF_TWO = [d.NORMAL1, d.TANGENT, d.NORMAL2];
+const OF_ONE = [d.NORMAL1, d.TANGENT, d.ROLL];
+
+/** Leaves as much of friction in a round as makes no energy: see `no-gain.ts`. */
+function lessenFriction(data: SolverData, h: number, count: number): void {
+  const { bounces: list } = data;
+  setVelocities(data, ledger.before);
+  let size = 0;
+  for (let n = 0; n < count; n += 1) {
+    const { records: r, stride } = list.batches[list.bouncing[n]!]!;
+    const record = recordAt(list.index[list.bouncing[n]!]!, stride);
+    for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
+      given[size] = r[record + field]!;
+      r[record + field] = 0;
+      size += 1;
+    }
+  }
+  swapFriction(list, count);
+  for (let i = 0, changed = true; i < BOUNCE_SWEEPS && changed; i += 1) {
+    changed = sweepBouncing(data, h, count);
+  }
+  swapFriction(list, count);
+  noteVelocities(data, ledger.without);
+  const kept = ledger.lessen();
+  setVelocities(data, ledger.without);
+  size = 0;
+  for (let n = 0; n < count; n += 1) {
+    const { records: r, stride } = list.batches[list.bouncing[n]!]!;
+    const record = recordAt(list.index[list.bouncing[n]!]!, stride);
+    for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
+      r[record + field] = r[record + field]! + kept * (given[size]! - r[record + field]!);
+      size += 1;
+    }
+  }
+}
+
+/** Exchanges the effective masses along the tangents of what bounces for its biases, which are 0 by then, and back. */
+function swapFriction({ bouncing, batches, index, bias }: BounceList, count: number): void {
+  for (let n = 0; n < count; n += 1) {
+    const k = bouncing[n]!;
+    const { records: r, stride } = batches[k]!;
+    const at = recordAt(index[k]!, stride) + d.TANGENT_MASS;
+    const mass = r[at]!;
+    r[at] = bias[k]!;
+    bias[k] = mass;
+  }
+}
+
+/** @returns whether it changed anything. */
+function sweepBouncing(data: SolverData, h: number, count: number): boolean {
+  const { bounces: list } = data;
+  let changed = false;
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    const solve = list.batches[k] === data.two ? solveVelocityTwo : solveVelocityOne;
+    changed = solve(data, list.index[k]!, list.index[k]! + 1, h) || changed;
+  }
+  return changed;
+}
+
+/** Drops what the points of all that bounces were given. */
+function dropAll(list: BounceList, count: number): void {
+  for (let n = 0; n < count; n += 1) {
+    const k = list.bouncing[n]!;
+    dropImpulses(list, k);
+    if (list.batches[k]!.stride === d.TWO_STRIDE) dropImpulses(list, k + 1);
+  }
+}
+
+/** Of a point that comes fast enough, see `plan`. */
+function planBounce(data: SolverData, k: number, h: number, round: number): void {
+  const { bounces: list } = data;
+  findSeparation(data, k);
+  plan.gain = gainOf(data, k);
+  const { records: r, stride } = list.batches[k]!;
+  const record = recordAt(list.index[k]!, stride);
+  const i = record + list.shift[k]!;
+  const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
+  const isLoaded =
+    stride === d.ONE_STRIDE ? -plan.comes * r[record + d.NORMAL_MASS]! <= load : -plan.comes <= load * r[i + d.K11]!;
+  if (plan.separation > TOUCH_DEPTH) {
+    list.bias[k] = d.OFF;
+  } else if (!isLoaded) {
+    planSpeed(list, k, h);
+  } else if (round === 0) {
+    planSpeed(list, k, h);
+    list.bias[k] = list.bias[k]! - plan.gain;
+    list.hit[k] = LOADED;
+  }
+}
+
+/** Constraints act on one of the bodies of a point. */
+function hangs({ batches, index }: BounceList, k: number): boolean {
+  const { bodyA, bodyB } = batches[k]!.arbiters[index[k]!]!;
+  return isTied(bodyA) || isTied(bodyB);
+}
+
+/** What bounced and is tied to others is to leave with the speed that it has now: a plank that a ball struck may be welded to a house. */
+function keepLeaving(data: SolverData, k: number): void {
+  const { bounces: list } = data;
+  const { records: r, stride } = list.batches[k]!;
+  const record = recordAt(list.index[k]!, stride);
+  findSpeed(data, k);
+  const leaves = plan.comes;
+  list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
+}
+
+/** Lets a point start from nothing: what it was given until now belongs to the step. */
+function dropImpulses(list: BounceList, k: number): void {
+  const { records: r, stride } = list.batches[k]!;
+  const record = recordAt(list.index[k]!, stride);
+  const i = record + list.shift[k]!;
+  r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
+  r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
+  r[i + d.NORMAL1] = 0;
+  // Of two points the other one asks for it again.
+  r[record + d.TANGENT] = 0;
+}
+
+/** After warm start: puts the plan in place of what the separation asked for. */
+export function applyBounces(data: SolverData): void {
+  const { bounces: list } = data;
+  for (let k = 0; k < list.count; k += 1) {
+    const bias = list.bias[k]!;
+    if (bias !== 0) {
+      const { records: r, stride } = list.batches[k]!;
+      const record = recordAt(list.index[k]!, stride);
+      const at = record + list.shift[k]! + d.BIAS1;
+      r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
+    }
+  }
+}
+
+function fliesApart(data: SolverData, k: number): boolean {
+  findSpeed(data, k);
+  return plan.comes > BOUNCE_THRESHOLD;
+}
+
+/**
+ * Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height; unless they are so deep
+ * that an impact would have come before.
+ */
+export function releaseBounces(data: SolverData): void {
+  const { bounces: list } = data;
+  for (let k = 0; k < list.count; k += 1) {
+    if (list.bias[k] === d.OFF || fliesApart(data, k)) {
+      const { records: r, stride, arbiters } = list.batches[k]!;
+      const at = recordAt(list.index[k]!, stride) + list.shift[k]! + d.SEPARATION1;
+      if (r[at]! < -FORESIGHT_DEPTH) {
+        const { shapeA, shapeB } = arbiters[list.index[k]!]!;
+        findImpactDepth(shapeA, shapeB);
+        r[at] = r[at]! + impactDepth[0]!;
+      } else {
+        r[at] = d.NEVER;
+      }
+    }
+  }
+}

@@ -1,0 +1,46 @@
+import { CROWD_SWEEPS, HARD_SWEEPS } from '../../config.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Sweep } from '../loops.js';
+import { inPieces } from '../pieces.js';
+
+/** Starts a sub-step of length h. */
+export function warmStartContacts(data: SolverData, h: number): void {
+  const { warmStartTwo, warmStartOne } = data.loops!;
+  inPieces(data, 0, data.two.count, warmStartTwo, h);
+  inPieces(data, 0, data.one.count, warmStartOne, h);
+}
+
+/** One sweep over all contacts; over those that are hard to solve some more, until nothing changes. @returns whether anything did. */
+function sweep(data: SolverData, sweepTwo: Sweep, sweepOne: Sweep, h: number): boolean {
+  const { hard, hardCount } = data;
+  const changedTwo = inPieces(data, 0, data.two.count, sweepTwo, h);
+  const changedOne = inPieces(data, 0, data.one.count, sweepOne, h);
+  const changed = changedTwo || changedOne;
+  for (let i = 0; i < hardCount && changed; i += d.HARD_STRIDE) {
+    let more = true;
+    for (let times = 1; times < HARD_SWEEPS && more; times += 1) {
+      const moreTwo = sweepTwo(data, hard[i + d.FROM_TWO]!, hard[i + d.TO_TWO]!, h);
+      more = sweepOne(data, hard[i + d.FROM_ONE]!, hard[i + d.TO_ONE]!, h) || moreTwo;
+    }
+  }
+  return changed;
+}
+
+/** One sweep over all contacts, in a sub-step of length h. @returns whether any velocity changed by more than CALM_ACCELERATION · h. */
+export function solveVelocityContacts(data: SolverData, h: number): boolean {
+  return sweep(data, data.loops!.solveVelocityTwo, data.loops!.solveVelocityOne, h);
+}
+
+/** One position iteration, likewise. @returns whether anything was pushed. */
+export function solvePositionContacts(data: SolverData): boolean {
+  data.crowded = false;
+  return sweep(data, data.loops!.solvePositionTwo, data.loops!.solvePositionOne, 0);
+}
+
+/** Some more position iterations where circles crowd each other; what rests never does. */
+export function partCrowds(data: SolverData): void {
+  for (let i = 0; i < CROWD_SWEEPS && data.crowded; i += 1) {
+    solvePositionContacts(data);
+  }
+}

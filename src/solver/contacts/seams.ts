@@ -1,0 +1,412 @@
+import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
+import { letsMeet } from '../../broadphase/broadphase.js';
+import { Along, reachAlong, separationAlong } from '../../collide/along.js';
+import { polygonContains } from '../../collide/contains.js';
+import * as g from '../../collide/layout.js';
+import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import { endOfEdges } from '../../collide/polygons.js';
+import { FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../../config.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import { ACCEPTED, NEAR } from '../../contact/bits.js';
+import { touch, touchAlong } from '../../contact/touch.js';
+import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import type { Polygon } from '../../shape/polygon.js';
+import { halfWidthOf, type Shape } from '../../shape/shape.js';
+import { POLYGON } from '../../shape/shape-kind.js';
+import type { World } from '../../world.js';
+import { findNearby } from '../impacts/nearby.js';
+import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
+
+// What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
+// may be the nearest way out of it, but it is no surface of the floor.
+
+/** Normals whose cosine is no less are of one direction. */
+const SAME_DIRECTION = 1 - 1e-10;
+
+/** Cosine of the angle by which a face may differ from a contact that it is to replace. */
+const LOOKS = -0.2;
+
+/** m. What is so near to a corner of a ground is with that. */
+const CORNER = 4 * FLUSH_TOLERANCE;
+
+/** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
+const CLEAR = 2 * FLUSH_TOLERANCE;
+
+/** rad. A gap that is narrower does not open the edges that it is between. */
+const GAP = 0.2;
+
+/** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
+class Spot {
+  x = 0.5;
+  y = 0.5;
+}
+
+class Face {
+  separation = 0.5;
+}
+
+/** The direction that was found for a contact, from the ground to the body: scratch. */
+const up = new Along();
+/** The direction that is looked along: scratch. */
+const along = new Along();
+/** How deep a shape is below the face that was found: scratch. */
+const face = new Face();
+const free = new FreeDirections();
+/** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
+const point = new Spot();
+const place = new Spot();
+const asked = new Float64Array(2);
+const bounds = new Float64Array(4);
+/** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. What lies beyond the count is old. */
+const around: Shape[] = [];
+let aroundCount = 0;
+let areAllKnown = false;
+
+/** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
+export function noteGround(world: World, pair: Arbiter): void {
+  if (pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC) {
+    return;
+  }
+  const shape = dynamicOf(pair);
+  if (shape.groundStamp !== world.timeStamp) {
+    shape.groundStamp = world.timeStamp;
+    shape.grounds = null;
+  } else if (shape.grounds!.next === null) {
+    world.straddling.add(shape);
+  }
+  pair.next = shape.grounds;
+  shape.grounds = pair;
+}
+
+/** Looks at all contacts of shapes that lie on or near more than one static or kinematic shape. */
+export function smoothSeams(world: World): void {
+  const { straddling } = world;
+  for (let i = 0; i < straddling.count; i += 1) {
+    const { grounds } = straddling.items[i]!;
+    aroundCount = 0;
+    areAllKnown = false;
+    for (let pair = grounds; pair !== null; pair = pair.next) {
+      around[aroundCount] = groundOf(pair);
+      aroundCount += 1;
+    }
+    for (let pair = grounds; pair !== null; pair = pair.next) {
+      if (isHidden(world, pair)) smooth(pair);
+    }
+  }
+  straddling.clear();
+}
+
+/**
+ * Turns a contact to the direction `up`. What is only near is let go where another ground carries the shape in that direction already: turned, it would meet a surface
+ * that it does not touch, and part from it in the next step.
+ */
+function smooth(pair: Arbiter): void {
+  const ground = groundOf(pair);
+  for (let other = dynamicOf(pair).grounds; other !== null && pair.is(NEAR); other = other.next) {
+    const carrier = groundOf(other);
+    const helps = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
+    if (helps && carriesUp(other) && !standsOut(carrier, ground)) {
+      pair.unmark(NEAR);
+      // Else foresight would take it for a contact that is known.
+      pair.numbers[pair.at + g.COUNT] = 0;
+      return;
+    }
+  }
+  turn(pair);
+  if (pair.count === 0) pair.unmark(NEAR);
+}
+
+/** Whether neither moves against the other in this step, as far as is told at once. */
+function moveAlike(a: Shape, b: Shape): boolean {
+  return a.owner === b.owner || (standsStill(a) && standsStill(b));
+}
+
+/** The same for a contact that was just found where a body is in the course of the step, with all shapes there that stand still. */
+export function smoothMeeting(world: World, pair: Arbiter): void {
+  const ground = groundOf(pair);
+  if (ground.kind !== POLYGON || !standsStill(ground)) {
+    return;
+  }
+  aroundCount = 0;
+  addNearby(world, pair);
+  if (isHidden(world, pair)) {
+    turn(pair);
+    if (pair.count === 0) touch(pair);
+  }
+}
+
+/** What the shape of a contact is near but need not touch: where it has left a face by a corner nothing tells of that. */
+function addNearby(world: World, pair: Arbiter): void {
+  const shape = dynamicOf(pair);
+  const { numbers: n, at } = shape;
+  const reach = SPECULATIVE_MARGIN + halfWidthOf(shape);
+  bounds[0] = n[at]! - reach;
+  bounds[1] = n[at + 1]! - reach;
+  bounds[2] = n[at + 2]! + reach;
+  bounds[3] = n[at + 3]! + reach;
+  const known = aroundCount;
+  const size = findNearby(world, bounds, groundOf(pair).owner!.kind !== STATIC);
+  for (let i = 0; i < size; i += 1) {
+    const other = world.movers.nearby.shapes[i]!;
+    if (bears(world, shape, other) && !isAround(other, known)) {
+      around[aroundCount] = other;
+      aroundCount += 1;
+    }
+  }
+  areAllKnown = true;
+}
+
+/** Whether a shape stands still, and what touches it is not let through. */
+function bears(world: World, shape: Shape, other: Shape): boolean {
+  if (!standsStill(other) || other.sensor || !letsMeet(shape, other)) {
+    return false;
+  }
+  const pair = shape.id < other.id ? world.pairs.find(shape, other) : world.pairs.find(other, shape);
+  return !pair?.active || pair.is(ACCEPTED);
+}
+
+function isAround(shape: Shape, count: number): boolean {
+  for (let i = 0; i < count; i += 1) {
+    if (around[i] === shape) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether a shape is where the step began, all the time. */
+function standsStill({ owner }: Shape): boolean {
+  const { kind, vx, vy, w } = owner!;
+  return kind === STATIC || (kind === KINEMATIC && vx === 0 && vy === 0 && w === 0);
+}
+
+function dynamicOf(pair: Arbiter): Shape {
+  return pair.bodyA.kind === DYNAMIC ? pair.shapeA : pair.shapeB;
+}
+
+function groundOf(pair: Arbiter): Shape {
+  return pair.bodyA.kind === DYNAMIC ? pair.shapeB : pair.shapeA;
+}
+
+/** 1 if the normal of a pair points from the ground to the body, else −1. */
+function signOf(pair: Arbiter): number {
+  return pair.bodyA.kind === DYNAMIC ? -1 : 1;
+}
+
+function turn(pair: Arbiter): void {
+  const sign = signOf(pair);
+  const { numbers: n, at: o } = pair;
+  n[o + g.NX] = sign * up.x;
+  n[o + g.NY] = sign * up.y;
+  touchAlong(pair);
+}
+
+/** Whether a contact has the direction that was found. */
+function carriesUp(pair: Arbiter): boolean {
+  const { numbers: n, at: o } = pair;
+  return signOf(pair) * (up.x * n[o + g.NX]! + up.y * n[o + g.NY]!) >= SAME_DIRECTION;
+}
+
+/** Whether a static shape stands out of another, upwards. */
+function standsOut(from: Shape, to: Shape): boolean {
+  const dx = to.owner!.x - from.owner!.x;
+  const dy = to.owner!.y - from.owner!.y;
+  reachAlong(from, up, 1);
+  const { found } = up;
+  reachAlong(to, up, 1);
+  return up.found + up.x * dx + up.y * dy - found > FLUSH_TOLERANCE;
+}
+
+/**
+ * Whether a contact is not with the surface that grounds which lie side by side have together, but with a side or corner that others hide. Then what carries the body is
+ * a face beside it; or, if all of it lies within others, the face that the shape lies on.
+ */
+function isHidden(world: World, pair: Arbiter): boolean {
+  const ground = groundOf(pair);
+  if (pair.count === 0 || ground.kind !== POLYGON) {
+    return false;
+  }
+  let found = judge(pair, ground);
+  if (found !== RIGHT && !areAllKnown) {
+    addNearby(world, pair);
+    found = judge(pair, ground);
+  }
+  return (
+    (found === WRONG ? isInReach(dynamicOf(pair), ground, up) : found === BURIED && findOpenFace(pair, ground)) &&
+    !carriesUp(pair)
+  );
+}
+
+/** Whether a shape is no deeper in a ground along a direction than half of that; or it lies on it. */
+function isInReach(shape: Shape, ground: Polygon, direction: Along): boolean {
+  return separationFrom(ground, shape, direction) > -Math.max(lyingDepth(shape), halfWidthOf(ground));
+}
+
+/** m. How far a shape is from a ground along a direction that points out of the ground. */
+function separationFrom(ground: Polygon, shape: Shape, direction: Along): number {
+  direction.dx = shape.owner!.x - ground.owner!.x;
+  direction.dy = shape.owner!.y - ground.owner!.y;
+  separationAlong(ground, shape, direction);
+  return direction.found;
+}
+
+/** m. How deep below a face a shape that lies on it may be. */
+function lyingDepth(shape: Shape): number {
+  return Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
+}
+
+/** What the direction of a contact is, as `FreeDirections.judge` tells: right at one of its points is enough. If it is wrong, `up` is the next right one. */
+function judge(pair: Arbiter, ground: Polygon): number {
+  const { count, numbers: n, at: o } = pair;
+  const sign = signOf(pair);
+  let found = BURIED;
+  findLeastSeparation(n, o);
+  const least = leastSeparation[0]!;
+  for (let at = o; at < o + count * g.POINT && found !== RIGHT; at += g.POINT) {
+    const separation = n[g.S0 + at]!;
+    findPoint(pair, at);
+    if (separation < 0 || separation === least) {
+      goToCorner(ground);
+      free.x = sign * n[o + g.NX]!;
+      free.y = sign * n[o + g.NY]!;
+      free.begin();
+      addAround(ground);
+      const there = free.judge();
+      if (there < found) {
+        found = there;
+        up.x = free.x;
+        up.y = free.y;
+      }
+    }
+  }
+  return found;
+}
+
+/** Moves `point` to the corner of a ground that it is near. */
+function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
+  for (let k = at + EDGES + EDGE_STRIDE * (offsets.length - 1); k >= at + EDGES; k -= EDGE_STRIDE) {
+    const dx = edges[k]! - point.x;
+    const dy = edges[k + 1]! - point.y;
+    if (dx * dx + dy * dy < CORNER * CORNER) {
+      point.x = edges[k]!;
+      point.y = edges[k + 1]!;
+      return;
+    }
+  }
+}
+
+/** What the grounds around fill at `point`. */
+function addAround(ground: Polygon): void {
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other.kind === POLYGON) {
+      asked[0] = point.x + ground.owner!.x - other.owner!.x;
+      asked[1] = point.y + ground.owner!.y - other.owner!.y;
+      free.add(other, asked);
+    }
+  }
+}
+
+/**
+ * Finds the face of a ground that a shape reaches the least below, but not deeper than half the ground. If it has none that is open, as what lies below the surface, a
+ * face of those around that the shape lies on, that a contact with the unit vector that `free` has looks towards, and above which this ground does not reach
+ * far: an underside over the shape is no such face.
+ */
+function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
+  const shape = dynamicOf(pair);
+  const lying = lyingDepth(shape);
+  face.separation = -(leastSeparation[0]! > 0 ? lying : halfWidthOf(ground));
+  if (findFaceOf(shape, ground, ground, -1)) {
+    return true;
+  }
+  face.separation = -lying;
+  let isFound = false;
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other !== ground && other.kind === POLYGON) {
+      isFound = findFaceOf(shape, other, ground, LOOKS) || isFound;
+    }
+  }
+  return isFound;
+}
+
+/** Finds where a contact has the surface of its ground, at one of its points: `at` is the record, plus POINT for the second. */
+function findPoint({ numbers: n, at: o, bodyA }: Arbiter, at: number): void {
+  const isSecond = bodyA.kind === DYNAMIC;
+  const half = (isSecond ? 0.5 : -0.5) * n[g.S0 + at]!;
+  point.x = n[g.X0 + at]! + half * n[o + g.NX]! - (isSecond ? n[o + g.DX]! : 0);
+  point.y = n[g.Y0 + at]! + half * n[o + g.NY]! - (isSecond ? n[o + g.DY]! : 0);
+}
+
+/**
+ * Takes the face of a ground that a shape lies on, or reaches the least below, if it reaches less below that than below the one before, and is in reach of the
+ * ground that is to carry it there.
+ */
+function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: number): boolean {
+  const { numbers: edges, at } = ground;
+  const end = endOfEdges(ground);
+  let isFound = false;
+  for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
+    along.x = edges[k + 2]!;
+    along.y = edges[k + 3]!;
+    const found = separationFrom(ground, shape, along);
+    const looks = free.x * edges[k + 2]! + free.y * edges[k + 3]!;
+    if (
+      looks >= least &&
+      found > face.separation &&
+      found < SPECULATIVE_MARGIN &&
+      isInReach(shape, carrier, along) &&
+      isOpen(shape, ground, k)
+    ) {
+      face.separation = found;
+      up.x = edges[k + 2]!;
+      up.y = edges[k + 3]!;
+      isFound = true;
+    }
+  }
+  return isFound;
+}
+
+/** Whether an edge of a ground is not within any other polygon, about where the shape is above or below it. */
+function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
+  const { numbers: edges, at } = ground;
+  const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
+  const nx = edges[edge + 2]!;
+  const ny = edges[edge + 3]!;
+  // From one end of the edge to the other, as far as the shape reaches, but not so near to an end that what hides it is no thicker than the surface there.
+  along.x = -ny;
+  along.y = nx;
+  const from = along.x * edges[edge]! + along.y * edges[edge + 1]!;
+  const length = along.x * edges[next]! + along.y * edges[next + 1]! - from;
+  const middle = along.x * (shape.owner!.x - ground.owner!.x) + along.y * (shape.owner!.y - ground.owner!.y) - from;
+  reachAlong(shape, along, 1);
+  const high = Math.min(middle + along.found, length);
+  reachAlong(shape, along, -1);
+  const low = Math.max(middle - along.found, 0);
+  const margin = Math.min(halfWidthOf(shape), length / 2);
+  const way = Math.max(margin, Math.min((low + high) / 2, length - margin));
+  const gap = GAP * Math.min(way, length - way);
+  place.x = edges[edge]! - way * ny + CLEAR * nx;
+  place.y = edges[edge + 1]! + way * nx + CLEAR * ny;
+  if (isInAnother(ground)) {
+    return false;
+  }
+  place.x = edges[edge]! - way * ny + gap * nx;
+  place.y = edges[edge + 1]! + way * nx + gap * ny;
+  return !isInAnother(ground);
+}
+
+/** Whether `place` is within another ground than that to whose body it is relative. */
+function isInAnother(ground: Polygon): boolean {
+  for (let i = 0; i < aroundCount; i += 1) {
+    const other = around[i]!;
+    if (other !== ground && other.kind === POLYGON) {
+      asked[0] = place.x + ground.owner!.x - other.owner!.x;
+      asked[1] = place.y + ground.owner!.y - other.owner!.y;
+      if (polygonContains(other, asked, FLUSH_TOLERANCE)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}

@@ -1,0 +1,270 @@
+import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../../config.js';
+import { JOINT_TORN } from '../../config-joints.js';
+import * as c from '../../contact/layout.js';
+import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData } from '../data.js';
+import type { Group } from '../joints/joint-data.js';
+import type { JointSolver } from '../joints/joints.js';
+import * as d from '../layout.js';
+import { solveVelocityOne } from './one-point.js';
+import { solveVelocityTwo } from './two-point.js';
+
+// What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
+// So where what was struck is no heap its contacts, and the joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
+// Frames that stand on something, as a table under a load, are solved as well, but go on with what they bear: see `isBent` in `joint-data.ts`.
+
+/** The end of a chain of ends; of a body that hangs on what cannot be solved. */
+const NONE = -1;
+/** Of a body that is part of a heap or a mechanism, for the whole step. */
+const REFUSED = 1;
+
+/** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
+export function settleShocks(data: SolverData, jointSolver: JointSolver | null): void {
+  const { shocks } = data;
+  shocks.round += 1;
+  for (let i = 0; i < shocks.count; i += 1) {
+    const contact = shocks.struck[i]!;
+    if (isShock(data, contact)) {
+      const { bodies } = batchOf(data, contact);
+      const a = bodies[contact & -2]! & d.OFFSET;
+      const body = canMove(data, a) ? a : bodies[contact | 1]!;
+      if (settleAround(data, body, jointSolver, SHOCK_CONTACTS)) forgetAll(data);
+    }
+  }
+  if (jointSolver !== null) {
+    settleFrames(data, jointSolver);
+  }
+}
+
+/** Those that were found with what was struck are solved already; and those that bear each other are not, as few sweeps are enough for so many joints, and towers of frames would fall. */
+function settleFrames(data: SolverData, jointSolver: JointSolver): void {
+  const { shocks } = data;
+  const { groups } = data.joints;
+  for (let i = 0; i < groups.length; i += 1) {
+    const body = someBodyOfFrame(data, groups[i]!);
+    if (body > 0 && shocks.known[body / d.BODY_STRIDE] === shocks.round) jointSolver.steadyFrame(data, groups[i]!);
+  }
+  for (let i = 0; i < groups.length; i += 1) {
+    const body = someBodyOfFrame(data, groups[i]!);
+    if (body > 0 && settleAround(data, body, jointSolver, 1)) jointSolver.steadyFrame(data, groups[i]!);
+  }
+}
+
+/** The offset of one that can be pushed; 0 if none can, or it is no frame that is to be solved. */
+function someBodyOfFrame(data: SolverData, group: Group): number {
+  if (!(group.isBent && group.touched)) {
+    return 0;
+  }
+  const { items, count } = group.bodies;
+  for (let n = 0; n < count; n += 1) {
+    if (canMove(data, items[n]!)) return items[n]!;
+  }
+  return 0;
+}
+
+/** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, has too many groups of joints, or was found before. */
+function settleAround(data: SolverData, body: number, jointSolver: JointSolver | null, mostGroups: number): boolean {
+  if (!data.shocks.isLinked) {
+    link(data);
+    jointSolver?.linkShocks(data);
+  }
+  const isSolved = gather(data, body / d.BODY_STRIDE) > 0 && data.shocks.groupCount <= mostGroups;
+  if (isSolved) solve(data, jointSolver);
+  return isSolved;
+}
+
+function link({ shocks, one, two, bodyCount }: SolverData): void {
+  shocks.reserve(bodyCount, 4 * Math.max(one.count, two.count));
+  shocks.first.fill(NONE, 0, bodyCount);
+  shocks.known.fill(0, 0, bodyCount);
+  shocks.groupOf.fill(0, 0, bodyCount);
+  shocks.round = REFUSED + 1;
+  shocks.isLinked = true;
+  linkAll(shocks, two, 0);
+  linkAll(shocks, one, 1);
+}
+
+function linkAll({ first, next }: ShockList, { count, bodies }: ContactBatch, kind: number): void {
+  for (let i = 0; i < 2 * count; i += 1) {
+    const slot = (bodies[i]! & d.OFFSET) / d.BODY_STRIDE;
+    const end = 2 * (i & -2) + 2 * kind + (i & 1);
+    next[end] = first[slot]!;
+    first[slot] = end;
+  }
+}
+
+/** Finds what hangs together with a body: contacts that bear something, and joints. @returns how many contacts; 0 if it is a heap, or was found before. */
+function gather(data: SolverData, start: number): number {
+  const { shocks } = data;
+  const { known, slots } = shocks;
+  if (known[start] === shocks.round || known[start] === REFUSED) {
+    return 0;
+  }
+  shocks.slotCount = 0;
+  shocks.contactCount = 0;
+  shocks.groupCount = 0;
+  shocks.room = SHOCK_CONTACTS;
+  visit(shocks, start);
+  for (let i = 0; i < shocks.slotCount && shocks.room >= 0; i += 1) {
+    gatherJoints(data, slots[i]!);
+    gatherContacts(data, slots[i]!);
+  }
+  if (shocks.room < 0) {
+    for (let i = 0; i < shocks.slotCount; i += 1) known[slots[i]!] = REFUSED;
+    return 0;
+  }
+  return shocks.contactCount;
+}
+
+function visit(shocks: ShockList, slot: number): void {
+  const { known, slots, round } = shocks;
+  if (known[slot] === REFUSED) shocks.room = -1;
+  if (known[slot] !== round) {
+    known[slot] = round;
+    slots[shocks.slotCount] = slot;
+    shocks.slotCount += 1;
+  }
+}
+
+/** Joints that have callbacks, or cannot be met, cannot be solved once more. */
+function gatherJoints(data: SolverData, slot: number): void {
+  const { shocks, joints } = data;
+  const { groupOf, groups, groupCount } = shocks;
+  const index = groupOf[slot]!;
+  if (index === NONE) {
+    shocks.room = -1;
+  } else if (index > 0 && !isListed(groups, groupCount, index - 1)) {
+    const group = joints.groups[index - 1]!;
+    groups[groupCount] = index - 1;
+    shocks.groupCount = groupCount + 1;
+    shocks.room = group.error > JOINT_TORN * JOINT_TORN ? -1 : shocks.room - (group.end - group.start);
+    const count = shocks.room < 0 ? 0 : group.bodies.count;
+    for (let n = 0; n < count; n += 1) {
+      visit(shocks, group.bodies.items[n]! / d.BODY_STRIDE);
+    }
+  }
+}
+
+function isListed(list: readonly number[], count: number, item: number): boolean {
+  let k = 0;
+  while (k < count && list[k] !== item) k += 1;
+  return k < count;
+}
+
+function gatherContacts(data: SolverData, slot: number): void {
+  const { shocks } = data;
+  const { first, next, contacts } = shocks;
+  for (let end = first[slot]!; end !== NONE && shocks.room >= 0; end = next[end]!) {
+    const contact = end >> 1;
+    const batch = batchOf(data, contact);
+    if (loadOf(batch, contact) === 0) {
+      continue;
+    }
+    const other = batch.bodies[(contact & -2) + 1 - (end & 1)]! & d.OFFSET;
+    const moves = canMove(data, other);
+    // Of two that can move, from one of them.
+    if (!moves || (end & 1) === 0) {
+      contacts[shocks.contactCount] = contact;
+      shocks.contactCount += 1;
+      shocks.room -= 1;
+    }
+    if (moves) visit(shocks, other / d.BODY_STRIDE);
+  }
+}
+
+/** By the offset of its record. */
+function canMove({ velocity }: SolverData, body: number): boolean {
+  return velocity[body + d.INV_MASS]! > 0;
+}
+
+/** N·s. The normal impulse of the sub-step. */
+function loadOf({ records, stride }: ContactBatch, contact: number): number {
+  const i = recordAt(contact >> 1, stride);
+  return records[i + d.NORMAL1]! + (stride === d.TWO_STRIDE ? records[i + d.NORMAL2]! : 0);
+}
+
+/** N·s. That with which the step began. */
+function loadBefore({ impulseScale }: SolverData, { numbers, at, point }: ContactBatch, contact: number): number {
+  const k = contact >> 1;
+  const n = numbers[k]!;
+  const first = at[k]! + c.NORMAL;
+  return (contact & 1) === 1
+    ? n[first + c.IMPULSES * (point[k]! & 1)]! * impulseScale
+    : n[first]! * impulseScale + n[first + c.IMPULSES]! * impulseScale;
+}
+
+/**
+ * Whether it bears so much more than as the step began that one of its bodies was stopped by it: the lighter one, as what lies between two heavy ones lets pass only what
+ * stops itself, sub-step by sub-step. With joints the heavier one, else decks that tremble under a load never come to rest.
+ */
+function isShock(data: SolverData, contact: number): boolean {
+  const batch = batchOf(data, contact);
+  const { velocity: v, traits } = data;
+  const a = batch.bodies[contact & -2]! & d.OFFSET;
+  const b = batch.bodies[contact | 1]! & d.OFFSET;
+  const mA = v[a + d.INV_MASS]!;
+  const mB = v[b + d.INV_MASS]!;
+  let ease = Math.max(mA, mB);
+  if (mA > 0 && mB > 0 && ((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.LINKED) !== 0) {
+    ease = Math.min(mA, mB);
+  }
+  return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
+}
+
+/** Sweeps over the contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */
+function solve(data: SolverData, jointSolver: JointSolver | null): void {
+  const { shocks } = data;
+  const { contacts, contactCount, groups, groupCount } = shocks;
+  const size = SHOCK_CONTACTS - shocks.room;
+  let changed = true;
+  for (let turns = size; turns <= SHOCK_TURNS && changed; turns += size) {
+    changed = false;
+    for (let i = 0; i < groupCount; i += 1) {
+      jointSolver!.sweepShock(data, groups[i]!);
+    }
+    for (let i = 0; i < contactCount; i += 1) {
+      const contact = contacts[i]!;
+      const k = contact >> 1;
+      const solveVelocity = (contact & 1) === 1 ? solveVelocityOne : solveVelocityTwo;
+      // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would in that.
+      changed = solveVelocity(data, k, k + 1, 1) || changed;
+    }
+  }
+}
+
+/** Of all that was just solved: joints are told, and forget when the sub-step ends. */
+function forgetAll(data: SolverData): void {
+  const { shocks } = data;
+  for (let i = 0; i < shocks.groupCount; i += 1) {
+    shocks.struckGroups[shocks.struckGroupCount] = shocks.groups[i]!;
+    shocks.struckGroupCount += 1;
+  }
+  for (let i = 0; i < shocks.contactCount; i += 1) {
+    forget(data, shocks.contacts[i]!);
+  }
+}
+
+/** What a contact bears beyond what it bore as the step began is counted, but nothing starts with it. */
+function forget(data: SolverData, contact: number): void {
+  const batch = batchOf(data, contact);
+  const { records: r, stride } = batch;
+  const load = loadOf(batch, contact);
+  const before = loadBefore(data, batch, contact);
+  if (load <= before) {
+    return;
+  }
+  const i = recordAt(contact >> 1, stride);
+  const kept = before / load;
+  lessen(r, i + d.NORMAL1, i + d.NORMAL_SUM1, kept);
+  lessen(r, i + d.TANGENT, i + d.TANGENT_SUM, kept);
+  if (stride === d.TWO_STRIDE) {
+    lessen(r, i + d.NORMAL2, i + d.NORMAL_SUM2, kept);
+  } else {
+    lessen(r, i + d.ROLL, i + d.ROLL_SUM, kept);
+  }
+}
+
+function lessen(records: Float64Array, impulse: number, sum: number, kept: number): void {
+  const was = records[impulse]!;
+  records[impulse] = kept * was;
+  records[sum] = records[sum]! + (was - kept * was);
+}

@@ -1,0 +1,141 @@
+import * as g from '../../collide/layout.js';
+import {
+  COLUMN_PART,
+  IMPULSE_MEMORY,
+  ROCK_SPIN,
+  STRAIN_DELAY,
+  STRAIN_PART,
+  STRAIN_SPEED,
+  STRAIN_UNLIKE,
+  STRAIN_UNLIKE_ONE,
+  TUMBLE_SPIN,
+} from '../../config.js';
+import { clearPoint } from '../../contact/arbiter.js';
+import { FRESH, ROCKS, STRAINS, USE, USED } from '../../contact/bits.js';
+import * as c from '../../contact/layout.js';
+import type { ContactBatch, SolverData } from '../data.js';
+import * as d from '../layout.js';
+
+// Straight-line, as packing is: they run once a step for every contact. Zeros are never negative, as users and snapshots read them. The next step does not start from
+// all that this one changed, see IMPULSE_MEMORY; of an impact, which is over, nothing is to be left.
+
+/** Writes the outcome of a contact of two points back to its pair. A point that was apart from the start and met nothing was not used. */
+export function storeTwo(data: SolverData, index: number, stamp: number): void {
+  const batch = data.two;
+  const { records: r, bodies } = batch;
+  const i = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
+  const a = bodies[2 * index]! & d.OFFSET;
+  const b = bodies[2 * index + 1]!;
+  const n = batch.numbers[index]!;
+  const o = batch.at[index]! & d.OFFSET;
+  const scale = data.impulseScale;
+  const p1 = r[i + d.NORMAL1]! + 0;
+  const p2 = r[i + d.NORMAL2]! + 0;
+  const tangent = r[i + d.TANGENT]!;
+  const part = r[i + d.PART]!;
+  const sum2 = r[i + d.NORMAL_SUM2]!;
+  const total1 = r[i + d.NORMAL_SUM1]! + p1;
+  const total2 = sum2 + p2;
+  const both = total1 + sum2 + p2;
+  const slid = r[i + d.TANGENT_SUM]! + tangent;
+  const slid1 = (both > 0 ? total1 / both : part) * slid + 0;
+  const slid2 = (both > 0 ? total2 / both : 1 - part) * slid + 0;
+  const before1 = n[o + c.NORMAL]! * scale;
+  const before2 = n[o + c.NORMAL + c.IMPULSES]! * scale;
+  n[o + c.NORMAL] = Math.min(before1 + IMPULSE_MEMORY * (p1 - before1), 2 * p1);
+  n[o + c.TANGENT] = part * tangent + 0;
+  n[o + c.STEP_NORMAL] = total1;
+  n[o + c.STEP_TANGENT] = slid1;
+  n[o + c.NORMAL + c.IMPULSES] = Math.min(before2 + IMPULSE_MEMORY * (p2 - before2), 2 * p2);
+  n[o + c.TANGENT + c.IMPULSES] = (1 - part) * tangent + 0;
+  n[o + c.STEP_NORMAL + c.IMPULSES] = total2;
+  n[o + c.STEP_TANGENT + c.IMPULSES] = slid2;
+  const isUsed1 = total1 !== 0 || slid1 !== 0 || !(n[o + g.S0]! > 0);
+  const isUsed2 = total2 !== 0 || slid2 !== 0 || !(n[o + g.S1]! > 0);
+  const isStrained =
+    p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
+    (areUnlike(data, a, b, STRAIN_UNLIKE) ||
+      p1 + p2 > STRAIN_PART * Math.min(data.drive[a + d.LOAD]!, data.drive[b + d.LOAD]!));
+  const before = (batch.bits[index]! >> USED) & 3;
+  const used = (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0);
+  noteUse(batch, index, before, used, isRocking(data, a, b, p1 + p2), isStrained, stamp);
+}
+
+/** The same for a contact of one point; a second point that the solver did not see has no impulse. */
+export function storeOne(data: SolverData, index: number, stamp: number): void {
+  const batch = data.one;
+  const { records: r, bodies, point } = batch;
+  const i = ((index & d.PAIR) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
+  const n = batch.numbers[index]!;
+  const o = batch.at[index]! & d.OFFSET;
+  const which = point[index]! & 1;
+  let usedBefore = (batch.bits[index]! >> USED) & 3;
+  if ((point[index]! & d.ONE_OF_TWO) !== 0) {
+    clearPoint(n, o, 1 - which);
+    usedBefore &= 1 << which;
+  }
+  const to = o + c.IMPULSES * which;
+  const p = r[i + d.NORMAL1]!;
+  const tangent = r[i + d.TANGENT]!;
+  const total = r[i + d.NORMAL_SUM1]! + p;
+  const slid = r[i + d.TANGENT_SUM]! + tangent + 0;
+  const roll = r[i + d.ROLL]! + 0;
+  const before = n[to + c.NORMAL]! * data.impulseScale;
+  n[to + c.NORMAL] = Math.min(before + IMPULSE_MEMORY * (p - before), 2 * p);
+  n[to + c.TANGENT] = tangent + 0;
+  n[to + c.STEP_NORMAL] = total;
+  n[to + c.STEP_TANGENT] = slid;
+  n[o + c.ROLL] = roll;
+  n[o + c.STEP_ROLL] = r[i + d.ROLL_SUM]! + roll;
+  const isUsed = total !== 0 || slid !== 0 || !(n[o + g.S0 + g.POINT * which]! > 0);
+  const isStrained =
+    p > STRAIN_SPEED * r[i + d.NORMAL_MASS]! &&
+    areUnlike(data, bodies[2 * index]! & d.OFFSET, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
+  const used = (usedBefore & ~(1 << which)) | (isUsed ? 1 << which : 0);
+  noteUse(batch, index, usedBefore, used, false, isStrained, stamp);
+}
+
+/**
+ * Which points the solver used, and since when the contact is hard to solve: since it bears far more than its bodies weigh, and they are unlike or it bears much of what either does. The arbiter is
+ * only waited for if something is new.
+ */
+function noteUse(
+  { bits, arbiters }: ContactBatch,
+  index: number,
+  before: number,
+  used: number,
+  rocks: boolean,
+  isStrained: boolean,
+  stamp: number,
+): void {
+  const was = bits[index]!;
+  const is = (was & ~USE) | (used << USED) | ((used & ~before) << FRESH) | (rocks ? ROCKS : 0);
+  if (is !== was) {
+    const pair = arbiters[index]!;
+    pair.bits = (pair.bits & ~USE) | (is & USE);
+  }
+  if (isStrained || (was & STRAINS) !== 0) {
+    const pair = arbiters[index]!;
+    pair.strainFor(isStrained ? pair.strain + 1 : 0);
+    if (pair.strain >= STRAIN_DELAY) pair.strained = stamp;
+  }
+}
+
+function areUnlike({ velocity: v }: SolverData, a: number, b: number, share: number): boolean {
+  const mA = v[a + d.INV_MASS]!;
+  const mB = v[b + d.INV_MASS]!;
+  return Math.abs(mA - mB) > share * (mA + mB);
+}
+
+/** Whether two edges turn against each other, slowly, and bear about half of all that either body does: as in a column that sways. */
+function isRocking({ velocity: v, drive }: SolverData, a: number, b: number, load: number): boolean {
+  const spin = Math.abs(v[b + d.W]! - v[a + d.W]!);
+  const loadA = drive[a + d.LOAD]!;
+  const loadB = drive[b + d.LOAD]!;
+  return (
+    spin > ROCK_SPIN &&
+    spin < TUMBLE_SPIN &&
+    load > COLUMN_PART * Math.min(a === 0 ? Infinity : loadA, b === 0 ? Infinity : loadB) &&
+    load < (1 - COLUMN_PART) * Math.max(a === 0 ? 0 : loadA, b === 0 ? 0 : loadB)
+  );
+}

@@ -1,0 +1,246 @@
+import type { RigidBody } from '../../body.js';
+import { STATIC } from '../../body-kind.js';
+import { roundness } from '../../collide/along.js';
+import * as g from '../../collide/layout.js';
+import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import { CLEARANCE, FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../../config.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import { NEAR } from '../../contact/bits.js';
+import { noteApproach } from '../../contact/hit.js';
+import * as c from '../../contact/layout.js';
+import { touch, touchAtPoint } from '../../contact/touch.js';
+import { asksFirst } from '../../events/pre-solve.js';
+import { cos, sin } from '../../math/trig.js';
+import type { Shape } from '../../shape/shape.js';
+import type { World } from '../../world.js';
+import { smoothMeeting } from '../contacts/seams.js';
+import { canGiveWay } from '../interaction.js';
+import type { Meeting } from './meeting-queue.js';
+import { findMeetings, isClear, listWays } from './meetings.js';
+import { goesFar, type Mover, type Movers } from './movers.js';
+
+/**
+ * Before the step is solved: where a fast body would meet something first, if nothing else happened, is given to the solver as a contact that is
+ * still open. So it lands within the step, together with whatever it is tied to or carries, and none of the step is lost. What bounces,
+ * turns fast or has to be asked first, and whatever this does not see, is left to the sweep of the step's true motion at its end.
+ */
+export function foresee(world: World, dt: number): void {
+  const { movers, closing } = world;
+  if (world.liveDynamics.length + world.liveKinematics.length === 0) {
+    return;
+  }
+  const average = (world.solver.substeps + 1) / (2 * world.solver.substeps);
+  movers.ahead = dt;
+  movers.foreseenCount = 0;
+  movers.bouncy = true;
+  movers.alone = world.liveKinematics.length === 0;
+  movers.space.begin();
+  movers.gain = average * dt;
+  movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
+  foreseeBullets(world);
+  foreseeKinematics(world, dt);
+  listWays(movers, movers.count);
+  for (let i = 0; i < world.liveDynamics.length; i += 1) {
+    foreseeDynamic(world, world.liveDynamics[i]!);
+  }
+  if (movers.looking + closing.count > 0) {
+    findMeetings(world, FORESIGHT_DEPTH);
+    const { meetings } = movers;
+    for (let next = meetings.first(); next !== null; next = meetings.first()) {
+      meetings.remove(next);
+      if (isFirst(world, next)) {
+        open(world, next);
+      }
+    }
+    for (let i = 0; i < closing.count; i += 1) {
+      if (!closing.items[i]!.is(NEAR)) {
+        // It slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it.
+        openAt(world, closing.items[i]!, 1);
+      }
+    }
+    world.pairs.merge();
+  }
+  closing.clear();
+  movers.clear();
+}
+
+/** What others are swept against comes first: of these most are clear of it. */
+function foreseeBullets(world: World): void {
+  const { movers, liveDynamics } = world;
+  for (let i = 0; i < liveDynamics.length; i += 1) {
+    const body = liveDynamics[i]!;
+    if (body.isBullet) {
+      movers.alone = false;
+      foreseeFalling(world, body);
+    }
+  }
+}
+
+/** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */
+function foreseeDynamic(world: World, body: RigidBody): void {
+  const { ahead, pull } = world.movers;
+  if (body.isBullet) {
+    return;
+  }
+  const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
+  if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
+    foreseeFalling(world, body);
+  }
+}
+
+function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void {
+  for (let i = 0; i < liveKinematics.length; i += 1) {
+    const body = liveKinematics[i]!;
+    movers.add(body, goesFar(body, dt)).aim(body, movers);
+  }
+}
+
+/** Of a dynamic body, with what forces add on the average of the step. */
+function foreseeFalling(world: World, body: RigidBody): void {
+  const { movers } = world;
+  const { ahead, gain } = movers;
+  body.refreshMass();
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box their results, and as `goesFar`.
+  const mass = body.mass > 0 ? 1 / body.mass : 0;
+  const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
+  const vx = body.vx + (mass > 0 ? world.gravityX + body.fx * mass : 0) * gain;
+  const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
+  const w = body.w + body.appliedTorque * inertia * gain;
+  const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
+  movers.space.reach = way + CLEARANCE;
+  if (way > SPECULATIVE_MARGIN / 2 && (body.isBullet || !isClear(world, body))) {
+    const mover = movers.add(body, true);
+    mover.dx = vx;
+    mover.dy = vy;
+    mover.turn = w;
+    goAlongContacts(world, mover, body);
+    mover.foresee(body, movers);
+  }
+}
+
+/** Takes from the velocity of a mover what goes into the static bodies that it touches; whatever does not bounce, or is a bullet in a contact whose elasticity a handler may have set, ends what `bouncy` says of the step. */
+function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, isBullet }: RigidBody): void {
+  for (let i = 0; i < shapes.length; i += 1) {
+    const { material, arbiters, groundStamp, grounds } = shapes[i]!;
+    movers.bouncy &&= material.elasticity > 0;
+    for (let k = 0; k < arbiters.length && isBullet && movers.bouncy; k += 1) {
+      movers.bouncy = arbiters[k]!.fixed === 0;
+    }
+    for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.next) {
+      const isFirst = pair.bodyB.kind === STATIC;
+      if (pair.isSolid() && (isFirst || pair.bodyA.kind === STATIC)) {
+        const { numbers: n, at: o } = pair;
+        const sign = isFirst ? 1 : -1;
+        const into = sign * (mover.dx * n[o + g.NX]! + mover.dy * n[o + g.NY]!);
+        if (into > 0) {
+          mover.dx -= sign * into * n[o + g.NX]!;
+          mover.dy -= sign * into * n[o + g.NY]!;
+        }
+      }
+    }
+  }
+}
+
+/**
+ * Of the meetings, as they come, the first of each dynamic body counts, and those with what is near it already: what lies behind the first,
+ * such as the next tile of a floor, it may never come to.
+ */
+function isFirst(world: World, { a, b, time }: Meeting): boolean {
+  const { movers } = world;
+  const isFirstOfA = movers.of(a.owner!).comesFirst(time);
+  const isFirstOfB = movers.of(b.owner!).comesFirst(time);
+  return ((isFirstOfA && isFirstOfB) || isClose(world, a, b)) && canGiveWay(a.owner!) && canGiveWay(b.owner!);
+}
+
+/** Found within the margin in this step. */
+function isClose(world: World, a: Shape, b: Shape): boolean {
+  const pair = world.pairs.find(a, b);
+  return pair !== null && pair.seen === world.timeStamp && pair.count > 0;
+}
+
+/** Opens a contact as it will be when the shapes meet, with the separation that they have before. */
+function open(world: World, { a, b, time }: Meeting): void {
+  const pair = world.pairs.obtain(a, b);
+  pair.mixMaterials();
+  if (asksFirst(pair) || pair.numbers[pair.at + c.ELASTICITY]! > 0) {
+    return;
+  }
+  if (isClose(world, a, b)) {
+    pair.mark(NEAR);
+    return;
+  }
+  const one = world.movers.of(a.owner!);
+  const two = world.movers.of(b.owner!);
+  if ((a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin) > SOLVED_TURN) {
+    return;
+  }
+  openAt(world, pair, time);
+}
+
+function openAt(world: World, pair: Arbiter, time: number): void {
+  const { shapeA: a, shapeB: b } = pair;
+  const one = world.movers.of(a.owner!);
+  const two = world.movers.of(b.owner!);
+  one.putAt(time);
+  two.putAt(time);
+  a.place(one.body);
+  b.place(two.body);
+  const isApart = !touch(pair);
+  if (isApart && time < 1) {
+    touchAtPoint(pair);
+  }
+  smoothMeeting(world, pair);
+  // Turned by that, it would meet a surface that it does not touch.
+  findLeastSeparation(pair.numbers, pair.at);
+  const isLost = isApart && time === 1 && leastSeparation[0]! <= 0;
+  if (world.events.isHitHeard(pair)) {
+    noteApproach(pair);
+  }
+  pair.foreseen = world.movers.foreseeContact();
+  moveBack(world.movers, pair, one, two, time);
+  one.putAt(0);
+  two.putAt(0);
+  a.place(one.body);
+  b.place(two.body);
+  pair.put(NEAR, pair.count > 0 && !isLost);
+  if (!pair.is(NEAR)) pair.foreseen = 0;
+}
+
+/** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
+function moveBack(
+  { foresight }: Movers,
+  { shapeA, shapeB, count, numbers: n, at: o, foreseen }: Arbiter,
+  a: Mover,
+  b: Mover,
+  time: number,
+): void {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const way = time * (nx * (b.dx - a.dx) + ny * (b.dy - a.dy));
+  const turnA = time * a.turn;
+  const turnB = time * b.turn;
+  for (let i = 0; i < count; i += 1) {
+    const ax = n[o + g.X0 + g.POINT * i]!;
+    const ay = n[o + g.Y0 + g.POINT * i]!;
+    const separation = n[o + g.S0 + g.POINT * i]!;
+    const bx = ax - n[o + g.DX]!;
+    const by = ay - n[o + g.DY]!;
+    const swingA = along(turnA, ax * nx + ay * ny - roundness(shapeA, separation), ax * ny - ay * nx);
+    const swingB = along(turnB, bx * nx + by * ny + roundness(shapeB, separation), bx * ny - by * nx);
+    const swing = swingB - swingA;
+    foresight[2 * foreseen + i] = way + swing;
+    n[o + g.S0 + g.POINT * i] = separation - way - swing;
+  }
+}
+
+/** How far an arm moves along a direction by a turn: the lengths of the arm along and across it. */
+function along(turn: number, length: number, across: number): number {
+  return (cos(turn) - 1) * length + sin(turn) * across;
+}
+
+/** The shapes have met: the separation is again that of the placement that the points were found for. */
+export function endForesight({ foresight }: Movers, { count, numbers: n, at: o, foreseen }: Arbiter): void {
+  for (let i = 0; i < count; i += 1) {
+    n[o + g.S0 + g.POINT * i] = n[o + g.S0 + g.POINT * i]! + foresight[2 * foreseen + i]!;
+  }
+}

@@ -1,0 +1,61 @@
+import { findImpactDepth, impactDepth } from '../../collide/gap.js';
+import { FORESIGHT_DEPTH, IMPACT_SHARE_THIN, IMPACT_TURN, JOINT_PATIENCE, TOUCH_DEPTH } from '../../config.js';
+import { PRE_SOLVE } from '../../listeners.js';
+import { mixElasticity } from '../../material.js';
+import { halfWidthOf, type Shape } from '../../shape/shape.js';
+import { CIRCLE } from '../../shape/shape-kind.js';
+import { isInTrain } from '../ties.js';
+import type { Mover } from './movers.js';
+
+// How deep into each other shapes that meet in a step have to get for an impact: contacts see to what gets less deep.
+
+/** What was found: how far two shapes turn against each other in the step, rad, and how deep they have to get, m. Scratch. */
+export const required = { turn: 0.5, depth: 0.5 };
+
+/**
+ * How deep two shapes have to get for an impact, to `required`, and how far they turn: circles do not. At most as deep as `depth`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
+ * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
+ */
+export function findRequired(a: Shape, b: Shape, one: Mover, two: Mover, depth: number, isNew: boolean): void {
+  findImpactDepth(a, b);
+  required.turn = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
+  const mayBeMissed = required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
+  const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
+  required.depth = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, impactDepth[0]!, thinner);
+}
+
+/**
+ * Lessens the depth that is `required` for what comes from outside, has no joints and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
+ * corners that turn. Two circles cannot slide over each other without being found first.
+ */
+export function requireLess(a: Shape, b: Shape, one: Mover, two: Mover): void {
+  if (!mayBeForeseen(a, b) && !isJointed(a, b)) {
+    const graze = a.kind === CIRCLE && b.kind === CIRCLE ? TOUCH_DEPTH : FORESIGHT_DEPTH;
+    required.depth = Math.min(required.depth, graze + dip(a, one) + dip(b, two));
+  }
+}
+
+/** m. How much deeper the corners of a shape may get than its sides, as far as it turns. */
+function dip(shape: Shape, { body, spin }: Mover): number {
+  return shape.isRound() ? 0 : Math.min(spin * body.radius, body.radius - halfWidthOf(shape));
+}
+
+/** What bounces is not, nor what handlers are asked about. */
+function mayBeForeseen(a: Shape, b: Shape): boolean {
+  return !mayBeRefused(a, b) && !areElastic(a, b);
+}
+
+/** Handlers are asked about what meets. */
+export function mayBeRefused(a: Shape, b: Shape): boolean {
+  return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
+}
+
+/** Whether what meets bounces, as their materials say. */
+export function areElastic(a: Shape, b: Shape): boolean {
+  return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
+}
+
+/** What only hangs on static bodies, as a flipper does, is not: it stays on its way when it is put back. */
+export function isJointed(a: Shape, b: Shape): boolean {
+  return isInTrain(a.owner!) || isInTrain(b.owner!);
+}

@@ -1,0 +1,331 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
+import * as g from '../../collide/layout.js';
+import {
+  BOUNCE_THRESHOLD,
+  CONTACT_SLOP,
+  IMPACT_ITERATIONS,
+  IMPACT_TOLERANCE,
+  MAX_CONDITION,
+  STATIC_FRICTION_SPEED_SQUARED,
+} from '../../config.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import { USED } from '../../contact/bits.js';
+import * as c from '../../contact/layout.js';
+import { List } from '../../math/list.js';
+import type { World } from '../../world.js';
+import { normalGain } from '../contacts/bounce.js';
+import { isMoving } from '../contacts/pack-contacts.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import { Ledger } from './no-gain.js';
+
+/** One point of an impact. */
+class Point {
+  /** Whether it takes part. */
+  isUsed = false;
+  /** Arms, as in the records of contacts. */
+  rnA = 0.5;
+  rnB = 0.5;
+  rtA = 0.5;
+  rtB = 0.5;
+  /** What an impulse along the normal adds to the velocity there, and what impulse adds one along the tangent. */
+  give = 0.5;
+  tangentMass = 0.5;
+  /** What has to be reached along the normal, with the sign changed. */
+  leave = 0.5;
+  friction = 0.5;
+  /** Velocity of B against A there. */
+  comes = 0.5;
+  slides = 0.5;
+  /** What has been given, and what is to be. */
+  normal = 0.5;
+  tangent = 0.5;
+  nextNormal = 0.5;
+  nextTangent = 0.5;
+  /** What was given with friction, while it is solved without. */
+  normalRubbed = 0.5;
+  tangentRubbed = 0.5;
+}
+
+/** What two shapes that meet give each other. */
+class Impact {
+  pair!: Arbiter;
+  readonly points = [new Point(), new Point()] as const;
+  /** Inverse masses and inertias of the bodies. */
+  massA = 0.5;
+  massB = 0.5;
+  inertiaA = 0.5;
+  inertiaB = 0.5;
+}
+
+/** Those that come at once: scratch. What lies beyond the count is for later. */
+const impacts: Impact[] = [];
+let count = 0;
+
+/** All bodies that these move, and their energy: scratch. */
+const bodies = /* @__PURE__ */ new List<RigidBody>();
+const ledger = /* @__PURE__ */ new Ledger();
+
+/**
+ * Gives the bodies of pairs that meet at once, and have to do with each other, the impulses of their impacts: restitution and friction as in the solver, of each pair first the friction of each point, then both normals
+ * together, and so on, until nothing changes. One after the other a box that falls flat on two tiles would be thrown over by the first. They are added to those of the step, and nothing is kept for the next one to start
+ * from, as an impact does not go on.
+ */
+export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
+  count = pairs.count;
+  bodies.clear();
+  for (let i = 0; i < count; i += 1) {
+    if (i === impacts.length) {
+      impacts.push(new Impact());
+    }
+    begin(solver, impacts[i]!, pairs.items[i]!);
+  }
+  ledger.open(bodies.count);
+  noteVelocities(ledger.before);
+  solve();
+  keepEnergy();
+  for (let i = 0; i < count; i += 1) {
+    storeImpulses(impacts[i]!);
+  }
+}
+
+function begin(data: SolverData, impact: Impact, pair: Arbiter): void {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+  impact.pair = pair;
+  a.refreshMass();
+  b.refreshMass();
+  // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+  impact.massA = a.kind === DYNAMIC && a.mass > 0 ? 1 / a.mass : 0;
+  impact.massB = b.kind === DYNAMIC && b.mass > 0 ? 1 / b.mass : 0;
+  impact.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
+  impact.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
+  for (let which = 0; which < 2; which += 1) {
+    setPoint(data, impact, which, which < pair.count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
+  }
+  listBody(a);
+  listBody(b);
+}
+
+function listBody(body: RigidBody): void {
+  if (body.kind === DYNAMIC && !isListed(body)) {
+    bodies.add(body);
+  }
+}
+
+function isListed(body: RigidBody): boolean {
+  for (let k = 0; k < bodies.count; k += 1) {
+    if (bodies.items[k] === body) return true;
+  }
+  return false;
+}
+
+function noteVelocities(into: Float64Array): void {
+  for (let k = 0; k < bodies.count; k += 1) {
+    const { vx, vy, w } = bodies.items[k]!;
+    into[3 * k] = vx;
+    into[3 * k + 1] = vy;
+    into[3 * k + 2] = w;
+  }
+}
+
+function setVelocities(from: Float64Array): void {
+  for (let k = 0; k < bodies.count; k += 1) {
+    const body = bodies.items[k]!;
+    body.vx = from[3 * k]!;
+    body.vy = from[3 * k + 1]!;
+    body.w = from[3 * k + 2]!;
+  }
+}
+
+function noteWeights(): void {
+  const { weights } = ledger;
+  for (let k = 0; k < bodies.count; k += 1) {
+    const { mass, inertia } = bodies.items[k]!;
+    weights[3 * k] = mass < Infinity ? mass : 0;
+    weights[3 * k + 1] = weights[3 * k]!;
+    weights[3 * k + 2] = inertia < Infinity ? inertia : 0;
+  }
+}
+
+function solve(): void {
+  const most = IMPACT_ITERATIONS * count;
+  for (let i = 0, changed = true; i < most && changed; i += 1) {
+    changed = false;
+    for (let k = 0; k < count; k += 1) {
+      changed = solveOne(impacts[k]!) || changed;
+    }
+  }
+}
+
+/** @returns as `push`. */
+function solveOne(impact: Impact): boolean {
+  const rubbed = rub(impact, impact.points[0]);
+  const rubs = rub(impact, impact.points[1]) || rubbed;
+  return solveNormals(impact) || rubs;
+}
+
+/** Takes as much of friction from the impacts as makes energy; what drives or is set to bounce higher may make it. */
+function keepEnergy(): void {
+  noteWeights();
+  noteVelocities(ledger.after);
+  for (let i = 0; i < count; i += 1) {
+    if (mayGain(impacts[i]!)) return;
+  }
+  if (!ledger.gains()) {
+    return;
+  }
+  setVelocities(ledger.before);
+  for (let i = 0; i < count; i += 1) {
+    impacts[i]!.points.forEach(beginWithoutFriction);
+  }
+  solve();
+  noteVelocities(ledger.without);
+  const kept = ledger.lessen();
+  setVelocities(ledger.without);
+  for (let i = 0; i < count; i += 1) {
+    for (const point of impacts[i]!.points) {
+      point.normal += kept * (point.normalRubbed - point.normal);
+      point.tangent = kept * point.tangentRubbed;
+    }
+  }
+}
+
+function mayGain({ pair: { bodyA, bodyB, numbers: n, at: o } }: Impact): boolean {
+  return drives(bodyA) || drives(bodyB) || n[o + c.ELASTICITY]! > 1;
+}
+
+/** By a motion that nothing stops, or by its surface. */
+function drives(body: RigidBody): boolean {
+  return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : isMoving(body);
+}
+
+function beginWithoutFriction(point: Point): void {
+  point.normalRubbed = point.normal;
+  point.tangentRubbed = point.tangent;
+  point.normal = 0;
+  point.tangent = 0;
+  point.friction = 0;
+}
+
+function storeImpulses({ pair, points }: Impact): void {
+  const { numbers: n, at: o } = pair;
+  for (let which = 0; which < 2; which += 1) {
+    const { isUsed, normal, tangent } = points[which]!;
+    if (isUsed) {
+      const at = c.IMPULSES * which;
+      n[o + c.STEP_NORMAL + at] = n[o + c.STEP_NORMAL + at]! + normal;
+      n[o + c.STEP_TANGENT + at] = n[o + c.STEP_TANGENT + at]! + tangent;
+      pair.mark(1 << (USED + which));
+    }
+  }
+}
+
+/** Velocities of B against A at a point. */
+function measure({ pair }: Impact, point: Point): void {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const dvx = b.vx - a.vx;
+  const dvy = b.vy - a.vy;
+  point.comes = nx * dvx + ny * dvy + point.rnB * b.w - point.rnA * a.w;
+  point.slides = nx * dvy - ny * dvx + point.rtB * b.w - point.rtA * a.w;
+}
+
+/** One that takes no part has no arms and no friction, and never comes. */
+function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boolean): void {
+  const { pair, points, massA, massB, inertiaA, inertiaB } = impact;
+  const point = points[which]!;
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const ax = isUsed ? n[o + g.X0 + g.POINT * which]! : 0;
+  const ay = isUsed ? n[o + g.Y0 + g.POINT * which]! : 0;
+  const bx = isUsed ? ax - n[o + g.DX]! : 0;
+  const by = isUsed ? ay - n[o + g.DY]! : 0;
+  const mass = massA + massB;
+  point.isUsed = isUsed;
+  point.rnA = ax * ny - ay * nx;
+  point.rnB = bx * ny - by * nx;
+  point.rtA = ax * nx + ay * ny;
+  point.rtB = bx * nx + by * ny;
+  const kn = mass + inertiaA * point.rnA * point.rnA + inertiaB * point.rnB * point.rnB;
+  const kt = mass + inertiaA * point.rtA * point.rtA + inertiaB * point.rtB * point.rtB;
+  measure(impact, point);
+  const { comes, slides } = point;
+  const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
+  point.give = kn > 0 ? kn : d.IMMOVABLE;
+  point.tangentMass = kt > 0 ? 1 / kt : 0;
+  point.leave = isUsed ? bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY) : Infinity;
+  point.friction =
+    slides * slides > STATIC_FRICTION_SPEED_SQUARED ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+  point.normal = 0;
+  point.tangent = 0;
+}
+
+/**
+ * The least velocity that a bounce ends with, with the sign changed: −e times the one before, also for a point that is leaving and that the bounce of
+ * another turns back, to bounce in its turn (Moreau 1988). If it had to keep from coming back, both would leave faster than they came.
+ * A velocity that the next sub-step starts from is by half of what forces add in one behind the true one: so that is added for the bounce, which
+ * keeps the height of a bouncing ball.
+ */
+function bounceSpeed(elasticity: number, comes: number, gain: number): number {
+  const leaves = elasticity * comes;
+  return leaves > BOUNCE_THRESHOLD ? leaves : leaves < -BOUNCE_THRESHOLD ? leaves + 0.5 * (elasticity + 1) * gain : 0;
+}
+
+/** Friction at a point. @returns as `push`. */
+function rub(impact: Impact, point: Point): boolean {
+  const { pair } = impact;
+  measure(impact, point);
+  const slide = point.slides - (pair.bodyA.surfaceX + pair.bodyB.surfaceX);
+  const limit = point.friction * point.normal;
+  point.nextNormal = point.normal;
+  point.nextTangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
+  return push(impact, point);
+}
+
+/** Both normals, as `solveVelocityTwo`: one after the other they would come near very slowly where points lie close together. @returns as `push`. */
+function solveNormals(impact: Impact): boolean {
+  const { points, massA, massB, inertiaA, inertiaB } = impact;
+  const [one, two] = points;
+  measure(impact, one);
+  measure(impact, two);
+  const k11 = one.give;
+  const k22 = two.give;
+  const k12 = massA + massB + inertiaA * one.rnA * two.rnA + inertiaB * one.rnB * two.rnB;
+  const det = k11 * k22 - k12 * k12;
+  const b1 = one.comes + one.leave - k11 * one.normal - k12 * two.normal;
+  const b2 = two.comes + two.leave - k12 * one.normal - k22 * two.normal;
+  one.nextNormal = (k12 * b2 - k22 * b1) / det;
+  two.nextNormal = (k12 * b1 - k11 * b2) / det;
+  if (!(k11 * k11 < MAX_CONDITION * det && one.nextNormal >= 0 && two.nextNormal >= 0)) {
+    const first = Math.max(0, -b1 / k11);
+    const second = Math.max(0, -b2 / k22);
+    const isFirst = k12 * first + b2 >= 0 || k12 * second + b1 < 0;
+    one.nextNormal = isFirst ? first : 0;
+    two.nextNormal = isFirst ? 0 : second;
+  }
+  one.nextTangent = one.tangent;
+  two.nextTangent = two.tangent;
+  const pushed = push(impact, one);
+  return push(impact, two) || pushed;
+}
+
+/** Gives B what a point is to have more than it has, and A the opposite. @returns whether that changed a velocity. */
+function push({ pair, massA, massB, inertiaA, inertiaB }: Impact, point: Point): boolean {
+  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+  const p = point.nextNormal - point.normal;
+  const t = point.nextTangent - point.tangent;
+  const x = n[o + g.NX]! * p - n[o + g.NY]! * t;
+  const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
+  a.vx -= x * massA;
+  a.vy -= y * massA;
+  a.w -= (point.rnA * p + point.rtA * t) * inertiaA;
+  b.vx += x * massB;
+  b.vy += y * massB;
+  b.w += (point.rnB * p + point.rtB * t) * inertiaB;
+  point.normal = point.nextNormal;
+  point.tangent = point.nextTangent;
+  return Math.abs(p) * point.give > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;
+}

@@ -1,0 +1,76 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import { FOUND_LATE } from '../../events/events.js';
+import { grown } from '../../math/doubles.js';
+import { List } from '../../math/list.js';
+import type { World } from '../../world.js';
+import { solveImpacts } from './impact.js';
+import { beginLate } from './strike.js';
+
+// Surfaces that were apart when the step began and met during it, as the solver foresaw: the interaction begins late in the step. If it was in the last sub-step they still have the speed that brought them together by
+// the end of it, which is an impact, of all at once that meet the same bodies.
+
+/** The pairs that met: scratch, as all that follows. */
+const met = /* @__PURE__ */ new List<Arbiter>();
+/** Of each whether its impact is solved, and those that are to be solved at once. */
+const isSolved: boolean[] = [];
+const pairs = /* @__PURE__ */ new List<Arbiter>();
+/** The sides of pair k are 2 k and 2 k + 1. Of the slot of each dynamic body the last side with it, plus 1, and of each side the one before. */
+let lastSide = new Int32Array(0);
+const sideBefore: number[] = [];
+
+export function noteMet(pair: Arbiter): void {
+  met.add(pair);
+}
+
+/** Gives all that met the impulses of their impacts, and tells of them. */
+export function settleMet(world: World): void {
+  if (met.count === 0) {
+    return;
+  }
+  if (lastSide.length <= world.liveDynamics.length) {
+    lastSide = new Int32Array(grown(world.liveDynamics.length + 1));
+  }
+  for (let k = 0; k < met.count; k += 1) {
+    isSolved[k] = false;
+    link(2 * k, met.items[k]!.bodyA);
+    link(2 * k + 1, met.items[k]!.bodyB);
+  }
+  for (let k = 0; k < met.count; k += 1) {
+    if (!isSolved[k]) {
+      gather(k);
+      solveImpacts(world, pairs);
+    }
+  }
+  for (let k = 0; k < met.count; k += 1) {
+    beginLate(world, met.items[k]!);
+    world.events.hit(met.items[k]!, FOUND_LATE);
+  }
+  lastSide.fill(0);
+  met.clear();
+}
+
+function link(side: number, { kind, slot }: RigidBody): void {
+  if (kind === DYNAMIC) {
+    sideBefore[side] = lastSide[slot]!;
+    lastSide[slot] = side + 1;
+  }
+}
+
+/** Lists, as `pairs`, one and all others of its dynamic body with the same partner or, if that is none that gives way, with any such. */
+function gather(first: number): void {
+  pairs.clear();
+  const { bodyA, bodyB } = met.items[first]!;
+  const isA = bodyA.kind === DYNAMIC;
+  const body = isA ? bodyA : bodyB;
+  const partner = isA ? bodyB : bodyA;
+  for (let side = lastSide[body.slot]!; side > 0; side = sideBefore[side - 1]!) {
+    const k = (side - 1) >> 1;
+    const other = met.items[k]!.bodyA === body ? met.items[k]!.bodyB : met.items[k]!.bodyA;
+    if (!isSolved[k] && (other === partner || (other.kind !== DYNAMIC && partner.kind !== DYNAMIC))) {
+      isSolved[k] = true;
+      pairs.add(met.items[k]!);
+    }
+  }
+}

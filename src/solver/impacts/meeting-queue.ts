@@ -1,0 +1,143 @@
+import { DYNAMIC, KINEMATIC } from '../../body-kind.js';
+import type { Shape } from '../../shape/shape.js';
+import type { Mover } from './movers.js';
+
+/** Two shapes that meet on their ways, and when. Used again and again. */
+export class Meeting {
+  /** 0 where the step began, 1 where it ended; infinite: they do not meet unless something stops one of them before. */
+  time = 0.5;
+  /** The time is not yet known, only that it is no earlier. */
+  isOpen = false;
+  /** Place in the heap, −1 while it is not in it. */
+  slot = -1;
+  /** The next meeting of each of the two bodies. */
+  nextOfA: Meeting | null = null;
+  nextOfB: Meeting | null = null;
+
+  constructor(
+    public a: Shape,
+    public b: Shape,
+  ) {}
+
+  /** The meeting after this one in the list of a body. */
+  nextOf({ body }: Mover): Meeting | null {
+    return this.a.owner === body ? this.nextOfA : this.nextOfB;
+  }
+}
+
+/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes; those that never come in no order. */
+function comesBefore(one: Meeting, two: Meeting): boolean {
+  if (one.time !== two.time || one.time === Infinity) {
+    return one.time < two.time;
+  }
+  const kinematic = isKinematic(one);
+  if (kinematic !== isKinematic(two)) {
+    return kinematic;
+  }
+  return one.a.id !== two.a.id ? one.a.id < two.a.id : one.b.id < two.b.id;
+}
+
+function isKinematic({ a, b }: Meeting): boolean {
+  return a.owner!.kind === KINEMATIC || b.owner!.kind === KINEMATIC;
+}
+
+/** The meetings of a step, in a binary heap that gives the first one, and in a list for each dynamic body. */
+export class MeetingQueue {
+  /** In the order in which they were found. What lies beyond the count is for later. */
+  readonly all: Meeting[] = [];
+  count = 0;
+  private readonly heap: Meeting[] = [];
+  private size = 0;
+
+  clear(): void {
+    this.count = 0;
+    this.size = 0;
+  }
+
+  /** A meeting of two shapes that is not among the others until it is added. */
+  draft(one: Shape, two: Shape): Meeting {
+    if (this.count === this.all.length) {
+      this.all.push(new Meeting(one, two));
+    }
+    const meeting = this.all[this.count]!;
+    meeting.a = one.id < two.id ? one : two;
+    meeting.b = one.id < two.id ? two : one;
+    meeting.slot = -1;
+    meeting.isOpen = false;
+    return meeting;
+  }
+
+  /** Adds the draft; one that `comes` waits for its turn. */
+  add(meeting: Meeting, one: Mover, two: Mover, comes: boolean): void {
+    this.count += 1;
+    if (!comes) {
+      return;
+    }
+    meeting.nextOfA = one.meetings;
+    meeting.nextOfB = two.meetings;
+    if (one.body.kind === DYNAMIC) {
+      one.meetings = meeting;
+    }
+    if (two.body.kind === DYNAMIC) {
+      two.meetings = meeting;
+    }
+    this.size += 1;
+    this.rise(meeting, this.size - 1);
+  }
+
+  /** The meeting that comes first; `null` if there is none. */
+  first(): Meeting | null {
+    return this.size > 0 ? this.heap[0]! : null;
+  }
+
+  /** Takes out a meeting that comes now, or will not be. */
+  remove(meeting: Meeting): void {
+    const { slot } = meeting;
+    meeting.slot = -1;
+    this.size -= 1;
+    if (slot < this.size) {
+      this.put(this.heap[this.size]!, slot);
+    }
+  }
+
+  /** To be called when the time of a meeting has changed. */
+  put(meeting: Meeting, slot = meeting.slot): void {
+    this.rise(meeting, slot);
+    this.sink(meeting, meeting.slot);
+  }
+
+  private rise(meeting: Meeting, from: number): void {
+    const { heap } = this;
+    let slot = from;
+    while (slot > 0) {
+      const above = heap[(slot - 1) >> 1]!;
+      if (!comesBefore(meeting, above)) {
+        break;
+      }
+      heap[slot] = above;
+      above.slot = slot;
+      slot = (slot - 1) >> 1;
+    }
+    heap[slot] = meeting;
+    meeting.slot = slot;
+  }
+
+  private sink(meeting: Meeting, from: number): void {
+    const { heap, size } = this;
+    let slot = from;
+    for (let below = 2 * slot + 1; below < size; below = 2 * slot + 1) {
+      if (below + 1 < size && comesBefore(heap[below + 1]!, heap[below]!)) {
+        below += 1;
+      }
+      const next = heap[below]!;
+      if (!comesBefore(next, meeting)) {
+        break;
+      }
+      heap[slot] = next;
+      next.slot = slot;
+      slot = below;
+    }
+    heap[slot] = meeting;
+    meeting.slot = slot;
+  }
+}

@@ -1,0 +1,381 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
+import * as g from '../../collide/layout.js';
+import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import {
+  DEEPER_CARRIED,
+  DEEPER_SHARE,
+  IMPACT_DEPTH,
+  IMPACT_TURN,
+  MEET_PATIENCE,
+  SAME_TIME,
+  SPECULATIVE_MARGIN,
+  SWEEP_TOLERANCE,
+  TOUCH_DEPTH,
+} from '../../config.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import { ACCEPTED, NEAR } from '../../contact/bits.js';
+import * as c from '../../contact/layout.js';
+import { crossing, REACHED } from '../../geometry/crossing.js';
+import { Middle } from '../../geometry/middle.js';
+import { findImpact, findNext, Sweep } from '../../geometry/sweep.js';
+import { materials } from '../../material.js';
+import { halfWidthOf, type Shape } from '../../shape/shape.js';
+import type { World } from '../../world.js';
+import { mayInteract } from '../interaction.js';
+import { areElastic, findRequired, isJointed, mayBeRefused, required, requireLess } from './impact-depth.js';
+import type { Meeting } from './meeting-queue.js';
+import type { Mover, Movers } from './movers.js';
+import { findNearby } from './nearby.js';
+import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
+
+const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
+const middle = /* @__PURE__ */ new Middle();
+const bounds = new Float64Array(4);
+const around = new Float64Array(4);
+
+export function isSensed(a: Shape, b: Shape): boolean {
+  return a.sensor || b.sensor;
+}
+
+/**
+ * Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. Kinematic bodies that are awake have movers, and
+ * while a step is foreseen the ways are listed.
+ */
+export function findMeetings(world: World, depth: number): void {
+  const { movers } = world;
+  const { count } = movers;
+  // What bounces is never foreseen: here no two of all that move far.
+  const isBouncy = movers.bouncy && world.liveKinematics.length === 0;
+  movers.meetings.clear();
+  for (let i = 0; i < count; i += 1) {
+    const mover = movers.all[i]!;
+    if (mover.looks && (!isBouncy || materials.someDeaden || !meetsMovers(mover))) {
+      meetStill(world, mover, count, depth);
+      if (movers.ahead === 0 && world.liveKinematics.length === 0) shorten(world, mover);
+    }
+  }
+  if (movers.ahead === 0) listWays(movers, count);
+  for (let i = 0; i < count && movers.ways.count > 0 && !isBouncy; i += 1) {
+    meetWays(world, i, depth);
+  }
+}
+
+/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves, of the first `count` movers. */
+export function listWays(movers: Movers, count: number): void {
+  const { ways } = movers;
+  ways.clear();
+  for (let i = 0; i < count; i += 1) {
+    const mover = movers.all[i]!;
+    if (!meetsMovers(mover)) {
+      continue;
+    }
+    const { shapes } = mover.body;
+    for (let k = 0; k < shapes.length; k += 1) {
+      sweepBounds(mover, shapes[k]!, bounds);
+      ways.add(shapes[k]!, i, bounds);
+    }
+  }
+}
+
+/**
+ * Nothing that a body which is no bullet might be swept against is near it, wherever it goes in this step, which is no farther than `reach` of the clear space: then
+ * it need not be looked at, now or at the end of the step. Bullets that come all the same are swept themselves.
+ */
+export function isClear(world: World, body: RigidBody): boolean {
+  const { alone, space } = world.movers;
+  if (!(alone && space.holds(body))) {
+    if (alone) space.search(world, body);
+    for (let i = 0; i < body.shapes.length; i += 1) {
+      growBounds(body.shapes[i]!, space, bounds);
+      if (comesNear(world.movers) || !isAmidSensors(world, body.shapes[i]!)) {
+        return false;
+      }
+    }
+  }
+  body.clearance = space.reach;
+  return true;
+}
+
+/** All that is still and may come into `bounds` is sensors that the shape is in already: zones, which take no notice of its way. */
+function isAmidSensors(world: World, shape: Shape): boolean {
+  const { nearby, meetings } = world.movers;
+  for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
+    const { a, b } = meetings.draft(shape, nearby.shapes[k]!);
+    if (!nearby.shapes[k]!.sensor || !world.pairs.find(a, b)?.active) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Whether a kinematic shape or a bullet may come into `bounds` on its way. */
+function comesNear({ all, ways }: Movers): boolean {
+  const size = ways.find(bounds);
+  for (let i = 0; i < size; i += 1) {
+    const way = ways.found[i]!;
+    if (!isBeyondEdge(all[ways.movers[way]!]!, ways.shapes[way]!, bounds)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
+function meetStill(world: World, mover: Mover, count: number, depth: number): void {
+  const { movers } = world;
+  const { shapes, kind } = mover.body;
+  const areAllMovers = count === world.liveDynamics.length + world.liveKinematics.length;
+  for (let i = 0; i < shapes.length; i += 1) {
+    const shape = shapes[i]!;
+    if (isUnforeseen(movers, shape)) continue;
+    sweepBounds(mover, shape, bounds);
+    const size = findNearby(world, bounds, !areAllMovers && meetsMovers(mover), count);
+    for (let k = 0; k < size; k += 1) {
+      const other = movers.nearby.shapes[k]!;
+      if (kind === DYNAMIC || !isPassed(world, mover, shape, other)) {
+        note(world, shape, other, depth);
+      }
+    }
+  }
+}
+
+/**
+ * What meets something static stops there for the rest of the step, unless something stops it before, and where nothing is kinematic nothing carries it on. So of two bullets
+ * in rooms of their own neither can come to the other, and of several walls in a row only the first is met.
+ */
+function shorten(world: World, mover: Mover): void {
+  const { meetings } = world.movers;
+  let first = mover.firstMeeting();
+  while (first?.isOpen) {
+    findTime(world, first);
+    first = mover.firstMeeting();
+  }
+  if (first === null || first.time === Infinity || !stops(world, first)) {
+    return;
+  }
+  mover.until = first.time;
+  for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
+    if (other.slot >= 0 && other.time > first.time + SAME_TIME && isWithStatic(other)) {
+      meetings.remove(other);
+    }
+  }
+}
+
+/** A meeting with something static that begins in this step, and that no handler is asked about. */
+function stops(world: World, meeting: Meeting): boolean {
+  const { a, b } = meeting;
+  return isWithStatic(meeting) && !mayBeRefused(a, b) && world.pairs.find(a, b)?.active !== true;
+}
+
+function isWithStatic({ a, b }: Meeting): boolean {
+  return a.owner!.kind === STATIC || b.owner!.kind === STATIC;
+}
+
+/** What a sensor will be crossed by is not foreseen. */
+function isUnforeseen({ ahead }: Movers, { sensor }: Shape): boolean {
+  return sensor && ahead > 0;
+}
+
+/** Whether a kinematic shape certainly misses one that was not looked at. */
+function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): boolean {
+  widenBounds(other, movers.ahead > 0, around);
+  return isBeyondEdge(mover, shape, around);
+}
+
+/** A mover with all ways that were listed; one of both sweeps. */
+function meetWays(world: World, index: number, depth: number): void {
+  const { movers } = world;
+  const { ways } = movers;
+  const mover = movers.all[index]!;
+  const isListed = meetsMovers(mover);
+  const { shapes } = mover.body;
+  for (let i = 0; i < shapes.length; i += 1) {
+    if (isUnforeseen(movers, shapes[i]!)) continue;
+    sweepBounds(mover, shapes[i]!, bounds);
+    const size = ways.find(bounds);
+    for (let k = 0; k < size; k += 1) {
+      const way = ways.found[k]!;
+      const other = ways.movers[way]!;
+      const isOnce = other < index || !isListed;
+      const isFar = movers.ahead > 0 && isBeyondEdge(movers.all[other]!, ways.shapes[way]!, bounds);
+      if (isOnce && !isFar && (mover.looks || movers.all[other]!.looks)) {
+        note(world, ways.shapes[way]!, shapes[i]!, depth);
+      }
+    }
+  }
+}
+
+/** Is swept against dynamic bodies: a bullet that is fast, or kinematic. */
+function meetsMovers({ body, sweeps }: Mover): boolean {
+  return (body.isBullet && sweeps) || body.kind !== DYNAMIC;
+}
+
+function isSwept(one: Mover, two: Mover): boolean {
+  return meetsMovers(one) || meetsMovers(two);
+}
+
+/** Notes two shapes that may interact, do not yet in this step, and meet. What will bounce is not foreseen. */
+function note(world: World, one: Shape, two: Shape, depth: number): void {
+  const { movers, pairs } = world;
+  const meeting = movers.meetings.draft(one, two);
+  const { a, b } = meeting;
+  if ((movers.ahead > 0 && isSensed(a, b)) || !mayInteract(a, b)) {
+    return;
+  }
+  if (!isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
+    return;
+  }
+  const pair = pairs.find(a, b);
+  const waits = isKnown(pair, movers, depth);
+  if ((waits && !pair!.is(ACCEPTED)) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
+    return;
+  }
+  if (movers.ahead === 0 || waits || !bounces(pair, a, b)) {
+    list(world, meeting, depth, waits);
+  }
+}
+
+/**
+ * At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. Others wait for something to stop
+ * one of both: those that would pass each other, and those that the solver kept apart as if nothing would.
+ */
+function list(world: World, meeting: Meeting, depth: number, waits: boolean): void {
+  const { movers } = world;
+  const { a, b } = meeting;
+  const comes = !waits && mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b);
+  const isOpen = movers.ahead === 0 && !isSensed(a, b);
+  if (!comes && (!isOpen || a.owner!.kind === STATIC || b.owner!.kind === STATIC)) {
+    return;
+  }
+  meeting.isOpen = isOpen;
+  meeting.time = comes ? crossing[REACHED]! : Infinity;
+  if (isOpen || meets(world, meeting, depth)) {
+    add(world, meeting);
+  }
+}
+
+/** Finds the time of a meeting that waits for its turn; of one that does not come as things are it is infinite. */
+export function findTime(world: World, meeting: Meeting): void {
+  const { movers } = world;
+  const { a, b } = meeting;
+  const one = movers.of(a.owner!);
+  const two = movers.of(b.owner!);
+  const { time } = meeting;
+  meeting.isOpen = false;
+  const isNever = (isStill(one) && isStill(two)) || isElsewhere(one, a, two) || isElsewhere(two, b, one);
+  if (isNever || !meets(world, meeting, IMPACT_DEPTH)) {
+    meeting.time = Infinity;
+  }
+  if (meeting.time !== time) {
+    movers.meetings.put(meeting);
+  }
+}
+
+/** Kinematic, and goes on whatever it meets. */
+export function carries(mover: Mover): boolean {
+  return mover.body.kind === KINEMATIC && !isStill(mover);
+}
+
+/** Stopped, and not carried along. */
+function isStill({ dx, dy, turn }: Mover): boolean {
+  return dx === 0 && dy === 0 && turn === 0;
+}
+
+/** Whether a shape, if nothing met it, does not come to where another body may be, from where it was stopped on; that of a static one has no radius. */
+function isElsewhere(mover: Mover, shape: Shape, { x, y, dx, dy, body }: Mover): boolean {
+  if (mover.met || body.kind === STATIC) {
+    return false;
+  }
+  const reach = Math.abs(dx) + Math.abs(dy) + body.radius + SPECULATIVE_MARGIN / 2;
+  sweepBounds(mover, shape, around);
+  return around[0]! > x + reach || around[1]! > y + reach || around[2]! < x - reach || around[3]! < y - reach;
+}
+
+function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
+  if (pair === null) {
+    return areElastic(a, b);
+  }
+  pair.mixMaterials();
+  return pair.numbers[pair.at + c.ELASTICITY]! > 0;
+}
+
+function add({ movers }: World, meeting: Meeting): void {
+  const { a, b } = meeting;
+  movers.meetings.add(meeting, movers.of(a.owner!), movers.of(b.owner!), !isSensed(a, b));
+}
+
+/**
+ * The solver has seen to the pair, or need not. A contact keeps its normal for the whole step: where bodies turn meanwhile, surfaces get as deep
+ * as they go sideways, times the turn.
+ */
+function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
+  if (pair === null || !(pair.active || pair.is(NEAR))) {
+    return false;
+  }
+  if (!pair.is(ACCEPTED) || movers.ahead > 0) {
+    return true;
+  }
+  const a = movers.of(pair.bodyA);
+  const b = movers.of(pair.bodyB);
+  const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
+  findRequired(pair.shapeA, pair.shapeB, a, b, depth, false);
+  return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
+}
+
+/** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and than is `required`: what is hit hard towards a wall may not stop there. */
+function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boolean {
+  const came = n[o + g.NX]! * (a.dx - b.dx) + n[o + g.NY]! * (a.dy - b.dy);
+  findLeastSeparation(n, o);
+  return count === 0 || came - Math.max(leastSeparation[0]!, 0) < required.depth;
+}
+
+/**
+ * Sweeps the middle of the thinner of two shapes from a time on. What turns fast may get deep with its corners again and again, but where it could slip into the joint of two tiles, of which it is
+ * not deep in either, its middle gets there too.
+ */
+function middleMeets(a: Shape, b: Shape, time: number): boolean {
+  const isA = halfWidthOf(a) < halfWidthOf(b);
+  middle.shape = isA ? a : b;
+  (isA ? sweep.a : sweep.b).shape = middle;
+  sweep.time = time;
+  sweep.target = 0;
+  return findImpact(sweep) && sweep.time > time;
+}
+
+/**
+ * Finds when two shapes first touch, not before they were last stopped, if they do, and will get deeper than contacts leave: what slides over the joint of
+ * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
+ * are put back: when they are that deep.
+ */
+export function meets(world: World, meeting: Meeting, depth: number): boolean {
+  const { a, b } = meeting;
+  const one = world.movers.of(a.owner!);
+  const two = world.movers.of(b.owner!);
+  one.follow(sweep.a, a, one);
+  two.follow(sweep.b, b, one);
+  const from = Math.max(one.from, two.from);
+  sweep.time = from;
+  sweep.tolerance = SWEEP_TOLERANCE;
+  sweep.most = 1;
+  if (isSensed(a, b)) {
+    // What leaves may still be as near as rounding: it has to overlap by as much.
+    sweep.target = -2 * SWEEP_TOLERANCE;
+    const isMet = findImpact(sweep);
+    meeting.time = sweep.time;
+    return isMet;
+  }
+  findRequired(a, b, one, two, depth, true);
+  sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
+  if (!findImpact(sweep)) {
+    return false;
+  }
+  const { time } = sweep;
+  if (time > from) requireLess(a, b, one, two);
+  const isCarried = carries(one) || carries(two);
+  const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * required.depth;
+  sweep.target = Math.min(-required.depth, sweep.distance.value - more);
+  const isDeep = findNext(sweep) || (required.turn >= IMPACT_TURN && middleMeets(a, b, time));
+  meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;
+  return isDeep;
+}

@@ -1,0 +1,365 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC, STATIC } from '../../body-kind.js';
+import { SAME_TIME, SPECULATIVE_MARGIN } from '../../config.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import * as c from '../../contact/layout.js';
+import type { Travel } from '../../geometry/sweep.js';
+import { grown, widened } from '../../math/doubles.js';
+import type { Shape } from '../../shape/shape.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import { isTied } from '../ties.js';
+import { ClearSpace } from './clear-space.js';
+import { type Meeting, MeetingQueue } from './meeting-queue.js';
+import { Nearby } from './nearby.js';
+import { Ways } from './ways.js';
+
+/** Whole turns within a step change nothing. */
+const TURN = 2 * Math.PI;
+
+/** Times what forces add to a velocity in a step: a bounce adds more … */
+const SUDDEN = 2;
+/** … and of what it adds, more than this share is left when it is over. */
+const TURNED_BACK = 0.01;
+
+/**
+ * A body on its way through a step, from time 0 to 1: one that is foreseen, or one that was just solved, seen from its end. Its numbers are fractions before they are set: where the
+ * first one comes late, all that was compiled for integers would be thrown away.
+ */
+export class Mover {
+  body!: RigidBody;
+  /** Looks for what it may meet; others are only met. */
+  looks = false;
+  /** Moved so far that it may have passed something. */
+  sweeps = false;
+  /** Something met it on its way. */
+  met = false;
+  /** An impact ended its way. */
+  stopped = false;
+  /** Velocities at the start of the step. */
+  vx = 0.5;
+  vy = 0.5;
+  w = 0.5;
+  /** The time for which the body was put somewhere last. */
+  at = 0.5;
+  /** Where the body was at time `from`, and how it goes on from there to time 1. */
+  from = 0.5;
+  x = 0.5;
+  y = 0.5;
+  angle = 0.5;
+  dx = 0.5;
+  dy = 0.5;
+  turn = 0.5;
+  /** How far it turns in the step, with whole turns. */
+  spin = 0.5;
+  /** Where it was at time 0. */
+  startX = 0.5;
+  startY = 0.5;
+  startAngle = 0.5;
+  endX = 0.5;
+  endY = 0.5;
+  endAngle = 0.5;
+  /** What it meets, if it is dynamic: the first of a list. */
+  meetings: Meeting | null = null;
+  /** When it first met something. */
+  first = Infinity;
+  /** When it stops for the rest of the step at the latest: at something static that it meets; 1 if that is not known. */
+  until = 0.5;
+  /** What carries it along since it was stopped. */
+  carrier: Mover | null = null;
+
+  private begin(body: RigidBody, sweeps: boolean): void {
+    this.sweeps = sweeps;
+    this.met = false;
+    this.stopped = false;
+    this.meetings = null;
+    this.first = Infinity;
+    this.until = 1;
+    this.carrier = null;
+    this.vx = body.vx;
+    this.vy = body.vy;
+    this.w = body.w;
+    this.from = 0;
+  }
+
+  /** The way of the step that is over, to where the body is now. */
+  retrace(body: RigidBody, sweeps: boolean): void {
+    this.begin(body, sweeps);
+    this.dx = body.lastDx;
+    this.dy = body.lastDy;
+    this.turn = body.lastTurn;
+    this.unwind();
+    this.x = body.x - this.dx;
+    this.y = body.y - this.dy;
+    this.angle = body.angle - body.lastTurn;
+    this.start();
+  }
+
+  /** The way that the body would go from here with its velocities. */
+  aim(body: RigidBody, movers: Movers): void {
+    this.dx = body.vx;
+    this.dy = body.vy;
+    this.turn = body.w;
+    this.foresee(body, movers);
+  }
+
+  /** The same at the averages that are set as `dx`, `dy` and `turn`. */
+  foresee(body: RigidBody, { ahead }: Movers): void {
+    // As `scale`, for which the number would be boxed.
+    this.dx *= ahead;
+    this.dy *= ahead;
+    this.turn *= ahead;
+    this.unwind();
+    const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
+    // As `goesFar`, which called from here would have to box its numbers.
+    this.begin(body, body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2);
+    this.x = body.x;
+    this.y = body.y;
+    this.angle = body.angle;
+    this.start();
+  }
+
+  /** Takes whole turns from `turn`. */
+  private unwind(): void {
+    this.spin = Math.abs(this.turn);
+    this.turn %= TURN;
+  }
+
+  /** The way starts where it was set to. Without arguments, as `unwind`: numbers with a fraction are boxed for each call that is not inlined. */
+  private start(): void {
+    this.startX = this.x;
+    this.startY = this.y;
+    this.startAngle = this.angle;
+    this.endX = this.body.x;
+    this.endY = this.body.y;
+    this.endAngle = this.body.angle;
+  }
+
+  /** Sets a travel on the way from `from` on, relative to where another one is then. */
+  follow(travel: Travel, shape: Shape, origin: Mover): void {
+    const rest = 1 - this.from;
+    const rate = rest > 0 ? 1 / rest : 0;
+    travel.shape = shape;
+    travel.vx = this.dx * rate;
+    travel.vy = this.dy * rate;
+    travel.w = this.turn * rate;
+    travel.x = this.x - travel.vx * this.from - origin.x;
+    travel.y = this.y - travel.vy * this.from - origin.y;
+    travel.angle = this.angle - travel.w * this.from;
+  }
+
+  /**
+   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what joints and
+   * contacts added, unless it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite.
+   */
+  slow({ drive, substeps }: SolverData): void {
+    if (this.stopped) {
+      return;
+    }
+    const { body } = this;
+    const slot = body.slot * d.BODY_STRIDE;
+    const gainX = substeps * drive[slot + d.GAIN_X]!;
+    const gainY = substeps * drive[slot + d.GAIN_Y]!;
+    const gainW = substeps * drive[slot + d.GAIN_W]!;
+    const dx = body.vx - this.vx;
+    const dy = body.vy - this.vy;
+    const square = dx * dx + dy * dy;
+    const bounced =
+      square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
+      (body.vx * dx + body.vy * dy > TURNED_BACK * square || wasPushed(body)) &&
+      !isTied(body);
+    const left = this.at - 1;
+    body.vx += left * (bounced ? gainX : dx);
+    body.vy += left * (bounced ? gainY : dy);
+    body.w += left * (bounced ? gainW : body.w - this.w);
+    // Another one that comes at once has it already.
+    this.stopped = true;
+  }
+
+  /** Whether nothing met the body before that time, as far as was asked; static and kinematic bodies do not mind. */
+  comesFirst(time: number): boolean {
+    this.first = Math.min(this.first, time);
+    return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
+  }
+
+  /** Of its meetings that wait for their turn the one that is due first, at the earliest. */
+  firstMeeting(): Meeting | null {
+    let first: Meeting | null = null;
+    for (let next = this.meetings; next !== null; next = next.nextOf(this)) {
+      if (next.slot >= 0 && (first === null || next.time < first.time)) first = next;
+    }
+    return first;
+  }
+
+  /** Puts the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is without arguments. */
+  putAt(time: number): void {
+    this.at = time;
+    this.put();
+  }
+
+  /** The same, at the time that is set as `at`. */
+  put(): void {
+    const { body } = this;
+    if (body.kind === STATIC) {
+      return;
+    }
+    const rest = 1 - this.from;
+    const share = rest > 0 ? (this.at - this.from) / rest : 0;
+    body.x = this.x + share * this.dx;
+    body.y = this.y + share * this.dy;
+    body.angle = this.angle + share * this.turn;
+    body.refreshTurn();
+  }
+
+  /** Goes so many times as far. */
+  scale(share: number): void {
+    this.dx *= share;
+    this.dy *= share;
+    this.turn *= share;
+  }
+
+  /** Stops where the body was put; from there on it stays. */
+  stop(): void {
+    const { body } = this;
+    this.stopped = true;
+    this.from = this.at;
+    this.x = body.x;
+    this.y = body.y;
+    this.angle = body.angle;
+    this.scale(0);
+  }
+
+  /** From where the body was put on it goes the rest of its way. */
+  goOn(): void {
+    const { at, from, dx, dy, turn } = this;
+    this.stop();
+    this.dx = dx;
+    this.dy = dy;
+    this.turn = turn;
+    this.scale(from < 1 ? (1 - at) / (1 - from) : 0);
+  }
+
+  /** From a stop on is carried along by another body, as if it were part of that. */
+  ride(carrier: Mover): void {
+    const { body } = this;
+    const { body: under } = carrier;
+    this.carrier = carrier;
+    carrier.putAt(this.from);
+    const x = under.cos * (body.x - under.x) + under.sin * (body.y - under.y);
+    const y = under.cos * (body.y - under.y) - under.sin * (body.x - under.x);
+    const { angle } = under;
+    carrier.putAt(1);
+    this.dx = under.x + under.cos * x - under.sin * y - this.x;
+    this.dy = under.y + under.sin * x + under.cos * y - this.y;
+    this.turn = under.angle - angle;
+  }
+
+  /** Leaves the body where it is at the end of the step. */
+  finish(): void {
+    const { body } = this;
+    this.putAt(1);
+    if (!this.stopped) {
+      body.x = this.endX;
+      body.y = this.endY;
+      body.angle = this.endAngle;
+      body.refreshTurn();
+    }
+    body.lastDx = body.x - this.startX;
+    body.lastDy = body.y - this.startY;
+    body.lastTurn = body.angle - this.startAngle;
+    body.moved();
+  }
+}
+
+/** Whether another dynamic body gave it an impulse in this step. */
+function wasPushed({ shapes }: RigidBody): boolean {
+  return shapes.some(({ arbiters }) => arbiters.some(pushes));
+}
+
+function pushes(pair: Arbiter): boolean {
+  const { bodyA, bodyB, numbers: n, at: o } = pair;
+  const isPushed = n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0;
+  return isPushed && pair.isSolved() && bodyA.kind === DYNAMIC && bodyB.kind === DYNAMIC;
+}
+
+/** A body that moves by more than half the margin within which pairs are solved may meet something that is not: whether it does with its velocities. */
+export function goesFar({ vx, vy, w, radius }: RigidBody, dt: number): boolean {
+  return Math.abs(vx * dt) + Math.abs(vy * dt) + Math.abs(w * dt) * radius > SPECULATIVE_MARGIN / 2;
+}
+
+/** The movers of a step: those that sweep, and others that were met. Used again and again. */
+export class Movers {
+  /** What lies beyond the count is for later. */
+  readonly all: Mover[] = [];
+  count = 0;
+  /** How many of them look for what they may meet. */
+  looking = 0;
+  readonly meetings = new MeetingQueue();
+  readonly ways = new Ways();
+  readonly nearby = new Nearby();
+  readonly space = new ClearSpace();
+  /** s. While a step is foreseen its length, else 0. */
+  ahead = 0;
+  /** s. Of the step that is over, at its end. Here, as handed from function to function it would be boxed for each impact. */
+  duration = 0.5;
+  /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */
+  bouncy = false;
+  /** While a step is foreseen: there is no kinematic body and no bullet, so that bodies only meet what stands still. */
+  alone = false;
+  /** s. So long what forces give a body acts on the average of that step. */
+  gain = 0;
+  /** m/s. What gravity may add to a velocity, on that average. */
+  pull = 0;
+
+  /** m. Of contacts that are foreseen, two each: what the separations of their points are less than those at the time when it comes. The first are no one's. */
+  foresight = new Float64Array(64);
+  /** How many contacts are foreseen in this step, or were tried. */
+  foreseenCount = 0;
+
+  /** A place for what a contact is foreseen by. */
+  foreseeContact(): number {
+    this.foreseenCount += 1;
+    if (2 * this.foreseenCount + 1 >= this.foresight.length) {
+      this.foresight = widened(this.foresight, new Float64Array(grown(this.foresight.length)));
+    }
+    return this.foreseenCount;
+  }
+
+  /** A mover for a body, which looks for what it meets or does not, and whose way is to be set. */
+  add(body: RigidBody, looks: boolean): Mover {
+    if (this.count === this.all.length) {
+      this.all.push(new Mover());
+    }
+    const mover = this.all[this.count]!;
+    body.mover = this.count;
+    mover.body = body;
+    mover.looks = looks;
+    this.count += 1;
+    this.looking += looks ? 1 : 0;
+    return mover;
+  }
+
+  /** The mover of a body; if it has none it gets one, which does not look. */
+  of(body: RigidBody): Mover {
+    if (body.mover >= 0) {
+      return this.all[body.mover]!;
+    }
+    const mover = this.add(body, false);
+    if (this.ahead > 0) {
+      mover.aim(body, this);
+    } else {
+      mover.retrace(body, false);
+    }
+    return mover;
+  }
+
+  clear(): void {
+    for (let i = 0; i < this.count; i += 1) {
+      this.all[i]!.body.mover = -1;
+    }
+    this.count = 0;
+    this.looking = 0;
+    this.ahead = 0;
+    this.bouncy = false;
+  }
+}

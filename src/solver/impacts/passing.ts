@@ -1,0 +1,89 @@
+import type { RigidBody } from '../../body.js';
+import { setPoint } from '../../collide/circles.js';
+import * as g from '../../collide/layout.js';
+import { PASS_PATIENCE, PASS_SHARE, SWEEP_TOLERANCE } from '../../config.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import * as c from '../../contact/layout.js';
+import { CENTRE_X, CENTRE_Y } from '../../geometry/layout.js';
+import { findImpact, Sweep } from '../../geometry/sweep.js';
+import { halfWidthOf } from '../../shape/shape.js';
+import { CIRCLE } from '../../shape/shape-kind.js';
+import { goesFar } from './movers.js';
+
+// What would bounce may go past instead: a contact keeps its direction for the whole step, along which two bodies come near each other all the same.
+
+/** Scratch of `passes`. */
+const way = /* @__PURE__ */ new Sweep(PASS_PATIENCE, true);
+
+/** Whether two elastic shapes go past each other within a step, as their bodies move now. If two circles will meet, their contact gets the direction in which they do. */
+export function passes(pair: Arbiter, dt: number): boolean {
+  const { shapeA, shapeB, numbers, at } = pair;
+  const a = shapeA.owner!;
+  const b = shapeB.owner!;
+  if (numbers[at + c.ELASTICITY]! <= 0 || !slipsBy(pair, a, b, dt)) {
+    return false;
+  }
+  if (shapeA.kind === CIRCLE && shapeB.kind === CIRCLE) {
+    return !meets(pair, a, b, dt);
+  }
+  if (!(goesFar(a, dt) || goesFar(b, dt))) {
+    return false;
+  }
+  way.a.start(shapeA, a, a);
+  way.b.start(shapeB, b, a);
+  way.target = 0;
+  way.tolerance = SWEEP_TOLERANCE;
+  way.time = 0;
+  way.most = dt;
+  return !findImpact(way);
+}
+
+/** Whether two circles meet within a step; turns their contact so that it closes when they do, along the line of their centres of then: |d + v·t| = r. */
+function meets({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
+  const ax = shapeA.numbers[shapeA.at + CENTRE_X]!;
+  const ay = shapeA.numbers[shapeA.at + CENTRE_Y]!;
+  const bx = shapeB.numbers[shapeB.at + CENTRE_X]!;
+  const by = shapeB.numbers[shapeB.at + CENTRE_Y]!;
+  const dx = n[o + g.DX]! + bx - ax;
+  const dy = n[o + g.DY]! + by - ay;
+  const vx = b.vx - b.w * by - a.vx + a.w * ay;
+  const vy = b.vy + b.w * bx - a.vy - a.w * ax;
+  const reach = halfWidthOf(shapeA) + halfWidthOf(shapeB);
+  const comes = -(dx * vx + dy * vy);
+  const square = vx * vx + vy * vy;
+  const left = comes * comes - square * (dx * dx + dy * dy - reach * reach);
+  if (!(comes > 0 && left >= 0)) {
+    return false;
+  }
+  const time = (comes - Math.sqrt(left)) / square;
+  if (time > dt) {
+    return false;
+  }
+  const nx = (dx + vx * time) / reach;
+  const ny = (dy + vy * time) / reach;
+  const radius = halfWidthOf(shapeA);
+  setPoint(n, o, nx, ny, ax + nx * radius, ay + ny * radius, -time * (vx * nx + vy * ny));
+  return true;
+}
+
+/** Whether a contact seems to close in a step in which its surfaces go some way along each other: else it does no harm, or there is no doubt. */
+function slipsBy(
+  { shapeA, shapeB, count, numbers: n, at: o }: Arbiter,
+  a: RigidBody,
+  b: RigidBody,
+  dt: number,
+): boolean {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const least = PASS_SHARE * Math.min(halfWidthOf(shapeA), halfWidthOf(shapeB));
+  for (let p = o; p < o + count * g.POINT; p += g.POINT) {
+    const x = n[p + g.X0]!;
+    const y = n[p + g.Y0]!;
+    const vx = b.vx - b.w * (y - n[o + g.DY]!) - a.vx + a.w * y;
+    const vy = b.vy + b.w * (x - n[o + g.DX]!) - a.vy - a.w * x;
+    if (-(nx * vx + ny * vy) * dt > n[p + g.S0]! && Math.abs(nx * vy - ny * vx) * dt > least) {
+      return true;
+    }
+  }
+  return false;
+}

@@ -1,0 +1,144 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
+import * as g from '../../collide/layout.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import { ACCEPTED, ACTIVE, FRESH, LISTED, PERSISTENT } from '../../contact/bits.js';
+import { noteApproach } from '../../contact/hit.js';
+import * as c from '../../contact/layout.js';
+import { touch, touchAtPoint } from '../../contact/touch.js';
+import { FOUND_LATE } from '../../events/events.js';
+import { preSolve } from '../../events/pre-solve.js';
+import { BEGIN } from '../../listeners.js';
+import { List } from '../../math/list.js';
+import type { Shape } from '../../shape/shape.js';
+import type { World } from '../../world.js';
+import { joinLists } from '../arbiter-lists.js';
+import { smoothMeeting } from '../contacts/seams.js';
+import { wakeBody } from '../sleep.js';
+import { solveImpacts } from './impact.js';
+import type { Meeting } from './meeting-queue.js';
+
+/** The pairs that meet at once: scratch. */
+const struck = /* @__PURE__ */ new List<Arbiter>();
+
+/** An interaction begins in the course of a step. */
+export function beginLate(world: World, pair: Arbiter): void {
+  if (!pair.is(LISTED)) {
+    world.pairs.list(pair);
+    joinLists(world, pair);
+  }
+  pair.unmark(PERSISTENT);
+  pair.mark(ACTIVE);
+  pair.began = world.timeStamp;
+  pair.lastInteraction = world.timeStamp;
+  world.events.interaction(BEGIN, pair, FOUND_LATE);
+}
+
+/** A sensor is crossed. */
+export function beginSensing(world: World, a: Shape, b: Shape): void {
+  beginLate(world, world.pairs.obtain(a, b));
+}
+
+/** Shapes meet on their ways, all at once, where their bodies are now, or get too deep into each other. @returns the pairs, as long as nothing else is struck; those that are refused are not among them. */
+export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
+  struck.clear();
+  for (let i = 0; i < meetings.count; i += 1) {
+    meet(world, meetings.items[i]!);
+  }
+  for (let i = 0; i < struck.count; i += 1) {
+    const pair = struck.items[i]!;
+    rouse(world, pair.bodyA, begins(pair));
+    rouse(world, pair.bodyB, begins(pair));
+    if (begins(pair)) {
+      noteApproach(pair);
+    }
+  }
+  if (world.profile !== null) {
+    world.profile.impacts += struck.count;
+  }
+  solveImpacts(world, struck);
+  for (let i = 0; i < struck.count; i += 1) {
+    const pair = struck.items[i]!;
+    if (begins(pair)) {
+      pair.unmark(3 << FRESH);
+      pair.mark(pair.usedPoints << FRESH);
+      world.events.hit(pair, FOUND_LATE);
+    } else if (pair.bodyA.kind !== DYNAMIC || pair.bodyB.kind !== DYNAMIC) {
+      stopComing(pair);
+    }
+  }
+  return struck;
+}
+
+/** Finds the contact of two shapes that meet; it is struck unless it is refused. */
+function meet(world: World, { a, b }: Meeting): void {
+  const pair = world.pairs.obtain(a, b);
+  const isNew = !pair.active;
+  const { bodyA, bodyB } = pair;
+  a.place(bodyA);
+  b.place(bodyB);
+  if (!isNew) {
+    pair.meetAgain(world.pairs.spare);
+  }
+  if (!touch(pair)) {
+    touchAtPoint(pair);
+  }
+  smoothMeeting(world, pair);
+  if (isNew) {
+    beginLate(world, pair);
+    pair.dropPoints();
+  }
+  if (preSolve(world.events, pair)) {
+    bodyA.wakeTime = world.timeStamp;
+    bodyB.wakeTime = world.timeStamp;
+  }
+  if (pair.is(ACCEPTED)) {
+    struck.add(pair);
+  } else {
+    pair.dropPoints();
+  }
+}
+
+/** The interaction is of this step, and has not met before in it. */
+function begins(pair: Arbiter): boolean {
+  return !pair.metAgain();
+}
+
+/** A dynamic body that is struck is awake; at the first impact of a pair it has the velocity of that time of the step. */
+function rouse(world: World, body: RigidBody, begins: boolean): void {
+  if (body.kind === DYNAMIC) {
+    wakeBody(world, body, false);
+    if (begins) {
+      world.movers.of(body).slow(world.solver);
+    }
+  }
+}
+
+/**
+ * A body that touched before may whirl so fast that what touches is leaving, and so gets no impulse, while the rest of it comes on. Many impacts in a
+ * step would stop that; here the velocity of its origin into the surface is taken from it.
+ */
+function stopComing(pair: Arbiter): void {
+  const { numbers: n, at: o } = pair;
+  const { bodyA: a, bodyB: b, before } = pair;
+  if (n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0 || before === null) {
+    return;
+  }
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const across = n[o + g.DX]! * ny - n[o + g.DY]! * nx;
+  const turning = a.kind === DYNAMIC ? across * b.w : across * a.w;
+  const coming = nx * (a.vx - b.vx) + ny * (a.vy - b.vy) + turning;
+  const massA = a.inverseMass();
+  const massB = b.inverseMass();
+  if (coming > 0 && massA + massB > 0) {
+    const x = (nx * coming) / (massA + massB);
+    const y = (ny * coming) / (massA + massB);
+    a.vx -= x * massA;
+    a.vy -= y * massA;
+    b.vx += x * massB;
+    b.vy += y * massB;
+    before.x += x;
+    before.y += y;
+  }
+}

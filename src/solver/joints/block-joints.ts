@@ -1,0 +1,395 @@
+import { MIN_INVERSE_MASS } from '../../config.js';
+import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../../config-joints.js';
+import { isCustom } from '../../constraint/constraint.js';
+import type { CustomConstraint } from '../../constraint/custom.js';
+import { backward, forward } from '../../math/solve.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import { applyRows, clear, findLength, length, multiplyRows, writeMatrix } from './block-rows.js';
+import { breakByWhole, cutOrBreak } from './breaking.js';
+import type { Joint } from './joint-data.js';
+import * as j from './joint-layout.js';
+import { noteLag } from './joint-numbers.js';
+import { measure, showPoses } from './joint-pose.js';
+
+/**
+ * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
+ * may be one-sided. As K is factored with it last, the other rows can be solved exactly for whatever it ends at.
+ */
+
+/** Which bodies it has, and the impulse to start with. @returns whether one of them is in contact. */
+export function packBlock(data: SolverData, joint: Joint): boolean {
+  const { records: r, bodies } = data.joints;
+  const { at, layout, constraint, first } = joint;
+  r.fill(0, at + layout.impulse, at + layout.size);
+  if (isCustom(constraint)) {
+    constraint.failed = false;
+  }
+  r[at + layout.low] = -Infinity;
+  r[at + layout.high] = Infinity;
+  for (let n = 0; n < layout.rows; n += 1) {
+    r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
+  }
+  let isTouched = false;
+  for (let k = 0; k < layout.members; k += 1) {
+    const b = constraint.slotOf(constraint.members[k]!) * d.BODY_STRIDE;
+    bodies[first + k] = b;
+    isTouched ||= data.drive[b + d.TOUCHED] === 1;
+  }
+  return isTouched;
+}
+
+/** Starts a sub-step: error, Jacobian and K for the present placement, and the impulse of the last sub-step once more. */
+export function warmStartBlock(data: SolverData, index: number, isFirst: boolean): void {
+  const { records: r, joints } = data.joints;
+  const joint = joints[index]!;
+  const { at, layout, constraint } = joint;
+  const { rows } = layout;
+  const { isElastic } = constraint;
+  if (isFirst || !isCustom(constraint)) {
+    measure(data, joint, layout.jacobian, false, isElastic);
+  } else if (isElastic) {
+    foresee(data, joint);
+  }
+  clear(r, at + layout.push, rows);
+  writeMatrix(data, joint, layout.jacobian);
+  if (!constraint.positional) {
+    r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
+    if (!isCustom(constraint)) {
+      multiplyRows(data, joint, layout.jacobian, false);
+      noteLag(data, at, layout.impulse, r[at + layout.work]! + r[at + layout.bias]!);
+    }
+  } else if (isElastic) {
+    beginSpring(data, joint);
+  } else {
+    const last = rows - 1;
+    const distance = r[at + layout.error + last]!;
+    const rests = Math.abs(distance) < BOUND_SLOP && r[at + layout.impulse + last] !== 0;
+    r[at + layout.bias + last] = isSlack(r, joint, layout.error) && !rests ? distance / data.joints.h : 0;
+  }
+  if (r[at + j.PUSH] !== 0) {
+    findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
+    noteError(data, index);
+  }
+  applyRows(data, joint, layout.jacobian, layout.impulse, 1, false);
+}
+
+/** What it gives of itself in a sub-step. */
+export function beginSpring(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  writeElasticBias(data, joint);
+  if (constraint.stored < 0 && isGiving(data, joint)) {
+    // It only damps: see `joint-springs.ts`.
+    clear(r, at + layout.bias, layout.rows);
+    clear(r, at + layout.impulse, layout.rows);
+  }
+}
+
+/** Of the length that was found. */
+export function noteError({ joints }: SolverData, index: number): void {
+  const { worst, asked, strained } = joints;
+  const error = length[0]!;
+  worst[0] = Math.max(worst[0]!, error * error);
+  if (error * error > asked[0]!) {
+    strained[0] = Math.min(strained[0]!, index);
+    strained[1] = index + 1;
+  }
+}
+
+/** The callbacks are asked once per step: within it the error of an elastic joint follows its linear part. */
+function foresee(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  multiplyRows(data, joint, layout.jacobian, true);
+  for (let n = 0; n < layout.rows; n += 1) {
+    r[at + layout.error + n] = r[at + layout.error + n]! + r[at + layout.work + n]!;
+  }
+}
+
+/** Within its bounds: what pushes does nothing, or only so much that the bound is not passed. */
+export function isSlack(r: Float64Array, { at, layout }: Joint, errors: number): boolean {
+  const error = r[at + errors + layout.rows - 1]!;
+  return (r[at + layout.high] === 0 && error < 0) || (r[at + layout.low] === 0 && error > 0);
+}
+
+/** How many rows have an error, of those at the offset `errors`: a slack last one has none. */
+function violatedRows(r: Float64Array, joint: Joint, errors: number): number {
+  return isSlack(r, joint, errors) ? joint.layout.rows - 1 : joint.layout.rows;
+}
+
+/** The velocity towards the target; none while slack. Breaks under too large an error. */
+function writeElasticBias(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows } = layout;
+  const last = at + layout.error + rows - 1;
+  if (isSlack(r, joint, layout.error)) {
+    r[at + layout.low] = 0;
+    r[at + layout.high] = 0;
+    r[last] = 0;
+  }
+  findLength(r, at + layout.error, rows);
+  const error = length[0]!;
+  if (error > r[at + j.MAX_ERROR]!) {
+    data.joints.break(joint);
+    return;
+  }
+  const rate = r[at + j.RATE]!;
+  const most = r[at + j.MAX_BIAS]!;
+  const scale = error * rate > most ? most / error : rate;
+  for (let n = 0; n < rows; n += 1) {
+    r[at + layout.bias + n] = r[at + layout.error + n]! * scale;
+  }
+}
+
+/** K⁻¹ · C, to the numbers at `work`. */
+export function weighError({ joints: { records: r } }: SolverData, joint: Joint): void {
+  const { at, layout } = joint;
+  const { rows, work, error } = layout;
+  r.copyWithin(at + work, at + error, at + error + rows);
+  solveWhole(r, joint);
+}
+
+/** Solves for the numbers at `work`. */
+function solveWhole(r: Float64Array, { at, layout }: Joint): void {
+  const { rows, work, matrix } = layout;
+  forward(r, at + matrix, rows, r, at + work);
+  backward(r, at + matrix, rows, r, at + work);
+}
+
+/** Whether the error of a spring becomes less by itself: C · K⁻¹ · J · v < 0. */
+function isGiving(data: SolverData, joint: Joint): boolean {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, error, work } = layout;
+  multiplyRows(data, joint, layout.jacobian, false);
+  solveWhole(r, joint);
+  let sum = 0;
+  for (let n = 0; n < rows; n += 1) {
+    sum += r[at + error + n]! * r[at + work + n]!;
+  }
+  return sum < 0;
+}
+
+/** One sweep: λ → clamp(λ − K⁻¹(J·v + bias) · softness − feedback · λ). */
+export function solveVelocityBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, work, impulse, jacobian } = layout;
+  const softness = r[at + j.SOFTNESS]!;
+  const feedback = r[at + j.FEEDBACK]!;
+  multiplyRows(data, joint, jacobian, false);
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = -softness * (r[at + work + n]! + r[at + layout.bias + n]!);
+  }
+  solve(r, joint, impulse, feedback);
+  for (let n = 0; n < rows; n += 1) {
+    const old = r[at + impulse + n]!;
+    r[at + work + n] = (1 - feedback) * old + r[at + work + n]!;
+  }
+  if (isCustom(constraint)) {
+    clampCustom(data, joint, constraint);
+  }
+  if (r[at + j.CHECKED] !== 0 && cutOrBreak(data, joint)) {
+    return;
+  }
+  for (let n = 0; n < rows; n += 1) {
+    const next = r[at + work + n]!;
+    r[at + work + n] = next - r[at + impulse + n]!;
+    r[at + impulse + n] = next;
+  }
+  applyRows(data, joint, jacobian, work, 1, false);
+}
+
+/** Solves for the numbers at `work`; the last row's impulse, at `so`, stays within its range. */
+function solve(r: Float64Array, joint: Joint, so: number, feedback: number): void {
+  const { at, layout, constraint } = joint;
+  const { rows, work, matrix } = layout;
+  forward(r, at + matrix, rows, r, at + work);
+  if (constraint.bounded) {
+    const last = rows - 1;
+    const kept = (1 - feedback) * r[at + so + last]!;
+    const next = kept + r[at + work + last]!;
+    const low = r[at + layout.low]!;
+    const high = r[at + layout.high]!;
+    r[at + work + last] = (next < low ? low : next > high ? high : next) - kept;
+  }
+  backward(r, at + matrix, rows, r, at + work);
+}
+
+/** The callback sees the impulse as it would be in the whole step; one of sub-steps of equal strength. */
+function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstraint): void {
+  const { records: r, substeps } = data.joints;
+  const { at, layout } = joint;
+  const { rows, work } = layout;
+  if (constraint.callbacks.velocityClamp === undefined) {
+    return;
+  }
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = r[at + work + n]! * substeps;
+  }
+  showPoses(data, joint, false);
+  constraint.clamp('velocityClamp', r, at + work);
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = r[at + work + n]! / substeps;
+  }
+  if (constraint.failed) {
+    data.joints.silence(joint);
+  }
+}
+
+/** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. */
+export function lineariseBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { turned } = layout;
+  if (r[at + j.PUSH] === 0) {
+    return;
+  }
+  measure(data, joint, turned, true, true);
+  if (r[at + j.PUSH] === 0) {
+    return;
+  }
+  findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
+  const error = length[0]!;
+  if (error > r[at + j.MAX_ERROR]!) {
+    data.joints.break(joint);
+    return;
+  }
+  correct(data, joint, error);
+}
+
+/** K for corrections; and of an error of that length what is to be corrected, less its linear part. */
+export function correct(data: SolverData, joint: Joint, error: number): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  const { rows, turned, work } = layout;
+  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
+  if (r[at + j.SNAPPED] !== 0) {
+    dropTurning(data, joint);
+  }
+  writeMatrix(data, joint, turned);
+  const reach = r[at + j.REACH]!;
+  const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
+  multiplyRows(data, joint, turned, true);
+  for (let n = 0; n < rows; n += 1) {
+    const e = at + layout.error + n;
+    r[e] = (share < 1 ? share * r[e]! : r[e]!) - r[at + work + n]!;
+  }
+}
+
+/** Rows that can be corrected without turning the bodies will be. */
+function dropTurning(data: SolverData, joint: Joint): void {
+  const { records: r, bodies } = data.joints;
+  const { at, layout, first } = joint;
+  const { rows, members, turned } = layout;
+  for (let n = 0; n < rows; n += 1) {
+    const row = at + turned + 3 * n * members;
+    let mass = 0;
+    for (let k = 0; k < members; k += 1) {
+      const x = r[row + 3 * k]!;
+      const y = r[row + 3 * k + 1]!;
+      mass += data.motion[bodies[first + k]! + d.INV_MASS]! * (x * x + y * y);
+    }
+    for (let k = 0; k < members && mass > MIN_INVERSE_MASS; k += 1) {
+      r[row + 3 * k + 2] = 0;
+    }
+  }
+}
+
+/** One sweep of a position iteration: moves the bodies by −M⁻¹·Jᵀ·K⁻¹·C, C as its linear part has it. */
+export function pushBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, work, push, turned } = layout;
+  if (r[at + j.PUSH] === 0) {
+    return;
+  }
+  multiplyRows(data, joint, turned, true);
+  for (let n = 0; n < rows; n += 1) {
+    r[at + work + n] = -(r[at + layout.error + n]! + r[at + work + n]!);
+  }
+  solve(r, joint, push, 0);
+  if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
+    showPoses(data, joint, true);
+    constraint.clamp('positionClamp', r, at + work);
+    if (constraint.failed) {
+      data.joints.silence(joint);
+    }
+  }
+  for (let n = 0; n < rows; n += 1) {
+    r[at + push + n] = r[at + push + n]! + r[at + work + n]!;
+  }
+  applyRows(data, joint, turned, work, 1, true);
+}
+
+/** The error now, by its linear part, to `left` if that is less. */
+export function measureBlock(data: SolverData, joint: Joint): void {
+  const { records: r, left } = data.joints;
+  const { at, layout } = joint;
+  if (r[at + j.PUSH] !== 0) {
+    multiplyRows(data, joint, layout.turned, true);
+    for (let n = 0; n < layout.rows; n += 1) {
+      r[at + layout.work + n] = r[at + layout.error + n]! + r[at + layout.work + n]!;
+    }
+    findLength(r, at + layout.work, violatedRows(r, joint, layout.work));
+    left[0] = Math.max(left[0]!, length[0]!);
+  }
+}
+
+/**
+ * Whether the one row points elsewhere than at the start of the sub-step, as a short rope does that swings. Momentum along that keeps energy as long as both are about the same (RATTLE); far from
+ * it, it would make any amount, and goes along where the correction went.
+ */
+function hasTurnedFar({ joints: { records: r } }: SolverData, { at, layout }: Joint): boolean {
+  const { members, jacobian, turned } = layout;
+  let dot = 0;
+  let square = 0;
+  for (let k = 0; k < members; k += 1) {
+    const p = at + jacobian + 3 * k;
+    const t = at + turned + 3 * k;
+    dot += r[p]! * r[t]! + r[p + 1]! * r[t + 1]!;
+    square += r[p]! * r[p]! + r[p + 1]! * r[p + 1]!;
+  }
+  return dot < ROW_TURN * square;
+}
+
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishBlock(data: SolverData, joint: Joint): void {
+  const { records: r, share } = data.joints;
+  const { at, layout, constraint } = joint;
+  const { rows, members, push, impulse, jacobian, total, carried, given, turned } = layout;
+  const carry = share[0]! * r[at + j.CARRY]!;
+  const along = rows === 1 && hasTurnedFar(data, joint) ? turned : jacobian;
+  if (carry !== 0) {
+    applyRows(data, joint, along, push, carry, false);
+  }
+  for (let n = 0; n < rows; n += 1) {
+    const held = r[at + impulse + n]!;
+    const pushed = carry * r[at + push + n]!;
+    r[at + total + n] = r[at + total + n]! + held;
+    r[at + carried + n] = r[at + carried + n]! + pushed;
+    let p = at + jacobian + 3 * n * members;
+    let q = at + along + 3 * n * members;
+    for (let g = at + given; g < at + given + 3 * members; g += 1, p += 1, q += 1) {
+      r[g] = r[g]! + r[p]! * held + r[q]! * pushed;
+    }
+  }
+  if (isCustom(constraint) && r[at + j.PUSH] !== 0 && r[at + j.SNAPPED] === 0) {
+    r.copyWithin(at + jacobian, at + turned, at + turned + 3 * members * rows);
+  }
+}
+
+/** Writes the outcome of the step back to the constraint. */
+export function storeBlock(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, layout, constraint } = joint;
+  breakByWhole(data, joint);
+  for (let n = 0; n < layout.rows; n += 1) {
+    constraint.impulse[n] = r[at + layout.impulse + n]!;
+  }
+  for (let k = 0; k < 3 * layout.members; k += 1) {
+    constraint.given[k] = r[at + layout.given + k]!;
+  }
+}

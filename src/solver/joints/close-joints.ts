@@ -1,0 +1,152 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
+import * as g from '../../collide/layout.js';
+import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../../config-joints.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import type { Shape } from '../../shape/shape.js';
+import type { SolverData } from '../data.js';
+import { QX, QY } from '../layout.js';
+import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
+import type { Group, Joint } from './joint-data.js';
+import { CUSTOM, POINT, TURN } from './joint-layout.js';
+import { forgetImpulse } from './joint-numbers.js';
+import { measurePoints, pushPoints } from './point-joints.js';
+import { measureTurns, pushTurns } from './turn-joints.js';
+
+/** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
+const before = new Float64Array(12);
+/** How one of them was moved, and how far at least that has to be into a wall. */
+const way = new Float64Array(3);
+
+/**
+ * Ends a sub-step, when what joints gave has been added up: what is torn forgets part of that, and those that contacts hold open have the last word. As contacts are solved last in a position iteration,
+ * they would keep a joint open for ever that has something on its wrong side.
+ */
+export function closeOpen(data: SolverData, group: Group): void {
+  if (group.isTorn || (group.touched && group.error > JOINT_TORN * JOINT_TORN)) {
+    forgetPart(data, group);
+  }
+  let rounds = 0;
+  while (rounds < CLOSING_ROUNDS && group.touched && closeOnce(data, group)) {
+    rounds += 1;
+  }
+}
+
+/** All but a share of what joints gave is forgotten by the next sub-step. */
+function forgetPart(data: SolverData, { start, end }: Group): void {
+  for (let k = start; k < end; k += 1) {
+    forgetImpulse(data, data.joints.joints[k]!, TORN_KEEP);
+  }
+}
+
+/** @returns whether there was something to close. */
+function closeOnce(data: SolverData, { runs }: Group): boolean {
+  const { joints, left } = data.joints;
+  let found = false;
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
+    measure(data, kernel, start, end);
+    const isOpen = left[0]! > JOINT_OPEN;
+    for (let k = start; k < end && isOpen; k += 1) {
+      measure(data, kernel, k, k + 1);
+      if (left[0]! > JOINT_OPEN && mayClose(joints[k]!)) {
+        found = true;
+        closePart(data, k);
+      }
+    }
+  }
+  return found;
+}
+
+/** The largest error of a part of a run, to `left`; of custom ones none. */
+function measure(data: SolverData, kernel: number, start: number, end: number): void {
+  if (kernel === POINT) {
+    measurePoints(data, start, end);
+  } else if (kernel === TURN) {
+    measureTurns(data, start, end);
+  } else {
+    data.joints.left[0] = 0;
+    for (let k = start; k < end && kernel !== CUSTOM; k += 1) {
+      measureBlock(data, data.joints.joints[k]!);
+    }
+  }
+}
+
+/** Only what is more than JOINT_OPEN: what is at that would else be closed in one sub-step and opened in the next. */
+function closePart(data: SolverData, index: number): void {
+  const { joints, bodies, left } = data.joints;
+  const { motion: q } = data;
+  const joint = joints[index]!;
+  const wanted = 1 - JOINT_OPEN / left[0]!;
+  const { first, layout } = joint;
+  for (let k = 0; k < layout.members; k += 1) {
+    for (let c = 0; c < 3; c += 1) {
+      before[3 * k + c] = q[bodies[first + k]! + c]!;
+    }
+  }
+  if (joint.kernel === POINT) {
+    pushPoints(data, index, index + 1, false);
+  } else if (joint.kernel === TURN) {
+    pushTurns(data, index, index + 1, false);
+  } else {
+    lineariseBlock(data, joint);
+    pushBlock(data, joint);
+  }
+  const share = goesIntoWalls(data, joint) ? 0 : wanted;
+  for (let k = 0; k < layout.members; k += 1) {
+    const b = bodies[first + k]!;
+    for (let c = 0; c < 3; c += 1) {
+      const start = before[3 * k + c]!;
+      q[b + c] = start + share * (q[b + c]! - start);
+    }
+  }
+}
+
+/**
+ * Whether all that was just moved went on into something immovable that it is in already: two things on either side of a wall would be pulled into it, and through. Where one of them is not in front of
+ * a wall it is the one that moves in the end, such as the links of a track that goes over a stone.
+ */
+function goesIntoWalls({ motion: q, joints: { bodies } }: SolverData, { constraint, first }: Joint): boolean {
+  const { members } = constraint;
+  for (let k = 0; k < members.length; k += 1) {
+    const b = bodies[first + k]!;
+    const x = q[b + QX]! - before[3 * k]!;
+    const y = q[b + QY]! - before[3 * k + 1]!;
+    way[0] = x;
+    way[1] = y;
+    way[2] = INTO_WALL * Math.sqrt(x * x + y * y);
+    if (!members[k]!.shapes.some(isGoneInto)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Whether that way goes deeper into a wall that it is in already. */
+function isGoneInto(shape: Shape): boolean {
+  for (let i = 0; i < shape.arbiters.length; i += 1) {
+    const pair = shape.arbiters[i]!;
+    const isFirst = pair.shapeA === shape;
+    const wall = isFirst ? pair.bodyB : pair.bodyA;
+    if (wall.kind !== DYNAMIC && pair.isSolid() && goesInto(pair, isFirst ? 1 : -1)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+function goesInto({ numbers: n, at: o }: Arbiter, sign: number): boolean {
+  findLeastSeparation(n, o);
+  return leastSeparation[0]! < -JOINT_OPEN && sign * (n[o + g.NX]! * way[0]! + n[o + g.NY]! * way[1]!) > way[2]!;
+}
+
+/** Joints with something immovable are left as they are, as these would drag bodies through a wall at once. */
+function mayClose({ constraint }: Joint): boolean {
+  return constraint.members.every(canBeMoved);
+}
+
+function canBeMoved(body: RigidBody): boolean {
+  body.refreshMass();
+  return body.kind === DYNAMIC && body.mass > 0 && body.mass < Infinity;
+}

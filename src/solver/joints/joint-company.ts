@@ -1,0 +1,126 @@
+import { grown } from '../../math/doubles.js';
+import type { World } from '../../world.js';
+import { type ContactBatch, recordAt, type SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Group } from './joint-data.js';
+import { markBodies } from './joint-numbers.js';
+
+// With what joints that hang together exchange energy: all bodies that touch theirs or are tied to these, and so on.
+
+/** Where there are more it is not looked at what joints make of energy: in a heap it would be the whole heap, for each of those in it. */
+const MOST_GUESTS = 100;
+
+/** By slot, for all worlds: which other body stands for those it is with, and the next one of these; of those that stand for others the first, and how many there are. Scratch. */
+let parent = new Int32Array(0);
+let next = new Int32Array(0);
+let first = new Int32Array(0);
+let size = new Int32Array(0);
+/** Something drives it; it is held by something that is not dynamic. */
+let driven = new Uint8Array(0);
+let held = new Uint8Array(0);
+
+/** Finds which awake bodies are with which, as contacts and joints of this step are. */
+export function findCompanies({ solver, liveDynamics }: World): void {
+  const count = solver.bodyCount;
+  if (parent.length < count) {
+    const room = grown(count);
+    parent = new Int32Array(room);
+    next = new Int32Array(room);
+    first = new Int32Array(room);
+    size = new Int32Array(room);
+    driven = new Uint8Array(room);
+    held = new Uint8Array(room);
+  }
+  for (let slot = 0; slot < count; slot += 1) {
+    parent[slot] = slot;
+    first[slot] = 0;
+    size[slot] = 0;
+    driven[slot] = slot > liveDynamics.length && isMoving(solver, slot) ? 1 : 0;
+    held[slot] = 0;
+  }
+  joinTouching(solver.one, liveDynamics.length);
+  joinTouching(solver.two, liveDynamics.length);
+  joinTied(solver, liveDynamics.length);
+  for (let slot = liveDynamics.length; slot > 0; slot -= 1) {
+    const root = rootOf(slot);
+    driven[root] = driven[root]! | driven[slot]!;
+    held[root] = held[root]! | held[slot]!;
+    next[slot] = first[root]!;
+    first[root] = slot;
+    size[root] = size[root]! + 1;
+  }
+}
+
+/** Lists who is with the bodies of a group, that is with the first of them that can be pushed, and not of them. @returns whether nothing drives any of them, and they are not too many. */
+export function findGuests(data: SolverData, group: Group): boolean {
+  const { traits, velocity } = data;
+  const { guests, bodies } = group;
+  let at = 0;
+  for (let n = 0; n < bodies.count && velocity[at + d.INV_MASS] === 0; n += 1) {
+    at = bodies.items[n]!;
+  }
+  const root = rootOf(at / d.BODY_STRIDE);
+  group.isAfloat = held[root] === 0;
+  if (driven[root] === 1 || size[root]! > group.end - group.start + 1 + MOST_GUESTS) {
+    return false;
+  }
+  markBodies(data, group, d.MEMBER);
+  for (let other = first[root]!; other > 0; other = next[other]!) {
+    if ((traits[other]! & d.MEMBER) === 0) guests.add(other * d.BODY_STRIDE);
+  }
+  markBodies(data, group, 0);
+  return true;
+}
+
+function rootOf(slot: number): number {
+  let root = slot;
+  while (parent[root] !== root) {
+    parent[root] = parent[parent[root]!]!;
+    root = parent[root]!;
+  }
+  return root;
+}
+
+/** Two bodies are with each other if both are dynamic; else one holds the other, and may drive it. */
+function join(a: number, b: number, dynamics: number): void {
+  if (a > 0 && b > 0 && a <= dynamics && b <= dynamics) {
+    parent[rootOf(a)] = rootOf(b);
+    return;
+  }
+  held[a] = 1;
+  held[b] = 1;
+  if (a > dynamics || b > dynamics) {
+    driven[a] = driven[b] = driven[a]! | driven[b]!;
+  }
+}
+
+function joinTouching({ records: r, bodies, count, stride }: ContactBatch, dynamics: number): void {
+  for (let k = 0; k < count; k += 1) {
+    const a = (bodies[2 * k]! & d.OFFSET) / d.BODY_STRIDE;
+    const b = bodies[2 * k + 1]! / d.BODY_STRIDE;
+    const at = recordAt(k, stride);
+    join(a, b, dynamics);
+    if (r[at + d.SURFACE_T] !== 0 || r[at + d.SURFACE_N] !== 0) {
+      driven[a] = 1;
+      driven[b] = 1;
+    }
+  }
+  driven[0] = 0;
+}
+
+function joinTied({ joints: { joints, bodies } }: SolverData, dynamics: number): void {
+  for (let k = 0; k < joints.length; k += 1) {
+    const { constraint, first: from, layout } = joints[k]!;
+    for (let n = from; n < from + layout.members; n += 1) {
+      const slot = bodies[n]! / d.BODY_STRIDE;
+      join(bodies[from]! / d.BODY_STRIDE, slot, dynamics);
+      if (constraint.drives) driven[slot] = 1;
+    }
+  }
+  driven[0] = 0;
+}
+
+function isMoving({ velocity: v }: SolverData, slot: number): boolean {
+  const i = slot * d.BODY_STRIDE;
+  return v[i + d.VX] !== 0 || v[i + d.VY] !== 0 || v[i + d.W] !== 0;
+}

@@ -1,0 +1,239 @@
+import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../../config-joints.js';
+import type { List } from '../../math/list.js';
+import { recordAt, type SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Group, Joint } from './joint-data.js';
+import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
+import { goAsMoved } from './joint-motion.js';
+
+// Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
+// together whirls by itself, whatever it is made of.
+
+/** Sums over the bodies of a group: scratch. J, kg, N·s. */
+const sums = new Float64Array(9);
+/** Kinetic energy, and by how much that of a sub-step is ahead of the true one … */
+const KINETIC = 0;
+const AHEAD = 1;
+/** … the work of gravity and forces in the step so far, and what they add in one sub-step from rest. */
+const WORK = 2;
+const LEAST = 3;
+/** … their mass, if nothing holds them, else infinite, and momentum. */
+const MASS = 4;
+const PX = 5;
+const PY = 6;
+/** 1/kg. … and the inverse mass of the lightest. */
+const LIGHTEST = 7;
+/** kg. Their mass without that of who is with them. */
+const OWN_MASS = 8;
+
+/** One of them is moved by something else. */
+let isCarried = false;
+
+/**
+ * Whether the joints of a group may make energy: if they close rings, as between two banks, a body is far heavier than another, or turned easily by a point joint, as thin links are. Other joints
+ * may in any case, but for those that only turn.
+ */
+export function mayMakeEnergy(data: SolverData, group: Group): boolean {
+  const { joints } = data.joints;
+  const { start, end, bodies } = group;
+  let isFound = group.burdened || end - start > bodies.count;
+  for (let k = start; k < end && !isFound; k += 1) {
+    const joint = joints[k]!;
+    const { kernel } = joint;
+    isFound = kernel === POINT ? turnsEasily(data, joint, 0) || turnsEasily(data, joint, 1) : kernel !== TURN;
+  }
+  return isFound;
+}
+
+/** Whether what a point joint gives one of its bodies turns it far more than it moves it. */
+function turnsEasily(
+  { velocity: v, points: p, joints: { bodies } }: SolverData,
+  joint: Joint,
+  member: number,
+): boolean {
+  const b = bodies[joint.first + member]!;
+  const arm = recordAt(joint.slot, POINT_STRIDE) + (member === 0 ? ARM_AX : ARM_BX);
+  const square = p[arm]! * p[arm]! + p[arm + 2]! * p[arm + 2]!;
+  return b > 0 && v[b + d.INV_INERTIA]! * square > EASY_TURN * v[b + d.INV_MASS]!;
+}
+
+/** As a step begins. */
+export function noteEnergy(data: SolverData, group: Group): void {
+  measure(data, group);
+  group.energy = sums[KINETIC]! + sums[AHEAD]!;
+}
+
+/** As it ends. */
+export function takeExcesses(data: SolverData): void {
+  const { groups } = data.joints;
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    if (group.isUnmet || group.touched) goAsMoved(data, group);
+    else group.untrue = 0;
+    if (group.isWatched && group.settling === 0) {
+      takeExcess(data, group);
+    } else if (!group.touched) {
+      group.excess = 0;
+    }
+  }
+}
+
+/**
+ * Of a group of which no joint was changed, and none had to be closed: takes from the velocities of the light bodies what the joints made of energy beyond a share of what there is, bit by bit, so that nothing halts in the air. Where nothing holds the bodies
+ * they go on together as they did.
+ */
+function takeExcess(data: SolverData, group: Group): void {
+  measure(data, group);
+  const kinetic = sums[KINETIC]!;
+  const made = kinetic + sums[AHEAD]! - sums[WORK]! - group.energy;
+  if (isCarried || !Number.isFinite(made)) {
+    group.excess = 0;
+    return;
+  }
+  const excess = group.touched ? made : made + (group.excess < 0 ? EXCESS_FADES * group.excess : group.excess);
+  const share = group.touched ? TOUCHED_EXCESS : EXCESS_SHARE;
+  const x = sums[PX]! / sums[MASS]!;
+  const y = sums[PY]! / sums[MASS]!;
+  const isCalm = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!;
+  const over = excess - share * Math.max(0, kinetic - excess);
+  let removed = 0;
+  if (over > 0 && !isCalm) {
+    const own = energyOfLight(data, group, x, y);
+    removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
+    if (removed > 0) slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
+  }
+  if (!group.touched) {
+    group.excess = isCalm ? Math.min(0, excess) : excess - removed;
+  }
+}
+
+/** It is the light bodies that whirl: of a ball on a thin chain the links, not the ball. */
+function isLight({ velocity: v }: SolverData, offset: number): boolean {
+  return v[offset + d.INV_MASS]! * HEAVY >= sums[LIGHTEST]!;
+}
+
+/** J. Kinetic energy of the light bodies against a common velocity. */
+function energyOfLight(data: SolverData, group: Group, x: number, y: number): number {
+  const { velocity: v } = data;
+  const { items, count } = group.bodies;
+  let twice = 0;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    if (isLight(data, i)) {
+      const vx = v[i + d.VX]! - x;
+      const vy = v[i + d.VY]! - y;
+      const w = v[i + d.W]!;
+      twice += (vx * vx + vy * vy) / v[i + d.INV_MASS]!;
+      twice += v[i + d.INV_INERTIA]! > 0 ? (w * w) / v[i + d.INV_INERTIA]! : 0;
+    }
+  }
+  return twice / 2;
+}
+
+/** The light bodies, against a common velocity. What nothing holds keeps its momentum: all bodies get back what these lose. */
+function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
+  const { velocity: v } = data;
+  const { items, count } = group.bodies;
+  let px = 0;
+  let py = 0;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    if (isLight(data, i)) {
+      px += ((1 - keep) * (v[i + d.VX]! - x)) / v[i + d.INV_MASS]!;
+      py += ((1 - keep) * (v[i + d.VY]! - y)) / v[i + d.INV_MASS]!;
+      v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
+      v[i + d.VY] = y + keep * (v[i + d.VY]! - y);
+      v[i + d.W] = keep * v[i + d.W]!;
+    }
+  }
+  if (sums[MASS]! < Infinity) {
+    giveBack(data, group, px, py);
+  }
+}
+
+function giveBack(data: SolverData, group: Group, px: number, py: number): void {
+  const { velocity: v } = data;
+  const { items, count } = group.bodies;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
+    v[i + d.VX] = v[i + d.VX]! + px / sums[OWN_MASS]!;
+    v[i + d.VY] = v[i + d.VY]! + py / sums[OWN_MASS]!;
+  }
+}
+
+function measure(data: SolverData, group: Group): void {
+  const { bodies, guests, isAnchored, touched, isAfloat } = group;
+  sums.fill(0);
+  isCarried = false;
+  add(data, bodies);
+  if (isAnchored) {
+    sums[MASS] = Infinity;
+  }
+  const least = sums[LEAST]!;
+  const lightest = sums[LIGHTEST]!;
+  sums[OWN_MASS] = sums[MASS]!;
+  if (guests.count > 0) add(data, guests);
+  sums[LEAST] = least;
+  sums[LIGHTEST] = lightest;
+  if (touched && !isAfloat) {
+    sums[MASS] = Infinity;
+  }
+}
+
+/**
+ * A velocity is that which a sub-step ends with, half a sub-step ahead of the place: ½·m·v² + ½·h·m·a·v − m·a·x is what the scheme keeps of the energy (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, IX).
+ */
+function add(data: SolverData, { items, count }: List<number>): void {
+  const { velocity: v, motion: q, drive: f } = data;
+  const { h, hasSprings, work: worked } = data.joints;
+  let kinetic = sums[KINETIC]!;
+  let ahead = sums[AHEAD]!;
+  let work = sums[WORK]!;
+  let least = sums[LEAST]!;
+  let mass = sums[MASS]!;
+  let px = sums[PX]!;
+  let py = sums[PY]!;
+  let lightest = sums[LIGHTEST]!;
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]! & d.OFFSET;
+    if (hasSprings) work += worked[i / d.BODY_STRIDE]!;
+    const inverseMass = v[i + d.INV_MASS]!;
+    const inverseInertia = v[i + d.INV_INERTIA]!;
+    const vx = v[i + d.VX]!;
+    const vy = v[i + d.VY]!;
+    const w = v[i + d.W]!;
+    const gainX = f[i + d.GAIN_X]!;
+    const gainY = f[i + d.GAIN_Y]!;
+    const gainW = f[i + d.GAIN_W]!;
+    lightest = inverseMass > lightest ? inverseMass : lightest;
+    if (inverseMass > 0) {
+      const m = 1 / inverseMass;
+      kinetic += 0.5 * m * (vx * vx + vy * vy);
+      ahead += 0.5 * m * (gainX * vx + gainY * vy);
+      work += (m * (gainX * q[i + d.DX]! + gainY * q[i + d.DY]!)) / h;
+      least += 0.5 * m * (gainX * gainX + gainY * gainY);
+      px += m * vx;
+      py += m * vy;
+      mass += m;
+    } else {
+      isCarried ||= vx !== 0 || vy !== 0;
+      mass = Infinity;
+    }
+    if (inverseInertia > 0) {
+      const inertia = 1 / inverseInertia;
+      kinetic += 0.5 * inertia * w * w;
+      ahead += 0.5 * inertia * gainW * w;
+      work += (inertia * gainW * q[i + d.DW]!) / h;
+    } else {
+      isCarried ||= w !== 0;
+    }
+  }
+  sums[KINETIC] = kinetic;
+  sums[AHEAD] = ahead;
+  sums[WORK] = work;
+  sums[LEAST] = least;
+  sums[MASS] = mass;
+  sums[PX] = px;
+  sums[PY] = py;
+  sums[LIGHTEST] = lightest;
+}

@@ -1,0 +1,169 @@
+import { HUB_SHARE } from '../../config-joints.js';
+import { backward, forward } from '../../math/solve.js';
+import { recordAt, type SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Group, Joint, Run } from './joint-data.js';
+import * as j from './joint-layout.js';
+
+// A group is swept over from its first joint to its last, each sub-step starts with the impulses of the last one, and of corrections momentum is made. So what a sweep leaves of an
+// error comes back in the next sub-steps, and where it goes round among joints on one body, as among the spokes of a wheel, it grows with each turn, however many sweeps there are and
+// however short the sub-step. Sweeps to and fro leave errors that never turn: their iteration, symmetric Gauss–Seidel, has real eigenvalues from 0 to 1 (Young, "Iterative Solution of Large
+// Linear Systems", 1971). They take twice as long, and are only needed where one body gives way more easily than what hangs on it.
+
+/**
+ * How much of what a joint asks for is done by one of its bodies is S = M^−½·Jᵀ·K⁻¹·J·M^−½ of that body: 3 × 3, with eigenvalues from 0, the other does all, to 1. Of each body by its slot: how
+ * many joints it has, and the sum of these matrices, [xx, xy, xw, yy, yw, ww].
+ */
+const SUM = 7;
+let sums = new Float64Array(0);
+
+/** A column of J·M^−½, then of K⁻¹·J·M^−½: scratch. */
+let column = new Float64Array(8);
+
+/** Whether a group has a body with so many joints, and gives way so easily, that it has to be swept over to and fro. */
+export function hasHub(data: SolverData, group: Group): boolean {
+  const { items, count } = group.bodies;
+  if (sums.length < SUM * data.bodyCount) {
+    sums = new Float64Array(2 * SUM * data.bodyCount);
+  }
+  for (let n = 0; n < count; n += 1) {
+    clear(sumAt(items[n]!));
+  }
+  for (let i = 0; i < group.runs.length; i += 1) {
+    addRun(data, group.runs[i]!);
+  }
+  for (let n = 0; n < count; n += 1) {
+    const at = sumAt(items[n]!);
+    if (sums[at]! > 2 && isHub(at)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+function clear(at: number): void {
+  for (let i = at; i < at + SUM; i += 1) {
+    sums[i] = 0;
+  }
+}
+
+/** By the offset of its records; 0 for what cannot move. */
+function sumAt(body: number): number {
+  return (body / d.BODY_STRIDE) * SUM;
+}
+
+/** Adds what the members of joints do. */
+function addRun(data: SolverData, { kernel, start, end }: Run): void {
+  const { joints } = data.joints;
+  for (let k = start; k < end; k += 1) {
+    if (kernel === j.POINT) {
+      addPoint(data, joints[k]!, j.ARM_AX, 0);
+      addPoint(data, joints[k]!, j.ARM_BX, 1);
+    } else {
+      addMembers(data, joints[k]!);
+    }
+  }
+}
+
+function addMembers(data: SolverData, joint: Joint): void {
+  const { bodies } = data.joints;
+  const { first, layout } = joint;
+  for (let n = 0; n < layout.members; n += 1) {
+    const at = sumAt(bodies[first + n]!);
+    if (at === 0) {
+      continue;
+    }
+    if (joint.kernel === j.TURN) {
+      addTurn(data, joint, n, at);
+    } else {
+      addBlock(data, joint, n, at);
+    }
+  }
+}
+
+/** J of a point is (1, 0, −y) and (0, 1, x), with the arm (x, y). */
+function addPoint(
+  { points: r, pointBodies, velocity: v }: SolverData,
+  { slot }: Joint,
+  arm: number,
+  end: number,
+): void {
+  const i = recordAt(slot, j.POINT_STRIDE);
+  const b = pointBodies[2 * slot + end]! & d.OFFSET;
+  const x = r[i + arm]!;
+  const y = r[i + arm + 2]!;
+  const m = v[b + d.INV_MASS]!;
+  const w = v[b + d.INV_INERTIA]!;
+  const mixed = Math.sqrt(m * w);
+  const i11 = r[i + j.I11]!;
+  const i12 = r[i + j.I12]!;
+  const i22 = r[i + j.I22]!;
+  const at = sumAt(b);
+  sums[at] = sums[at]! + 1;
+  sums[at + 1] = sums[at + 1]! + m * i11;
+  sums[at + 2] = sums[at + 2]! + m * i12;
+  sums[at + 3] = sums[at + 3]! + mixed * (i12 * x - i11 * y);
+  sums[at + 4] = sums[at + 4]! + m * i22;
+  sums[at + 5] = sums[at + 5]! + mixed * (i22 * x - i12 * y);
+  sums[at + 6] = sums[at + 6]! + w * (i11 * y * y - 2 * i12 * x * y + i22 * x * x);
+}
+
+/** One that may be held at a bound, but is not, does nothing. */
+function addTurn(
+  { velocity: v, joints: { records: r, bodies } }: SolverData,
+  joint: Joint,
+  member: number,
+  at: number,
+): void {
+  const { at: i, first } = joint;
+  const ratio = member === 0 ? 1 : r[i + j.TURN_RATIO]!;
+  const isOneSided = r[i + j.TURN_LOW] !== -Infinity || r[i + j.TURN_HIGH] !== Infinity;
+  if (isOneSided && r[i + j.TURN_IMPULSE] === 0) {
+    return;
+  }
+  sums[at] = sums[at]! + 1;
+  sums[at + 6] = sums[at + 6]! + v[bodies[first + member]! + d.INV_INERTIA]! * ratio * ratio * r[i + j.TURN_MASS]!;
+}
+
+function addBlock(
+  { velocity: v, joints: { records: r, bodies } }: SolverData,
+  joint: Joint,
+  member: number,
+  at: number,
+): void {
+  const { at: i, first, layout } = joint;
+  const { rows, members, jacobian, matrix } = layout;
+  const b = bodies[first + member]!;
+  const m = Math.sqrt(v[b + d.INV_MASS]!);
+  const w = Math.sqrt(v[b + d.INV_INERTIA]!);
+  if (column.length < rows) {
+    column = new Float64Array(rows);
+  }
+  sums[at] = sums[at]! + 1;
+  let to = at + 1;
+  for (let c = 0; c < 3; c += 1) {
+    for (let n = 0; n < rows; n += 1) {
+      column[n] = (c < 2 ? m : w) * r[i + jacobian + 3 * (n * members + member) + c]!;
+    }
+    forward(r, i + matrix, rows, column, 0);
+    backward(r, i + matrix, rows, column, 0);
+    for (let other = c; other < 3; other += 1, to += 1) {
+      for (let n = 0; n < rows; n += 1) {
+        const p = i + jacobian + 3 * (n * members + member) + other;
+        sums[to] = sums[to]! + (other < 2 ? m : w) * r[p]! * column[n]!;
+      }
+    }
+  }
+}
+
+/** Whether the largest eigenvalue of the sum S is too large: if HUB_SHARE · 1 − S has leading minors that are not all positive (Sylvester's criterion). */
+function isHub(at: number): boolean {
+  const xx = HUB_SHARE - sums[at + 1]!;
+  const xy = sums[at + 2]!;
+  const xw = sums[at + 3]!;
+  const yy = HUB_SHARE - sums[at + 4]!;
+  const yw = sums[at + 5]!;
+  const ww = HUB_SHARE - sums[at + 6]!;
+  const minor = xx * yy - xy * xy;
+  return !(xx > 0 && minor > 0 && ww * minor - xx * yw * yw - yy * xw * xw - 2 * xy * xw * yw > 0);
+}

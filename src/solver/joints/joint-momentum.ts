@@ -1,0 +1,204 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
+import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import { CONTACT_SLOP, STRAIN_SPEED } from '../../config.js';
+import {
+  ALONE_ERROR,
+  FIRM_FEET,
+  FRAME_BENT,
+  FRAME_JOINTS,
+  HEAVY,
+  ROPE_JOINTS,
+  TOUCHED_MOMENTUM,
+  TOUCHED_QUIET,
+} from '../../config-joints.js';
+import type { Arbiter } from '../../contact/arbiter.js';
+import type { SolverData } from '../data.js';
+import { BODY_STRIDE, INV_MASS, MEMBER, SEEN, TOUCHED } from '../layout.js';
+import type { Group, Joint } from './joint-data.js';
+import { CUSTOM, TURN } from './joint-layout.js';
+import { carryAt, impulseAt, markBodies, numbersOf, steady, visit } from './joint-numbers.js';
+
+// What joints keep of the momentum of their corrections.
+
+/** What the bodies of a group touch, see `findTouching`. */
+const OTHERS = 1;
+const HEAVIER = 2;
+const ITSELF = 4;
+const ALIKE = 8;
+
+/**
+ * Of a group that touches something; also finds whether it stands on that. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
+ * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle and those that bear much under a weight, unless what hangs together overlaps
+ * itself, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM; the first not while they are few and solved together with their contacts, see `isBent`. And where errors are as small as those of what swings freely,
+ * contacts undo nothing: there joints make all of theirs that have a body which touches nothing; and so do those of what touches nothing but itself, as welded blocks and coiled chains.
+ */
+export function steadyTouched(data: SolverData, group: Group): void {
+  const { joints } = data.joints;
+  const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
+  const hasLoad = hasMuchToBear(data, group);
+  const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
+  const isAsked = hasLoad || isRope || group.isMechanism || hasBeams(joints, group);
+  const touching = findTouching(data, group, isAsked);
+  if (touching === 0 && group.error < ALONE_ERROR * ALONE_ERROR) {
+    group.stands = false;
+    group.isBent = false;
+    return;
+  }
+  group.stands = group.isMechanism && (touching & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
+  const isPressed = hasLoad && (touching & (HEAVIER | ITSELF)) === HEAVIER;
+  const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
+  const isTaut = isRope && (touching & (ITSELF | ALIKE)) === 0;
+  group.isBent = isBeam && group.error > FRAME_BENT * FRAME_BENT && isFrame(joints, group);
+  for (let k = group.start; k < group.end; k += 1) {
+    const joint = joints[k]!;
+    if (isQuiet && reachesOut(data, joint)) {
+      continue;
+    }
+    if (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
+      const numbers = numbersOf(data, joint);
+      const carry = carryAt(joint);
+      numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
+    } else {
+      steady(data, joint, 0);
+    }
+  }
+}
+
+/** Of a frame that was solved with its contacts: those that hold an angle need none, but for what swings. */
+export function steadyFrame(data: SolverData, group: Group): void {
+  const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
+  for (let k = group.start; k < group.end; k += 1) {
+    const joint = data.joints.joints[k]!;
+    if (holdsAngle(joint) && !(isQuiet && reachesOut(data, joint))) steady(data, joint, 0);
+  }
+}
+
+/** Whether one of its bodies that can move is in no contact. */
+function reachesOut({ drive, joints: { bodies } }: SolverData, { first, layout }: Joint): boolean {
+  for (let n = first; n < first + layout.members; n += 1) {
+    const i = bodies[n]!;
+    if (i > 0 && drive[i + TOUCHED] === 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+function hasMuchToBear(data: SolverData, { start, end }: Group): boolean {
+  for (let k = start; k < end; k += 1) {
+    if (bearsMuch(data, data.joints.joints[k]!)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether it keeps its bodies at one angle to each other: what such joints make of many bodies bends and bears like a beam. */
+function holdsAngle({ constraint }: Joint): boolean {
+  return (
+    constraint.type === 'WELD' ||
+    constraint.keepsAngle ||
+    (constraint.type === 'ANGLE' && constraint.lower === constraint.upper)
+  );
+}
+
+function hasBeams(joints: readonly Joint[], { start, end }: Group): boolean {
+  for (let k = start; k < end; k += 1) {
+    if (holdsAngle(joints[k]!)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether joints are few and rigid, some hold an angle, and none may break, which sweeps that try out impulses would do. */
+function isFrame(joints: readonly Joint[], group: Group): boolean {
+  let isFirm = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS && hasBeams(joints, group);
+  for (let k = group.start; k < group.end && isFirm; k += 1) {
+    isFirm = !joints[k]!.constraint.breakUnderForce;
+  }
+  return isFirm;
+}
+
+/** Whether it bears as much as a contact that is strained: about a hundred times what its bodies weigh. What turns bears nothing. */
+function bearsMuch(data: SolverData, joint: Joint): boolean {
+  const { kernel, first, layout } = joint;
+  const { bodies } = data.joints;
+  const v = data.velocity;
+  const numbers = numbersOf(data, joint);
+  let square = 0;
+  for (let row = 0; row < layout.rows; row += 1) {
+    const n = impulseAt(joint, row);
+    square += numbers[n]! * numbers[n]!;
+  }
+  const ease = v[bodies[first]! + INV_MASS]! + v[bodies[first + 1]! + INV_MASS]!;
+  return kernel !== TURN && kernel !== CUSTOM && square * ease * ease > STRAIN_SPEED * STRAIN_SPEED;
+}
+
+/** Whether something is in its way that is none of its bodies, and nothing far heavier lies on one: a wrecking ball that its last link reaches into does not lie on that. */
+export function isBlocked(data: SolverData, group: Group): boolean {
+  return (findTouching(data, group, true) & (OTHERS | HEAVIER)) === OTHERS;
+}
+
+/** How many of the bodies of a group are in contact: three at most. */
+function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start, end }: Group): number {
+  let one = 0;
+  let two = 0;
+  for (let k = start; k < end; k += 1) {
+    const { first, layout } = joints[k]!;
+    for (let n = first; n < first + layout.members; n += 1) {
+      const b = bodies[n]!;
+      if (drive[b + TOUCHED] === 1 && b !== one && b !== two) {
+        if (two > 0) return 3;
+        two = one;
+        one = b;
+      }
+    }
+  }
+  return two > 0 ? 2 : one > 0 ? 1 : 0;
+}
+
+/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart; if not all are asked for, only whether there are some. */
+function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
+  const { joints } = data.joints;
+  let found = 0;
+  markBodies(data, group, MEMBER);
+  for (let k = group.start; k < group.end && (areAllAsked || found === 0); k += 1) {
+    const { members } = joints[k]!.constraint;
+    for (let n = 0; n < members.length; n += 1) {
+      const body = members[n]!;
+      if (body.kind === DYNAMIC && body.slot > 0 && visit(data, body.slot * BODY_STRIDE, SEEN))
+        found |= touchingOf(data, body);
+    }
+  }
+  markBodies(data, group, 0);
+  return found;
+}
+
+function touchingOf({ traits }: SolverData, { shapes, mass }: RigidBody): number {
+  let found = 0;
+  for (let i = 0; i < shapes.length; i += 1) {
+    const shape = shapes[i]!;
+    for (let k = 0; k < shape.arbiters.length; k += 1) {
+      const pair = shape.arbiters[k]!;
+      const { bodyA, bodyB } = pair;
+      const other = pair.shapeA === shape ? bodyB : bodyA;
+      if (!pair.isSolved()) {
+        continue;
+      }
+      if ((traits[other.slot]! & MEMBER) === 0) {
+        found |= OTHERS;
+        if (other.kind === DYNAMIC && other.mass * HEAVY >= mass) found |= other.mass > HEAVY * mass ? HEAVIER : ALIKE;
+      } else if (isPushed(pair)) {
+        found |= ITSELF;
+      }
+    }
+  }
+  return found;
+}
+
+function isPushed({ numbers: n, at: o }: Arbiter): boolean {
+  findLeastSeparation(n, o);
+  return leastSeparation[0]! < -CONTACT_SLOP;
+}

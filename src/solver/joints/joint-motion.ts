@@ -1,0 +1,74 @@
+import { STUCK_APART, STUCK_STANDS, UNTRUE_SHARE, UNTRUE_STEPS } from '../../config-joints.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Group } from './joint-data.js';
+
+// Whether what hangs together moves as its velocities tell.
+
+/** Of a group: scratch. J, each twice. */
+const motion = new Float64Array(3);
+const TOLD = 0;
+const MOVED = 1;
+const APART = 2;
+
+/**
+ * Gives the bodies of a group the velocities by which they moved in the step, where they are told of others. Each sub-step corrects the same errors once more, and what that makes of momentum contacts or other joints undo: of a group whose joints cannot all be met
+ * as soon as motion has less energy than velocities, by a share; of what touches something, such as a belt or a track around wheels, where it has hardly any for some steps on end.
+ */
+export function goAsMoved(data: SolverData, group: Group): void {
+  weighMotion(data, group);
+  const told = motion[TOLD]!;
+  const moved = motion[MOVED]!;
+  group.untrue = moved < UNTRUE_SHARE * told ? Math.min(group.untrue + 1, UNTRUE_STEPS) : 0;
+  const isWrong = motion[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
+  if (group.untrue === UNTRUE_STEPS || (isWrong && group.isUnmet)) {
+    takeMotion(data, group);
+  }
+}
+
+/** Twice the energy that velocities tell of, that of the motion in the step, and that of the difference. */
+function weighMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, { bodies }: Group): void {
+  const dt = h * substeps;
+  let told = 0;
+  let moved = 0;
+  let apart = 0;
+  for (let n = 0; n < bodies.count; n += 1) {
+    const i = bodies.items[n]!;
+    const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
+    const inertia = v[i + d.INV_INERTIA]! > 0 ? 1 / v[i + d.INV_INERTIA]! : 0;
+    const vx = v[i + d.VX]!;
+    const vy = v[i + d.VY]!;
+    const vw = v[i + d.W]!;
+    const x = q[i + d.DX]! / dt;
+    const y = q[i + d.DY]! / dt;
+    const w = turnOf(q[i + d.DW]!, vw * dt) / dt;
+    told += m * (vx * vx + vy * vy) + inertia * vw * vw;
+    moved += m * (x * x + y * y) + inertia * w * w;
+    apart += m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
+  }
+  motion[TOLD] = told;
+  motion[MOVED] = moved;
+  motion[APART] = apart;
+}
+
+function takeMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, { bodies }: Group): void {
+  const dt = h * substeps;
+  for (let n = 0; n < bodies.count; n += 1) {
+    const i = bodies.items[n]!;
+    if (v[i + d.INV_MASS]! + v[i + d.INV_INERTIA]! > 0) {
+      v[i + d.VX] = q[i + d.DX]! / dt;
+      v[i + d.VY] = q[i + d.DY]! / dt;
+      v[i + d.W] = turnOf(q[i + d.DW]!, v[i + d.W]! * dt) / dt;
+    }
+  }
+}
+
+/** rad. Without full turns that its velocity did not tell of: corrections of straight chains make some. */
+function turnOf(angle: number, told: number): number {
+  if (Math.abs(angle) < Math.PI) {
+    return angle;
+  }
+  const all = Math.round(angle / (2 * Math.PI));
+  const untold = Math.round((angle - told) / (2 * Math.PI));
+  return angle - 2 * Math.PI * Math.max(Math.min(0, all), Math.min(Math.max(0, all), untold));
+}

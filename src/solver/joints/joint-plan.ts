@@ -1,0 +1,315 @@
+import {
+  FEW_JOINTS,
+  FIRM_ERROR,
+  FIRM_FEW,
+  FIRM_JOINTS,
+  FIRM_ROWS,
+  FIRM_STEPS,
+  FIRM_SWEEPS,
+  HEAVY,
+  JOINT_CALM,
+  JOINT_REST_ERROR,
+  JOINT_SETTLED,
+  JOINT_SNAP,
+  JOINT_SWEEP_MARGIN,
+  JOINT_TORN,
+  MAX_JOINT_SWEEPS,
+  MOTOR_LAG,
+  NEW_JOINT_SWEEPS,
+  SETTLE_STEPS,
+  SNAP_STEPS,
+  SPRING_SWEEPS,
+  SPRING_TURN,
+  STUCK_ERROR,
+  STUCK_STEPS,
+  TOUCHED_PATIENCE,
+  TOUCHED_SWEEPS,
+} from '../../config-joints.js';
+import { recordAt, type SolverData } from '../data.js';
+import { INV_MASS } from '../layout.js';
+import { findLength, length } from './block-rows.js';
+import type { Group, Joint } from './joint-data.js';
+import { mayMakeEnergy } from './joint-energy.js';
+import { findMovers } from './joint-gradients.js';
+import { hasHub } from './joint-hubs.js';
+import {
+  CUSTOM,
+  ERROR_X,
+  ERROR_Y,
+  POINT,
+  POINT_STRIDE,
+  REACH,
+  TURN,
+  TURN_LOWER,
+  TURN_UPPER,
+  TURN_VALUE,
+} from './joint-layout.js';
+import { isBlocked, steadyTouched } from './joint-momentum.js';
+import { heldRows, steady } from './joint-numbers.js';
+import { lookAtStress } from './joint-stress.js';
+import { findStrained } from './point-joints.js';
+
+// What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
+
+/** What drives a group, how hard its springs are, if it has any, and whether its joints may pull against each other. */
+export function lookAtKinds(data: SolverData, group: Group): void {
+  const { joints } = data.joints;
+  group.isDriven = false;
+  group.mayBreak = false;
+  group.frequency = 0;
+  for (let k = group.start; k < group.end; k += 1) {
+    const { constraint } = joints[k]!;
+    if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
+    group.isDriven ||= constraint.drives;
+    group.mayBreak ||= constraint.breakUnderForce && constraint.maxForce < Infinity;
+  }
+  lookAtStress(data, group);
+}
+
+/** Before it is found which joints of a group are strained; blocks and turns note it as they are warm started. */
+export function beginGroup({ joints: { asked, strained, lag } }: SolverData, { tolerance, start, end }: Group): void {
+  lag[0] = 0;
+  asked[0] = tolerance * tolerance;
+  strained[0] = end;
+  strained[1] = start;
+}
+
+/** When its error is known. */
+export function plan(data: SolverData, group: Group, isFirst: boolean): void {
+  const { asked, eases } = data.joints;
+  if (group.error > asked[0]!) {
+    findStrainedPoints(data, group);
+  }
+  if (isFirst) {
+    if (group.touched) steadyTouched(data, group);
+    weigh(data, group);
+    lookWhetherStuck(data, group);
+    if (group.isTorn) steadyAll(data, group, 0);
+    settle(data, group);
+  }
+  limitMomentum(data, group, isFirst);
+  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(data, group)) {
+    reachLess(data, group);
+  }
+  planSweeps(data, group, isFirst && eases);
+}
+
+function findStrainedPoints(data: SolverData, { runs }: Group): void {
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end, isStrained } = runs[i]!;
+    if (kernel === POINT && isStrained) {
+      findStrained(data, start, end);
+    }
+  }
+}
+
+/** Finds what kind of group it is, once in a while, and whether it has a hub: in each step where joints are few. */
+function weigh(data: SolverData, group: Group): void {
+  const isDue = data.joints.weighs || group.isNew;
+  if (isDue) {
+    group.burdened = isBurdened(data, group);
+    group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
+    weighFirmness(data, group);
+    group.isNew = false;
+  }
+  if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
+    group.toAndFro = hasHub(data, group);
+  }
+}
+
+/** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
+function weighFirmness(data: SolverData, group: Group): void {
+  const { joints, bodies } = data.joints;
+  const { start, end, frequency } = group;
+  let may = end - start > 1 && end - start <= FIRM_JOINTS && frequency === 0;
+  let isHeld = false;
+  let rows = 0;
+  let welds = 0;
+  for (let k = start; k < end && may; k += 1) {
+    const { constraint, kernel, first, layout } = joints[k]!;
+    may = kernel !== CUSTOM && !constraint.breakUnderForce;
+    welds += layout.rows === 3 ? 1 : 0;
+    rows += layout.rows === 3 ? 0 : heldRows(constraint);
+    for (let m = first; m < first + layout.members; m += 1) {
+      isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
+    }
+  }
+  group.isMechanism = may && rows > 0 && rows >= FIRM_ROWS * (findMovers(data, group) - welds);
+  group.isHeld = may && isHeld;
+}
+
+/** 1/kg. The heaviest and the lightest body of a group: scratch. */
+const range = new Float64Array(2);
+
+function isBurdened(data: SolverData, { start, end }: Group): boolean {
+  range[0] = Infinity;
+  range[1] = 0;
+  for (let k = start; k < end; k += 1) {
+    weighMembers(data, data.joints.joints[k]!);
+  }
+  return range[1]! > HEAVY * range[0]!;
+}
+
+/** A function of its own, as one that is called for each joint is soon compiled, and what loops over them once in a while is not. */
+function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, layout }: Joint): void {
+  for (let n = first; n < first + layout.members; n += 1) {
+    const inverse = v[bodies[n]! + INV_MASS]!;
+    if (inverse > 0) {
+      range[0] = Math.min(range[0]!, inverse);
+      range[1] = Math.max(range[1]!, inverse);
+    }
+  }
+}
+
+/**
+ * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn: not of what bears or is joined to
+ * something far heavier, which has to be held up, nor where force may break something.
+ */
+function lookWhetherStuck(data: SolverData, group: Group): void {
+  const { isBetween, error, fresh, touched, mayBreak, burdened } = group;
+  const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
+  const isLarge = error > JOINT_TORN * JOINT_TORN;
+  group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
+  group.isTorn = isOpen && isLarge && !mayBreak && !burdened && (!touched || isBlocked(data, group));
+  const isLong = group.stuck === STUCK_STEPS && !(isLarge && touched);
+  group.isUnmet = group.isTorn || isLong || (isOpen && !isLarge && fresh);
+}
+
+/** In this step corrections of none of its joints make momentum. What is torn would get the more the longer it is. */
+function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void {
+  for (let k = start; k < end; k += 1) {
+    steady(data, data.joints.joints[k]!, snaps);
+  }
+}
+
+/** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
+function settle(data: SolverData, group: Group): void {
+  const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
+  const isLarge = group.error > most * most;
+  group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
+  group.fresh = false;
+  if (group.settling > 0) {
+    steadyAll(data, group, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
+  }
+}
+
+/**
+ * Where something is in the way, joints that cannot be met are corrected by no more at once than contacts can undo: else what is dragged along or hauled up would be pulled into a wall, deeper and deeper, and
+ * through it. Not those that something heavy lies on, which has to be held up.
+ */
+function reachLess(data: SolverData, { start, end }: Group): void {
+  const { joints, records: r } = data.joints;
+  const { points: p } = data;
+  for (let k = start; k < end; k += 1) {
+    const { kernel, at, slot } = joints[k]!;
+    if (kernel === POINT) {
+      const i = recordAt(slot, POINT_STRIDE);
+      const error = Math.sqrt(p[i + ERROR_X]! * p[i + ERROR_X]! + p[i + ERROR_Y]! * p[i + ERROR_Y]!);
+      const share = Math.min(1, JOINT_TORN / error);
+      p[i + ERROR_X] = share * p[i + ERROR_X]!;
+      p[i + ERROR_Y] = share * p[i + ERROR_Y]!;
+    } else if (kernel === TURN) {
+      const most = r[at + TURN_UPPER]! + JOINT_TORN;
+      const least = r[at + TURN_LOWER]! - JOINT_TORN;
+      r[at + TURN_VALUE] = Math.max(least, Math.min(most, r[at + TURN_VALUE]!));
+    } else {
+      r[at + REACH] = JOINT_TORN;
+    }
+  }
+}
+
+/** In this sub-step only a share of the error of a joint is corrected, unless it is so large that bodies are moved without turning them. */
+export function correctShare(data: SolverData, { kernel, at, slot, layout }: Joint, share: number): void {
+  const { records: r } = data.joints;
+  const { points: p } = data;
+  if (kernel === POINT) {
+    const i = recordAt(slot, POINT_STRIDE);
+    const x = p[i + ERROR_X]!;
+    const y = p[i + ERROR_Y]!;
+    if (x * x + y * y <= JOINT_SNAP * JOINT_SNAP) {
+      p[i + ERROR_X] = share * x;
+      p[i + ERROR_Y] = share * y;
+    }
+  } else if (kernel === TURN) {
+    const value = r[at + TURN_VALUE]!;
+    const bound = Math.max(r[at + TURN_LOWER]!, Math.min(r[at + TURN_UPPER]!, value));
+    r[at + TURN_VALUE] = bound + share * (value - bound);
+  } else {
+    findLength(r, at + layout.error, layout.rows);
+    r[at + REACH] = share < 1 && length[0]! <= JOINT_SNAP ? (share - 1) * length[0]! : Infinity;
+  }
+}
+
+/**
+ * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
+ * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
+ * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins. Where impulses were dropped sweeps begin as for what is new.
+ */
+function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
+  const { impulseScale } = data;
+  const { h } = data.joints;
+  const before = isFirst ? h / (impulseScale || 1) : h;
+  const span = Math.max(h, before, group.span - h / 4);
+  const calm = JOINT_CALM * h * (h / span);
+  group.span = group.error > calm * calm || (isFirst && group.hasCustoms) ? span : h;
+  if (isFirst && impulseScale === 0) {
+    group.sweeps = NEW_JOINT_SWEEPS;
+  }
+}
+
+/**
+ * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before where it touches something or bears something heavy, as sweeps that come and go
+ * shake what hangs there, fling up what lies on it, and make a thin rope with a load whirl by itself.
+ */
+function planSweeps(data: SolverData, group: Group, eases: boolean): void {
+  const { strained, lag, h } = data.joints;
+  const first = strained[0]!;
+  const after = strained[1]!;
+  const error = Math.sqrt(group.error);
+  const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
+  const springs = Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN));
+  const motors = Math.floor(lag[0]! / MOTOR_LAG);
+  const ofAll = group.end - group.start > 1 ? Math.max(springs, motors) : 0;
+  const wanted = 1 + Math.max(0, ofAll, Math.ceil((error - JOINT_REST_ERROR) / part));
+  const isSteady = group.touched || group.burdened;
+  const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
+  const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
+  group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
+  const isNear = group.error < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
+  group.isFirm = isNear && mayBeFirm(group);
+  if (group.isFirm) {
+    group.sweeps = Math.max(group.sweeps, FIRM_SWEEPS);
+  }
+  if (group.toAndFro) {
+    group.sweeps = Math.max(2, group.sweeps - (group.sweeps & 1));
+  }
+  if (ofAll > 0 || group.isFirm) {
+    group.from = group.start;
+    group.to = group.end;
+  } else if (after > first) {
+    const margin = JOINT_SWEEP_MARGIN * (after - first);
+    group.from = first - margin;
+    group.to = after + margin;
+  }
+}
+
+/** Not where there are more joints than are needed: gradients would make them give ever more against each other, and corrections momentum of that. */
+function mayBeFirm({
+  stuck,
+  touched,
+  stands,
+  isHeld,
+  isMechanism,
+  isIndeterminate,
+  start,
+  end,
+  untouched,
+}: Group): boolean {
+  if (isIndeterminate || stuck === STUCK_STEPS) {
+    return false;
+  }
+  if (touched) {
+    return isMechanism && stands;
+  }
+  return isHeld && (isMechanism || (end - start <= FIRM_FEW && untouched === FIRM_STEPS));
+}

@@ -1,0 +1,122 @@
+import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
+import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../../config-joints.js';
+import type { Constraint } from '../../constraint/constraint.js';
+import type { World } from '../../world.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Group, Joint } from './joint-data.js';
+import { heldRows, impulseAt, markBodies, numbersOf, visit } from './joint-numbers.js';
+
+// Where there are more welds or points than hold the bodies together, as in frames and wheels, in nets, and between two bodies that are hinged twice, they may pull against each other, which moves nothing: no sweep sees such a
+// stress, and it stays. As the bodies turn what joints give would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
+
+/**
+ * Finds whether there are more rigid joints in a group than are needed: they have more rows than their bodies can move, or those between two bodies have. What they give may then be against each other. That of points alone may with as
+ * many rows, too: a net of 3 × 3 folds all the same.
+ */
+export function lookAtStress(data: SolverData, group: Group): void {
+  const { joints, bodies } = data.joints;
+  let rows = 0;
+  let movers = 0;
+  let isHeld = false;
+  let hasWelds = false;
+  let anchors = 0;
+  for (let k = group.start; k < group.end; k += 1) {
+    const { constraint, first, layout } = joints[k]!;
+    if (isRigid(constraint)) {
+      rows += heldRows(constraint);
+      hasWelds ||= constraint.type === 'WELD';
+    }
+    for (let n = 0; n < layout.members; n += 1) {
+      const body = bodies[first + n]!;
+      const moves = body > 0 && constraint.members[n]!.kind === DYNAMIC;
+      movers += moves && visit(data, body, d.MEMBER) ? 1 : 0;
+      isHeld ||= !moves;
+      anchors += !moves && holdsPlace(constraint) ? 1 : 0;
+    }
+  }
+  markBodies(data, group, 0);
+  group.isBetween = anchors > 1;
+  const most = 3 * (movers - (isHeld ? 0 : 1));
+  group.isIndeterminate = rows > most || hasOverheldPair(data, group);
+  group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
+}
+
+function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Group): boolean {
+  for (let k = start; k < end; k += 1) {
+    const { members, owner } = joints[k]!.constraint;
+    if (members.length === 2 && rowsBetween(members[0]!, members[1]!, owner) > 3) return true;
+  }
+  return false;
+}
+
+/** How many rows of rigid joints that act in a world hold two bodies together. */
+function rowsBetween(a: RigidBody, b: RigidBody, world: World | null): number {
+  const { constraints } = a.constraints.length < b.constraints.length ? a : b;
+  let rows = 0;
+  for (let i = 0; i < constraints.length; i += 1) {
+    const constraint = constraints[i]!;
+    const { members, liveIndex, owner } = constraint;
+    const isBetween = members.length === 2 && members.includes(a) && members.includes(b);
+    if (isBetween && owner === world && liveIndex >= 0 && isRigid(constraint)) {
+      rows += heldRows(constraint);
+    }
+  }
+  return rows;
+}
+
+function holdsPlace({ positional, isElastic, type }: Constraint): boolean {
+  return positional && !isElastic && type !== 'ANGLE';
+}
+
+function isRigid({ isElastic, drives }: Constraint): boolean {
+  return !isElastic && !drives;
+}
+
+/**
+ * Ends a sub-step: turns what welds and points of a group gave in it as their bodies have turned. By velocities, which corrections have a part in, a truss of bars that is at rest would turn it to and fro, and
+ * correct what that makes, for ever.
+ */
+export function turnStress(data: SolverData, group: Group): void {
+  if (!turns(data, group)) {
+    return;
+  }
+  const { joints } = data.joints;
+  for (let k = group.start; k < group.end; k += 1) {
+    const { constraint } = joints[k]!;
+    const { type, keepsAngle } = constraint;
+    if ((type === 'WELD' || (type === 'POINT' && !keepsAngle)) && isRigid(constraint)) turnImpulse(data, joints[k]!);
+  }
+}
+
+/** Whether some body turns so much that it matters. */
+function turns(data: SolverData, group: Group): boolean {
+  const { motion: q, joints } = data;
+  const { bodies } = group;
+  const least = group.end - group.start > FEW_JOINTS ? STRESS_SLOW * joints.h : STRESS_STILL;
+  for (let n = 0; n < bodies.count; n += 1) {
+    if (Math.abs(q[bodies.items[n]! + d.QW]!) > least) return true;
+  }
+  return false;
+}
+
+/** By the mean of its bodies; for this the sine of an angle need not be exact. */
+function turnImpulse(data: SolverData, joint: Joint): void {
+  const { motion: q, joints } = data;
+  const { bodies } = joints;
+  const { first, layout } = joint;
+  const r = numbersOf(data, joint);
+  const half = 0.25 * (q[bodies[first]! + d.QW]! + q[bodies[first + 1]! + d.QW]!);
+  const kept = 1 - STRESS_FADES * Math.min(1, 2 * Math.abs(half));
+  const share = kept / (1 + half * half);
+  const c = share * (1 - half * half);
+  const s = share * 2 * half;
+  const atX = impulseAt(joint, 0);
+  const atY = impulseAt(joint, 1);
+  const x = r[atX]!;
+  const y = r[atY]!;
+  r[atX] = c * x - s * y;
+  r[atY] = s * x + c * y;
+  if (layout.rows === 3) r[atY + 1] = kept * r[atY + 1]!;
+}

@@ -1,0 +1,471 @@
+import {
+  EASE_STEPS,
+  FIRM_ERROR,
+  FIRM_STEPS,
+  JOINT_FAR,
+  JOINT_PUSHES,
+  SWEPT_ONCE,
+  WEIGH_STEPS,
+} from '../../config-joints.js';
+import type { World } from '../../world.js';
+import type { SolverData } from '../data.js';
+import { breakOff } from '../ties.js';
+import { finishAnchored, warmStartAnchored } from './anchored-joints.js';
+import {
+  finishBlock,
+  lineariseBlock,
+  packBlock,
+  pushBlock,
+  solveVelocityBlock,
+  storeBlock,
+  warmStartBlock,
+} from './block-joints.js';
+import { closeOpen } from './close-joints.js';
+import { findCompanies, findGuests } from './joint-company.js';
+import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
+import { noteEnergy, takeExcesses } from './joint-energy.js';
+import { beginGradients, goOn, noteStart } from './joint-gradients.js';
+import { ANCHORED, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import { steadyFrame } from './joint-momentum.js';
+import { listBodies, steady } from './joint-numbers.js';
+import { orderJoints } from './joint-order.js';
+import { beginGroup, correctShare, lookAtKinds, plan } from './joint-plan.js';
+import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
+import { forgetShocks, linkShocks } from './joint-shocks.js';
+import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
+import { turnStress } from './joint-stress.js';
+import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './joint-sweeps.js';
+import {
+  beginPoints,
+  finishPoints,
+  keepPoints,
+  packPoint,
+  pushPoints,
+  solveVelocityPoints,
+  warmStartPoints,
+} from './point-joints.js';
+import { finishRows, warmStartRows } from './row-joints.js';
+import { beginTurns, finishTurns, packTurn, warmStartTurns } from './turn-joints.js';
+
+/** Whether custom constraints have something left for another position iteration. */
+const left = { found: false };
+
+/** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
+function packJoints(world: World, h: number): void {
+  const data = world.solver;
+  const { joints } = data;
+  const isChanged = world.jointsTouched || world.jointsStale || joints.h !== h || joints.substeps !== data.substeps;
+  if (world.jointsStale) {
+    orderJoints(world);
+  }
+  world.jointsStale = false;
+  world.jointsTouched = false;
+  joints.h = h;
+  joints.substeps = data.substeps;
+  joints.substepsLeft = data.substeps;
+  if (joints.slots > 0) {
+    data.makeRoomForPoints(joints.slots);
+  }
+  joints.eases = world.timeStamp % EASE_STEPS === 0;
+  joints.weighs = world.timeStamp % WEIGH_STEPS === 0;
+  if (joints.runs.length > 0) {
+    packPoses(world);
+  }
+  if (joints.hasCustoms) {
+    // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
+    joints.fetchAll();
+  }
+  for (let i = 0; i < joints.groups.length; i += 1) {
+    packGroup(data, joints.groups[i]!, isChanged);
+  }
+  watchTouched(world);
+  beginSprings(data);
+  if (isChanged) {
+    steadyFresh(data);
+  }
+}
+
+function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
+  group.touched = false;
+  for (let i = 0; i < group.runs.length; i += 1) {
+    group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
+  }
+  group.untouched = group.touched ? 0 : Math.min(FIRM_STEPS, group.untouched + 1);
+  if (isChanged) {
+    listBodies(data, group);
+    lookAtKinds(data, group);
+  }
+  group.guests.clear();
+  group.isWatched = group.mayGain && !group.isDriven && !group.touched;
+  if (group.isWatched) noteEnergy(data, group);
+}
+
+/** Of groups that touch something what they are with is watched, too. */
+function watchTouched(world: World): void {
+  const { solver } = world;
+  const { groups } = solver.joints;
+  let isKnown = false;
+  for (let i = 0; i < groups.length; i += 1) {
+    const group = groups[i]!;
+    if (group.mayGain && !group.isDriven && group.touched) {
+      if (!isKnown) findCompanies(world);
+      isKnown = true;
+      group.isWatched = findGuests(solver, group);
+      if (group.isWatched) noteEnergy(solver, group);
+    }
+  }
+}
+
+/** @returns whether one of the bodies is in contact. */
+function packRun(data: SolverData, { kernel, start, end }: Run, isChanged: boolean): boolean {
+  const { joints } = data.joints;
+  let isInContact = false;
+  for (let k = start; k < end && (isChanged || !keepsNumbers(kernel)); k += 1) {
+    isInContact = packJoint(data, joints[k]!) || isInContact;
+  }
+  if (kernel === POINT) {
+    return beginPoints(data, start, end);
+  }
+  return kernel === TURN ? beginTurns(data, start, end) : isInContact;
+}
+
+/** @returns whether one of the bodies is in contact, if its numbers do not stay here. */
+function packJoint(data: SolverData, joint: Joint): boolean {
+  if (joint.kernel === POINT) {
+    packPoint(data, joint);
+    return false;
+  }
+  if (joint.kernel === TURN) {
+    packTurn(data, joint);
+    return false;
+  }
+  packHead(data.joints, joint);
+  return packBlock(data, joint);
+}
+
+/** What was changed is corrected without momentum in this step, and as all others from the next one on. */
+function steadyFresh(data: SolverData): void {
+  const { joints, groups, shifted } = data.joints;
+  for (const group of groups) {
+    for (let k = group.start; k < group.end; k += 1) {
+      const { constraint } = joints[k]!;
+      if (constraint.fresh) {
+        constraint.fresh = false;
+        constraint.stored = Infinity;
+        group.fresh = true;
+        group.isWatched = false;
+        steady(data, joints[k]!, group.touched ? 0 : 1);
+        if (constraint.shifted && !group.touched) {
+          shifted.push(joints[k]!);
+        }
+        constraint.shifted = false;
+      }
+    }
+  }
+}
+
+/** Starts a sub-step: finds how often each group has to be swept over. */
+function warmStartJoints(data: SolverData, isFirst: boolean): void {
+  const { groups, worst } = data.joints;
+  noteVelocities(data);
+  for (let i = 0; i < groups.length; i += 1) {
+    const group = groups[i]!;
+    const { beside } = group;
+    if (beside === null) {
+      warmStartGroup(data, group, isFirst);
+    } else {
+      worst[0] = 0;
+      worst[1] = 0;
+      warmStartPoints(data, group.start, beside.end);
+      group.error = worst[0]!;
+      beside.error = worst[1]!;
+      planChain(data, group, isFirst);
+      planChain(data, beside, isFirst);
+      i += 1;
+    }
+  }
+  spreadShifts(data);
+}
+
+/** The way to what is asked for anew is made over the whole step: all of it in the first sub-step would be so many times as fast, and what hangs on it, whose joints make momentum, be flung up. */
+function spreadShifts(data: SolverData): void {
+  const { shifted, substepsLeft } = data.joints;
+  for (let i = 0; i < shifted.length; i += 1) {
+    correctShare(data, shifted[i]!, 1 / substepsLeft);
+  }
+  data.joints.substepsLeft -= 1;
+  // Nobody is held on to.
+  if (substepsLeft === 1) shifted.length = 0;
+}
+
+function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {
+  const { worst, asked } = data.joints;
+  beginGroup(data, group);
+  group.error = 0;
+  for (let n = 0; n < group.runs.length; n += 1) {
+    worst[0] = 0;
+    worst[1] = 0;
+    warmStartRun(data, group.runs[n]!, isFirst);
+    const error = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
+    group.runs[n]!.isStrained = error > asked[0]!;
+    group.error = error > group.error ? error : group.error;
+  }
+  plan(data, group, isFirst);
+}
+
+/** Of a group that lies beside another, and was warm started with it. */
+function planChain(data: SolverData, group: Group, isFirst: boolean): void {
+  beginGroup(data, group);
+  group.runs[0]!.isStrained = group.error > data.joints.asked[0]!;
+  plan(data, group, isFirst);
+}
+
+function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: boolean): void {
+  if (kernel === POINT) {
+    warmStartPoints(data, start, end);
+  } else if (kernel === TURN) {
+    warmStartTurns(data, start, end);
+  } else if (kernel === ANCHORED) {
+    warmStartAnchored(data, start, end);
+  } else if (kernel === ROW) {
+    warmStartRows(data, start, end);
+  } else {
+    for (let k = start; k < end; k += 1) {
+      warmStartBlock(data, k, isFirst);
+    }
+  }
+}
+
+/** Velocity iteration `i` of `count`. */
+function solveVelocityJoints(data: SolverData, i: number, count: number): void {
+  const { groups } = data.joints;
+  if (data.joints.hasCustoms) sweepCustoms(data, i, solveVelocityBlock);
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    const { beside } = group;
+    const areTwo = beside !== null && !group.isFirm && !beside.isFirm;
+    solveVelocityGroup(data, group, i, count, areTwo);
+    if (areTwo) {
+      solveVelocityGroup(data, beside, i, count, true);
+      if (i === count - 1) solveVelocityPoints(data, group.start, beside.end, false);
+      k += 1;
+    }
+  }
+}
+
+/** Of two groups side by side the last sweep is left out: it is over both at once. */
+function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number, isOfTwo: boolean): void {
+  const { sweeps } = group;
+  const last = sweeps - 1;
+  if (group.isFirm) {
+    // What touches nothing has it once, as nothing changes in between.
+    if (group.touched || i === count - 1) solveFirmly(data, group);
+    return;
+  }
+  const after = Math.floor(((i + 1) * sweeps) / count);
+  for (let sweep = Math.floor((i * sweeps) / count); sweep < after && !(isOfTwo && sweep === last); sweep += 1) {
+    sweepOver(data, group, sweep, sweep === last, solveVelocityRun);
+  }
+}
+
+/** Sweeps until nothing changes any more. */
+function solveFirmly(data: SolverData, group: Group): void {
+  beginGradients(data, group, false);
+  for (let sweep = 0; sweep < group.sweeps; sweep += 1) {
+    noteStart(data, false);
+    sweepOver(data, group, sweep, true, solveVelocityRun);
+    if (sweep < group.sweeps - 1 && !goOn(data, group, false)) {
+      return;
+    }
+  }
+}
+
+/** Custom constraints, whose callbacks are called once in each iteration. In odd iterations groups that are swept over to and fro begin with their last. */
+function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joint: Joint) => void): void {
+  const { groups, joints } = data.joints;
+  for (let g = 0; g < groups.length; g += 1) {
+    const { runs, toAndFro } = groups[g]!;
+    const isBack = toAndFro && i % 2 === 1;
+    for (let n = 0; n < runs.length; n += 1) {
+      const { kernel, start, end } = runs[isBack ? runs.length - 1 - n : n]!;
+      for (let k = start; k < end && kernel === CUSTOM; k += 1) {
+        solve(data, joints[isBack ? start + end - 1 - k : k]!);
+      }
+    }
+  }
+}
+
+/** Position iteration `i` of `count`; where there are fewer sweeps than iterations the first iterations have them. @returns whether there is something left for another. */
+function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
+  const { groups } = data.joints;
+  left.found = false;
+  if (data.joints.hasCustoms) sweepCustoms(data, i, pushCustom);
+  let isLeft = left.found;
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    if (i === 0 && group.beside !== null) {
+      pushBoth(data, group, group.beside);
+    }
+    const sweeps = group.sweeps === 1 ? 1 : JOINT_PUSHES * group.sweeps;
+    const before = Math.ceil((i * sweeps) / count);
+    const after = Math.ceil(((i + 1) * sweeps) / count);
+    if (after > before) {
+      isLeft = (pushGroup(data, group, before, after) && after < sweeps) || isLeft;
+    }
+  }
+  return isLeft;
+}
+
+/** The first sweep over groups side by side: over both at once. */
+function pushBoth(data: SolverData, first: Group, second: Group): void {
+  const { worst } = data.joints;
+  worst[0] = 0;
+  worst[1] = 0;
+  pushPoints(data, first.start, second.end, false);
+  first.pushed = worst[0]!;
+  second.pushed = worst[1]!;
+}
+
+/**
+ * Position sweeps, until errors are small. Those after the first take the errors of point joints as linear in the motion, unless
+ * contacts came in between, or bodies are to be moved without turning. @returns whether the last one found an error that was worth another.
+ */
+function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
+  const { worst } = data.joints;
+  linearise(data, group);
+  const isBegun = before === 0 && group.isBeside;
+  if (group.isFirm) beginGradients(data, group, true);
+  if (isBegun && group.pushed === 0) {
+    return false;
+  }
+  for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
+    const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
+    // More than small motion was left when all exact errors were found the last time.
+    const pushAgain = group.pushed > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;
+    worst[0] = 0;
+    worst[1] = 0;
+    const goesOn = group.isFirm && isLinear && group.pushed < FIRM_ERROR * FIRM_ERROR;
+    if (goesOn) noteStart(data, true);
+    const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushAgain : pushRun);
+    if (!isLinear) {
+      group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
+    }
+    // What is swept to is swept fro, too.
+    if (!isOff && !(group.toAndFro && sweep % 2 === 0)) {
+      return false;
+    }
+    if (goesOn && sweep < after - 1) goOn(data, group, true);
+  }
+  return true;
+}
+
+function pushCustom(data: SolverData, joint: Joint): void {
+  lineariseBlock(data, joint);
+  pushBlock(data, joint);
+  left.found ||= data.joints.records[joint.at + PUSH] !== 0;
+}
+
+/** Sets what share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them. */
+function findShare({ joints: { h, share } }: SolverData, { span, sweeps, start, end }: Group): void {
+  const kept = sweeps === 1 && end - start > 1 ? Math.max(0, 1 - SWEPT_ONCE * h) : 1;
+  share[0] = kept * (h / span) * (h / span);
+}
+
+/** Whether two groups that lie side by side, of as many joints, make the same share of it. */
+function areAlike(one: Group, other: Group): boolean {
+  return one.span === other.span && (one.sweeps === 1) === (other.sweeps === 1);
+}
+
+function finishGroup(data: SolverData, group: Group): void {
+  const { runs } = group;
+  const { joints } = data.joints;
+  findShare(data, group);
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
+    if (kernel === POINT) {
+      finishPoints(data, start, end);
+    } else if (kernel === TURN) {
+      finishTurns(data, start, end);
+    } else if (kernel === ANCHORED) {
+      finishAnchored(data, start, end);
+    } else if (kernel === ROW) {
+      finishRows(data, start, end);
+    } else {
+      for (let k = start; k < end; k += 1) {
+        finishBlock(data, joints[k]!);
+      }
+    }
+  }
+}
+
+/** Ends a sub-step. */
+function finishJoints(data: SolverData): void {
+  const { groups, runs } = data.joints;
+  for (let k = 0; k < groups.length; k += 1) {
+    const group = groups[k]!;
+    const { beside } = group;
+    if (beside !== null && areAlike(group, beside)) {
+      findShare(data, group);
+      finishPoints(data, group.start, beside.end);
+      closeOpen(data, group);
+      closeOpen(data, beside);
+      k += 1;
+    } else {
+      finishGroup(data, group);
+      closeOpen(data, group);
+      if (group.isOverheld) turnStress(data, group);
+    }
+  }
+  enterSprings(data);
+  forgetShocks(data);
+  if (runs.length > 0) {
+    advancePoses(data);
+  }
+}
+
+/** Writes the outcome of the step back to the constraints, but those that fetch it; those that broke leave. */
+function storeJoints(world: World): void {
+  const data = world.solver;
+  const { joints } = data;
+  hidePoses(data);
+  takeExcesses(data);
+  joints.solved += 1;
+  for (let i = 0; i < joints.runs.length; i += 1) {
+    const { kernel, start, end } = joints.runs[i]!;
+    if (kernel === POINT) {
+      keepPoints(data, start, end);
+    }
+    for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
+      storeBlock(data, joints.joints[k]!);
+    }
+  }
+  for (let k = 0; k < joints.joints.length && world.jointsStale; k += 1) {
+    // A callback may have switched it off, which forgot its impulses then.
+    const { constraint } = joints.joints[k]!;
+    if (!constraint.enabled) constraint.forget();
+  }
+  for (const { constraint } of joints.broken) {
+    breakOff(world, constraint);
+  }
+  joints.broken.length = 0;
+}
+
+/** One more sweep over a group. */
+function sweepShock(data: SolverData, index: number): void {
+  sweepOver(data, data.joints.groups[index]!, 0, true, solveVelocityRun);
+}
+
+/** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */
+export const jointSolver = {
+  pack: packJoints,
+  warmStart: warmStartJoints,
+  solveVelocities: solveVelocityJoints,
+  solvePositions: solvePositionJoints,
+  finish: finishJoints,
+  store: storeJoints,
+  linkShocks,
+  sweepShock,
+  steadyFrame,
+};
+
+export type JointSolver = typeof jointSolver;

@@ -1,0 +1,37 @@
+import { PINS_APART, PINS_UNLIKE } from '../../config-joints.js';
+import type { Constraint } from '../../constraint/constraint.js';
+import { holdsBoth, type PointConstraint } from '../../constraint/point.js';
+import { atan2 } from '../../math/trig.js';
+
+// Two bodies that two rigid points hold together cannot move against each other, as if they were welded. Solved as two points both would ask for the same along the line between them, and the closer they lie the more sweeps they
+// would take across it: a door on two hinges 4 cm apart sprang by 5 mm, and stayed turned the wrong way round. So the first one is a point, and the other one keeps the angle at which both meet.
+
+/** rad. Rotation of its second body less that of its first at which a point meets together with one of some others that holds the same bodies, NaN if there is none. */
+export function angleBeside(point: PointConstraint, others: ReadonlySet<Constraint>): number {
+  const { bodyA, bodyB } = point;
+  const { constraints } = bodyA.constraints.length < bodyB.constraints.length ? bodyA : bodyB;
+  for (const other of constraints) {
+    if (others.has(other) && holdsBoth(other, bodyA, bodyB)) {
+      const angle = angleBetween(point, other as PointConstraint);
+      if (!Number.isNaN(angle)) return angle;
+    }
+  }
+  return Number.NaN;
+}
+
+/** Of the ways from one point to another on both bodies; NaN where they are not as long, as then not both can meet, or very short. */
+function angleBetween(
+  { anchors, bodyA }: PointConstraint,
+  { anchors: others, bodyA: otherA }: PointConstraint,
+): number {
+  const swap = bodyA === otherA ? 0 : 2;
+  const ax = anchors[0]! - others[swap]!;
+  const ay = anchors[1]! - others[swap + 1]!;
+  const bx = anchors[2]! - others[2 - swap]!;
+  const by = anchors[3]! - others[3 - swap]!;
+  const onA = Math.sqrt(ax * ax + ay * ay);
+  const onB = Math.sqrt(bx * bx + by * by);
+  return Math.abs(onA - onB) <= PINS_UNLIKE && onA >= PINS_APART
+    ? atan2(bx * ay - by * ax, bx * ax + by * ay)
+    : Number.NaN;
+}

@@ -1,0 +1,262 @@
+import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../../config-joints.js';
+import type { PointConstraint } from '../../constraint/point.js';
+import { recordAt, type SolverData } from '../data.js';
+import * as d from '../layout.js';
+import type { Joint } from './joint-data.js';
+import * as j from './joint-layout.js';
+import * as plain from './point-loops.js';
+
+/**
+ * Rigid point joints that do not break; all others are block joints. The error is C = Δ(x + r) between the bodies, and by velocities
+ * C' = vB + ωB × rB − vA − ωA × rA. Velocity iterations bring C' to zero at the start of the sub-step; position iterations bring C to
+ * zero at its end, where their corrections, with the arms of the start, become momentum. Together they are RATTLE (Andersen 1983),
+ * which neither gains nor loses energy.
+ */
+
+/**
+ * A loop in WebAssembly, from one record to another, both even. @returns twice the index of the first that it left to the loop in TypeScript, and 1 if an error was worth
+ * another iteration.
+ */
+type FastLoop = (data: SolverData, from: number, to: number) => number;
+
+export interface PointKernels {
+  readonly warmStart: FastLoop;
+  readonly solveVelocity: FastLoop;
+  readonly push: FastLoop;
+  readonly pushLinearly: FastLoop;
+  readonly finish: FastLoop;
+  /** Adds the motion of the sub-step to the placements of bodies. @returns the index of the first that it left to the loop in TypeScript. */
+  readonly advancePoses: FastLoop;
+}
+
+/** The same in TypeScript, over each record or, with a `step` of 2, every second one, or back with a negative one. @returns `true` if an error was worth another iteration. */
+type Loop = (data: SolverData, from: number, to: number, step: number) => unknown;
+
+/** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
+const FAR_BLOCK = 8;
+
+/** What changes seldom: anchors, bodies, and the impulse to start with. */
+export function packPoint(data: SolverData, joint: Joint): void {
+  const { records: r } = data.joints;
+  const { at, constraint } = joint;
+  // First, as what it gave in the last step may not have been fetched from here yet.
+  const { impulse } = constraint;
+  r[at + j.KEPT_IMPULSE_X] = impulse[0]!;
+  r[at + j.KEPT_IMPULSE_Y] = impulse[1]!;
+  r[at + j.KEPT_SLOT] = joint.slot;
+  packAnchor(data, joint, 0);
+  packAnchor(data, joint, 1);
+}
+
+function packAnchor(data: SolverData, joint: Joint, k: number): void {
+  const { records: r, bodies } = data.joints;
+  const { at, first } = joint;
+  const constraint = joint.constraint as PointConstraint;
+  const { members, anchors } = constraint;
+  const body = members[k]!;
+  const slot = constraint.slotOf(body);
+  const x = anchors[2 * k]!;
+  const y = anchors[2 * k + 1]!;
+  const isImmovable = slot === 0;
+  r[at + j.KEPT_ANCHOR_AX + 2 * k] = isImmovable ? body.x + body.cos * x - body.sin * y : x;
+  r[at + j.KEPT_ANCHOR_AY + 2 * k] = isImmovable ? body.y + body.sin * x + body.cos * y : y;
+  r[at + j.KEPT_ORIGIN_AX + 2 * k] = isImmovable ? body.x : 0;
+  r[at + j.KEPT_ORIGIN_AY + 2 * k] = isImmovable ? body.y : 0;
+  bodies[first + k] = slot * d.BODY_STRIDE;
+}
+
+/** Starts a step. @returns whether one of the bodies is in contact. */
+export function beginPoints(data: SolverData, start: number, end: number): boolean {
+  const { records: kept, bodies, joints, h } = data.joints;
+  const { drive, points: r, pointBodies } = data;
+  const scale = data.impulseScale;
+  const carry = JOINT_MOMENTUM / h;
+  let o = joints[start]!.at;
+  let n = joints[start]!.first;
+  let touched = 0;
+  for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
+    const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
+    const i = ((slot & d.PAIR) * j.POINT_STRIDE + (slot & 1)) & d.OFFSET;
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    touched |= drive[a + d.TOUCHED]! | drive[b + d.TOUCHED]!;
+    if ((slot & 1) === 0) {
+      // Until there is one, which comes next.
+      missing(r, pointBodies, slot + 1, i + 1);
+    }
+    pointBodies[2 * slot] = a;
+    pointBodies[2 * slot + 1] = b;
+    r[i + j.ANCHOR_AX] = kept[o + j.KEPT_ANCHOR_AX]!;
+    r[i + j.ANCHOR_AY] = kept[o + j.KEPT_ANCHOR_AY]!;
+    r[i + j.ANCHOR_BX] = kept[o + j.KEPT_ANCHOR_BX]!;
+    r[i + j.ANCHOR_BY] = kept[o + j.KEPT_ANCHOR_BY]!;
+    r[i + j.IMPULSE_X] = kept[o + j.KEPT_IMPULSE_X]! * scale;
+    r[i + j.IMPULSE_Y] = kept[o + j.KEPT_IMPULSE_Y]! * scale;
+    r[i + j.SUM_X] = 0;
+    r[i + j.SUM_Y] = 0;
+    r[i + j.SUM_WA] = 0;
+    r[i + j.SUM_WB] = 0;
+    r[i + j.POINT_CARRY] = carry;
+    r[i + j.POINT_SNAPS] = 0;
+  }
+  return touched !== 0;
+}
+
+/** A record that no joint has. */
+function missing(r: Float64Array, pointBodies: Int32Array, slot: number, i: number): void {
+  pointBodies[2 * slot] = d.MISSING;
+  pointBodies[2 * slot + 1] = 0;
+  r[i + j.ANCHOR_AX] = 0;
+  r[i + j.ANCHOR_AY] = 0;
+  r[i + j.ANCHOR_BX] = 0;
+  r[i + j.ANCHOR_BY] = 0;
+}
+
+/** Ends a step. */
+export function keepPoints(data: SolverData, start: number, end: number): void {
+  const { records: kept, joints } = data.joints;
+  const { points: r } = data;
+  let o = joints[start]!.at;
+  for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET) {
+    const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
+    const i = ((slot & d.PAIR) * j.POINT_STRIDE + (slot & 1)) & d.OFFSET;
+    kept[o + j.KEPT_IMPULSE_X] = r[i + j.IMPULSE_X]!;
+    kept[o + j.KEPT_IMPULSE_Y] = r[i + j.IMPULSE_Y]!;
+    kept[o + j.KEPT_SUM_X] = r[i + j.SUM_X]!;
+    kept[o + j.KEPT_SUM_Y] = r[i + j.SUM_Y]!;
+    kept[o + j.KEPT_SUM_WA] = r[i + j.SUM_WA]!;
+    kept[o + j.KEPT_SUM_WB] = r[i + j.SUM_WB]!;
+  }
+}
+
+/** Which of them have a larger error than asked for: from the first to the one after the last, to `strained`, if there are such. */
+export function findStrained(data: SolverData, start: number, end: number): void {
+  const { strained, joints } = data.joints;
+  let from = start;
+  while (from < end && !isStrained(data, joints[from]!)) {
+    from += 1;
+  }
+  if (from === end) {
+    return;
+  }
+  let to = end;
+  while (!isStrained(data, joints[to - 1]!)) {
+    to -= 1;
+  }
+  strained[0] = Math.min(strained[0]!, from);
+  strained[1] = Math.max(strained[1]!, to);
+}
+
+function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Joint): boolean {
+  const i = recordAt(slot, j.POINT_STRIDE);
+  return r[i + j.ERROR_X]! * r[i + j.ERROR_X]! + r[i + j.ERROR_Y]! * r[i + j.ERROR_Y]! > asked[0]!;
+}
+
+/**
+ * Joints from one to another, by a fast loop, if there is one, and by the plain one what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
+ * at once if both are wanted. Back it goes by the plain loop. @returns what they find together.
+ */
+function solve(
+  data: SolverData,
+  start: number,
+  end: number,
+  isBack: boolean,
+  fast: FastLoop | undefined,
+  loop: Loop,
+): boolean {
+  const { pointBodies } = data;
+  const { joints } = data.joints;
+  const { slot, isPaired } = joints[start]!;
+  const last = joints[end - 1]!.slot;
+  const step = stepOf(data, start, end);
+  if (isBack) {
+    return loop(data, last, slot - step, -step) === true;
+  }
+  if (fast === undefined || !isPaired || step === 2) {
+    return loop(data, slot, last + step, step) === true;
+  }
+  const to = last + 1;
+  let k = slot;
+  let found = false;
+  if (k % 2 === 1) {
+    found = loop(data, k, k + 1, 1) === true;
+    k += 1;
+  }
+  const whole = to + (to & 1) * ((pointBodies[2 * to]! & d.MISSING) === 0 ? -1 : 1);
+  while (k < whole) {
+    const done = fast(data, k, whole);
+    found = (done & 1) === 1 || found;
+    k = done >> 1;
+    if (k < whole) {
+      found = loop(data, k, k + 2, 1) === true || found;
+      k += 2;
+    }
+  }
+  return (k < to && loop(data, k, to, 1) === true) || found;
+}
+
+/** How far it is from one record to the next: two within a group with another one beside it, as all of them are even or odd. */
+function stepOf({ joints: { joints } }: SolverData, start: number, end: number): number {
+  const { slot, isBeside } = joints[start]!;
+  return isBeside && ((joints[end - 1]!.slot ^ slot) & 1) === 0 ? 2 : 1;
+}
+
+/** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
+export function warmStartPoints(data: SolverData, start: number, end: number): void {
+  solve(data, start, end, false, data.pointKernels?.warmStart, plain.warmStartPoints);
+}
+
+/** One sweep over velocities. */
+export function solveVelocityPoints(data: SolverData, start: number, end: number, isBack: boolean): void {
+  solve(data, start, end, isBack, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
+}
+
+/** One exact sweep over positions. @returns whether an error was worth another iteration. */
+export function pushPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+  return solve(data, start, end, isBack, data.pointKernels?.push, plain.pushPoints);
+}
+
+/** Another sweep, linear. @returns as the others. */
+export function pushPointsLinearly(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+  return solve(data, start, end, isBack, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
+}
+
+/** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
+export function pushTurnedPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+  let found = false;
+  const block = isBack ? 1 : FAR_BLOCK;
+  for (let n = start; n < end; n += block) {
+    const k = isBack ? start + end - 1 - n : n;
+    const to = Math.min(k + block, end);
+    found =
+      (haveTurned(data, k, to) ? pushPoints(data, k, to, isBack) : pushPointsLinearly(data, k, to, isBack)) || found;
+  }
+  return found;
+}
+
+/** The largest error now, m, to `left`. */
+export function measurePoints(data: SolverData, start: number, end: number): void {
+  const { joints } = data.joints;
+  const step = stepOf(data, start, end);
+  plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + step, step);
+}
+
+/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+export function finishPoints(data: SolverData, start: number, end: number): void {
+  solve(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);
+}
+
+function haveTurned(data: SolverData, start: number, end: number): boolean {
+  const { points: r, pointBodies: bodies, motion: q } = data;
+  const { joints } = data.joints;
+  let most = 0;
+  for (let k = start; k < end; k += 1) {
+    const { slot } = joints[k]!;
+    const i = recordAt(slot, j.POINT_STRIDE);
+    const wA = Math.abs(q[(bodies[2 * slot]! & d.OFFSET) + d.QW]! - r[i + j.PLACED_WA]!);
+    const wB = Math.abs(q[bodies[2 * slot + 1]! + d.QW]! - r[i + j.PLACED_WB]!);
+    most = wA > most ? wA : most;
+    most = wB > most ? wB : most;
+  }
+  return most > JOINT_FAR_TURN;
+}

@@ -1,0 +1,147 @@
+import { BOUND_SLOP, ROW_TURN } from '../../config-joints.js';
+import type { SolverData } from '../data.js';
+import * as d from '../layout.js';
+import { beginSpring, correct, isSlack, noteError } from './block-joints.js';
+import { applyRows, length, writeMatrix } from './block-rows.js';
+import { tear } from './breaking.js';
+import * as j from './joint-layout.js';
+import { measure } from './joint-pose.js';
+
+/** Block joints for one row between two bodies, straight-line: distances, and the angles that `turn-joints.ts` does not solve. What they have in common with all others is done there. */
+
+/** Starts a sub-step, as `warmStartBlock`. */
+export function warmStartRows(data: SolverData, start: number, end: number): void {
+  const { records: r, joints, h } = data.joints;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { layout, constraint } = joint;
+    const { impulse, push, bias, error, jacobian } = layout;
+    const i = joint.at & d.OFFSET;
+    measure(data, joint, jacobian, false, constraint.isElastic);
+    writeMatrix(data, joint, jacobian);
+    r[i + push] = 0;
+    const distance = r[i + error]!;
+    const isFree = isSlack(r, joint, error);
+    if (constraint.isElastic) {
+      beginSpring(data, joint);
+    } else {
+      const rests = Math.abs(distance) < BOUND_SLOP && r[i + impulse] !== 0;
+      r[i + bias] = isFree && !rests ? distance / h : 0;
+    }
+    if (r[i + j.PUSH] !== 0) {
+      length[0] = isFree ? 0 : Math.abs(distance);
+      noteError(data, m);
+    }
+    applyRows(data, joint, jacobian, impulse, 1, false);
+  }
+}
+
+/** Starts a position iteration, as `lineariseBlock`. */
+export function lineariseRows(data: SolverData, start: number, end: number): void {
+  const { records: r, joints } = data.joints;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { layout } = joint;
+    const i = joint.at & d.OFFSET;
+    if (r[i + j.PUSH] === 0) {
+      continue;
+    }
+    measure(data, joint, layout.turned, true, true);
+    const error = isSlack(r, joint, layout.error) ? 0 : Math.abs(r[i + layout.error]!);
+    if (error > r[i + j.MAX_ERROR]!) {
+      data.joints.break(joint);
+      continue;
+    }
+    correct(data, joint, error);
+  }
+}
+
+/** One sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ) or, if `moving`, over the motion of the sub-step, with C as its linear part has it. */
+export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
+  const { records: r, bodies, joints } = data.joints;
+  const v = moving ? data.motion : data.velocity;
+  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, total } = joints[start]!.layout;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[isBack ? start + end - 1 - m : m]!;
+    const i = joint.at & d.OFFSET;
+    if (moving && r[i + j.PUSH] === 0) {
+      continue;
+    }
+    const n = joint.first & d.OFFSET;
+    const a = bodies[n]! & d.OFFSET;
+    const b = bodies[n + 1]! & d.OFFSET;
+    const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
+    const o = (i + (moving ? push : impulse)) & d.OFFSET;
+    const softness = moving ? 1 : r[i + j.SOFTNESS]!;
+    const feedback = moving ? 0 : r[i + j.FEEDBACK]!;
+    const ax = r[p]!;
+    const ay = r[p + 1]!;
+    const aw = r[p + 2]!;
+    const bx = r[p + 3]!;
+    const by = r[p + 4]!;
+    const bw = r[p + 5]!;
+    const vax = v[a + d.VX]!;
+    const vay = v[a + d.VY]!;
+    const wA = v[a + d.W]!;
+    const vbx = v[b + d.VX]!;
+    const vby = v[b + d.VY]!;
+    const wB = v[b + d.W]!;
+    const c = ax * vax + ay * vay + aw * wA + bx * vbx + by * vby + bw * wB + r[i + (moving ? error : bias)]!;
+    const old = r[o]!;
+    const least = r[i + low]!;
+    const most = r[i + high]!;
+    let next = old - softness * r[i + matrix]! * c - feedback * old;
+    next = next < least ? least : next > most ? most : next;
+    if (!moving && r[i + j.CHECKED] !== 0) {
+      const sum = r[i + total]! + next;
+      const breaking = r[i + j.BREAK]!;
+      if (sum > breaking || sum < -breaking) {
+        tear(data, joint);
+        continue;
+      }
+      const limit = r[i + j.LIMIT]!;
+      next = next > limit ? limit : next < -limit ? -limit : next;
+    }
+    const lambda = next - old;
+    r[o] = next;
+    const mA = v[a + d.INV_MASS]! * lambda;
+    const mB = v[b + d.INV_MASS]! * lambda;
+    v[a + d.VX] = vax + mA * ax;
+    v[a + d.VY] = vay + mA * ay;
+    v[a + d.W] = wA + v[a + d.INV_INERTIA]! * lambda * aw;
+    v[b + d.VX] = vbx + mB * bx;
+    v[b + d.VY] = vby + mB * by;
+    v[b + d.W] = wB + v[b + d.INV_INERTIA]! * lambda * bw;
+  }
+}
+
+/** Ends a sub-step, as `finishBlock`. */
+export function finishRows(data: SolverData, start: number, end: number): void {
+  const { records: r, joints, share } = data.joints;
+  for (let m = start; m < end; m += 1) {
+    const joint = joints[m]!;
+    const { push, impulse, jacobian, turned, total, carried, given } = joint.layout;
+    const i = joint.at & d.OFFSET;
+    const p = (i + jacobian) & d.OFFSET;
+    const t = (i + turned) & d.OFFSET;
+    const g = (i + given) & d.OFFSET;
+    const ax = r[p]!;
+    const ay = r[p + 1]!;
+    const bx = r[p + 3]!;
+    const by = r[p + 4]!;
+    // As `hasTurnedFar`.
+    const dot = ax * r[t]! + ay * r[t + 1]! + (bx * r[t + 3]! + by * r[t + 4]!);
+    const along = dot < ROW_TURN * (ax * ax + ay * ay + (bx * bx + by * by)) ? t : p;
+    const carry = share[0]! * r[i + j.CARRY]!;
+    const held = r[i + impulse]!;
+    const pushed = carry * r[i + push]!;
+    if (carry !== 0) {
+      applyRows(data, joint, along - i, push, carry, false);
+    }
+    r[i + total] = r[i + total]! + held;
+    r[i + carried] = r[i + carried]! + pushed;
+    for (let c = 0; c < 6; c += 1) {
+      r[g + c] = r[g + c]! + r[p + c]! * held + r[along + c]! * pushed;
+    }
+  }
+}
