@@ -262,5 +262,8 @@ export const STUCK_APART = 0.25;
 export const UNTRUE_STEPS = 16;
 export const UNTRUE_SHARE = 0.01;
 
+/** m, rad. Only where joints are open by more than this: what bounces to and fro in a slot within a step moves as little, and is as fast as it is told. */
+export const UNTRUE_ERROR = 1e-4;
+
 /** The share of that energy that the motion may have where something is touched: with 1 beams that a ball strikes gain 0.36 times what it brings, not 0.21. */
 export const STUCK_STANDS = 0.25;

@@ -2,16 +2,18 @@ import { grown, widened } from '../math/doubles.js';
 import { BOX, FREE, MAX_LEAN, NONE, WAITING } from './layout.js';
 import { split } from './split.js';
 
-/** If, of all leaves, more than one in so many waits for a place, the tree is built anew. */
-const REBUILD = 4;
+/** Of a node: nothing changed, something did below one of its children, or its own children did. */
+const FRESH = 0;
+const AGED = 1;
+const CHANGED = 2;
 
 /**
  * How a tree of boxes keeps its shape. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding Volume
  * Hierarchies", GDC 2019). Every node above what changed exchanges a child for a grandchild where that makes a box smaller (Kopta et al., "Fast, effective
  * BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis 1962).
  *
- * All that waits until somebody asks: where many boxes changed, the nodes above them are seen to once each, from below, and many new leaves make a new tree,
- * by halves.
+ * All that waits until somebody asks: where many boxes changed, the nodes above them are seen to once each, from below; and where more leaves are new than old the tree is built
+ * anew.
  */
 export class TreeShape<T> {
   /** minX, minY, maxX, maxY of each node. */
@@ -28,7 +30,7 @@ export class TreeShape<T> {
   protected level = new Uint8Array(16);
   /** The top node, as long as nothing waits and it is not stale. */
   protected top = NONE;
-  /** Nodes below which something changed, and all nodes above them. */
+  /** What changed at or below each node; see AGED. */
   private stale = new Uint8Array(16);
   private used = 0;
   private free = NONE;
@@ -68,7 +70,7 @@ export class TreeShape<T> {
     this.right[node] = NONE;
     this.parent[node] = NONE;
     this.level[node] = 0;
-    this.stale[node] = 0;
+    this.stale[node] = FRESH;
     this.items[node] = null;
     return node;
   }
@@ -110,17 +112,22 @@ export class TreeShape<T> {
     this.parent[last] = this.parent[leaf]!;
   }
 
-  /** Something below a node changed. */
-  protected age(from: number): void {
-    for (let node = from; node !== NONE && this.stale[node] === 0; node = this.parent[node]!) {
-      this.stale[node] = 1;
+  /** A child of a node changed. */
+  protected age(node: number): void {
+    if (node === NONE) {
+      return;
+    }
+    const isKnown = this.stale[node] !== FRESH;
+    this.stale[node] = CHANGED;
+    for (let k = this.parent[node]!; k !== NONE && !isKnown && this.stale[k] === FRESH; k = this.parent[k]!) {
+      this.stale[k] = AGED;
     }
   }
 
   /** Sees to all that changed. */
   protected mend(): void {
     const { waiting, waitingCount: count } = this;
-    if (count > 0 && REBUILD * count > this.placed) {
+    if (count > this.placed) {
       this.rebuild();
       return;
     }
@@ -131,17 +138,18 @@ export class TreeShape<T> {
     }
   }
 
-  /** Brings a node up to date that may be stale, and all below it. */
-  private freshen(node: number): void {
-    if (this.stale[node] === 1) {
-      this.stale[node] = 0;
-      this.freshen(this.left[node]!);
-      this.freshen(this.right[node]!);
-      this.shape(node);
+  /** Brings a node up to date, and all below it. @returns whether its box or height changed. */
+  private freshen(node: number): boolean {
+    const stale = this.stale[node];
+    if (stale === FRESH) {
+      return false;
     }
+    this.stale[node] = FRESH;
+    const changed = this.freshen(this.left[node]!);
+    return this.freshen(this.right[node]!) || changed || stale === CHANGED ? this.shape(node) : false;
   }
 
-  /** Builds the tree anew from all leaves, each half of which are below one child of a node. */
+  /** Builds the tree anew from all leaves, from the top. */
   private rebuild(): void {
     const { level, waiting } = this;
     let count = 0;

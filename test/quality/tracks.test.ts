@@ -172,3 +172,26 @@ describe('a belt around two wheels', () => {
     expect(moved).toBeLessThan(0.5);
   });
 });
+
+describe('a disc on a slack rope', () => {
+  // It is as fast as it is told, though it is where it was after each step: nothing takes that from it.
+  it('that bounces to and fro in a slot keeps its speed', () => {
+    const world = phys2D.createWorld({ gravity: [0, 0] });
+    const material = phys2D.createMaterial({ elasticity: 1, staticFriction: 0, dynamicFriction: 0 });
+    const walls = [0, 2.02].map((x) => staticBody({ position: [x, 0], shapes: [box(1, 4, { material })] }));
+    const shapes = [disc(0.5, { material })];
+    const body = phys2D.createRigidBody({ position: [1.01, 0], velocity: [20, 0], linearDrag: 0, shapes });
+    for (const each of [...walls, body]) {
+      world.addRigidBody(each);
+    }
+    const anchor = staticBody({ position: [1, -3] });
+    world.addConstraint(phys2D.createDistanceConstraint({ bodyA: anchor, bodyB: body, upperBound: 50 }));
+    steps(world, 60);
+    expect(Math.hypot(...body.getVelocity())).toBeCloseTo(20, 6);
+    for (const wall of walls) {
+      world.removeRigidBody(wall);
+    }
+    steps(world, 30);
+    expect(Math.abs(body.getPosition()[0] - 1.01)).toBeCloseTo(10, 3);
+  });
+});

@@ -1,4 +1,4 @@
-import { STUCK_APART, STUCK_STANDS, UNTRUE_SHARE, UNTRUE_STEPS } from '../../config-joints.js';
+import { STUCK_APART, STUCK_STANDS, UNTRUE_ERROR, UNTRUE_SHARE, UNTRUE_STEPS } from '../../config-joints.js';
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
 import type { Group } from './joint-data.js';
@@ -19,7 +19,8 @@ export function goAsMoved(data: SolverData, group: Group): void {
   weighMotion(data, group);
   const told = motion[TOLD]!;
   const moved = motion[MOVED]!;
-  group.untrue = moved < UNTRUE_SHARE * told ? Math.min(group.untrue + 1, UNTRUE_STEPS) : 0;
+  const isUntrue = moved < UNTRUE_SHARE * told && group.error > UNTRUE_ERROR * UNTRUE_ERROR;
+  group.untrue = isUntrue ? Math.min(group.untrue + 1, UNTRUE_STEPS) : 0;
   const isWrong = motion[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
   if (group.untrue === UNTRUE_STEPS || (isWrong && group.isUnmet)) {
     takeMotion(data, group);
