@@ -13,9 +13,9 @@ import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { broadphaseBounds } from './solver/refresh.js';
-import { enliven, quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
+import { quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
-import { countIgnoring, release, switchOff, switchOn, tie, untie, wakeTies } from './solver/ties.js';
+import { countIgnoring, enlivenTied, release, switchOff, switchOn, tie, untie } from './solver/ties.js';
 import {
   boolean,
   callable,
@@ -122,8 +122,7 @@ export class World extends WorldState {
     }
     this.jointsStale ||= body.constraints.length > 0;
     if (!body.asleep) {
-      enliven(this, body);
-      wakeTies(this, body);
+      enlivenTied(this, body);
     }
     return true;
   }

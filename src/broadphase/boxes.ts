@@ -15,6 +15,12 @@ export function misses(
   return +(boxes[at]! > maxX) | +(boxes[at + 1]! > maxY) | +(boxes[at + 2]! < minX) | +(boxes[at + 3]! < minY);
 }
 
+/** Half the perimeter of the box with a number. */
+export function perimeterOf(boxes: Float64Array, node: number): number {
+  const at = BOX * node;
+  return boxes[at + 2]! - boxes[at]! + (boxes[at + 3]! - boxes[at + 1]!);
+}
+
 /** The box around two of them has no larger perimeter than both together. Without calls, which would box what they return. */
 export function areBeside(boxes: Float64Array, a: number, b: number): boolean {
   const i = BOX * a;

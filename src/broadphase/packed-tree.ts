@@ -36,7 +36,7 @@ export class PackedTree<T> extends TreeShape<T> {
     this.items[leaf] = item;
     this.right[leaf] = tag;
     this.setBox(leaf, bounds);
-    this.await(leaf);
+    this.queue(leaf);
     return leaf;
   }
 
@@ -46,7 +46,7 @@ export class PackedTree<T> extends TreeShape<T> {
    */
   move(leaf: number, bounds: ArrayLike<number>): void {
     this.setBox(leaf, bounds);
-    if (this.awaits(leaf)) {
+    if (this.isQueued(leaf)) {
       return;
     }
     const sibling = this.siblingOf(leaf);
@@ -54,13 +54,13 @@ export class PackedTree<T> extends TreeShape<T> {
       this.age(this.parent[leaf]!);
     } else {
       this.detach(leaf);
-      this.await(leaf);
+      this.queue(leaf);
     }
   }
 
   remove(leaf: number): void {
-    if (this.awaits(leaf)) {
-      this.forgo(leaf);
+    if (this.isQueued(leaf)) {
+      this.unqueue(leaf);
     } else {
       this.detach(leaf);
     }

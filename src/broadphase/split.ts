@@ -1,3 +1,4 @@
+import { perimeterOf } from './boxes.js';
 import { BOX } from './layout.js';
 
 /** Into how many slices of equal width boxes are sorted at most, by their middles. */
@@ -87,7 +88,7 @@ function bestBin(count: number): number {
   for (let bin = 0; bin < slices.count; bin += 1) {
     grow(sum, 0, around, BOX * bin);
     before += counts[bin]!;
-    costs[bin] = before * perimeter();
+    costs[bin] = before * perimeterOf(sum, 0);
   }
   clear(sum, 0);
   let best = 0;
@@ -95,17 +96,13 @@ function bestBin(count: number): number {
   for (let bin = slices.count - 1; bin > 0; bin -= 1) {
     grow(sum, 0, around, BOX * bin);
     before -= counts[bin]!;
-    const cost = costs[bin - 1]! + (count - before) * perimeter();
+    const cost = costs[bin - 1]! + (count - before) * perimeterOf(sum, 0);
     if (before > 0 && before < count && cost < least) {
       least = cost;
       best = bin - 1;
     }
   }
   return best;
-}
-
-function perimeter(): number {
-  return sum[2]! - sum[0]! + (sum[3]! - sum[1]!);
 }
 
 function clear(box: Float64Array, at: number): void {

@@ -1,4 +1,5 @@
 import { grown, widened } from '../math/doubles.js';
+import { perimeterOf } from './boxes.js';
 import { BOX, FREE, MAX_LEAN, NONE, WAITING } from './layout.js';
 import { split } from './split.js';
 
@@ -93,19 +94,19 @@ export class TreeShape<T> {
   }
 
   /** A leaf is to get a place. */
-  protected await(leaf: number): void {
+  protected queue(leaf: number): void {
     this.level[leaf] = WAITING;
     this.parent[leaf] = this.waitingCount;
     this.waiting[this.waitingCount] = leaf;
     this.waitingCount += 1;
   }
 
-  protected awaits(leaf: number): boolean {
+  protected isQueued(leaf: number): boolean {
     return this.level[leaf] === WAITING;
   }
 
   /** A leaf that waits is to get no place any more. */
-  protected forgo(leaf: number): void {
+  protected unqueue(leaf: number): void {
     this.waitingCount -= 1;
     const last = this.waiting[this.waitingCount]!;
     this.waiting[this.parent[leaf]!] = last;
@@ -114,14 +115,10 @@ export class TreeShape<T> {
 
   /** A child of a node changed. */
   protected age(node: number): void {
-    if (node === NONE) {
-      return;
-    }
-    const isKnown = this.stale[node] !== FRESH;
-    this.stale[node] = CHANGED;
-    for (let k = this.parent[node]!; k !== NONE && !isKnown && this.stale[k] === FRESH; k = this.parent[k]!) {
+    for (let k = node; k !== NONE && this.stale[k] === FRESH; k = this.parent[k]!) {
       this.stale[k] = AGED;
     }
+    if (node !== NONE) this.stale[node] = CHANGED;
   }
 
   /** Sees to all that changed. */
@@ -174,33 +171,29 @@ export class TreeShape<T> {
       return leaves[from]!;
     }
     const middle = split(this.boxes, leaves, from, to);
-    const a = this.build(leaves, from, middle);
-    const b = this.build(leaves, middle, to);
+    const node = this.unite(this.build(leaves, from, middle), this.build(leaves, middle, to));
+    this.shape(node);
+    return node;
+  }
+
+  /** @returns a new node above two others. */
+  private unite(a: number, b: number): number {
     const node = this.allocate();
     this.left[node] = a;
     this.right[node] = b;
     this.parent[a] = node;
     this.parent[b] = node;
-    this.shape(node);
     return node;
   }
 
+  /** Gives a leaf a place beside others: where there are none the tree is built anew. */
   private attach(leaf: number): void {
     this.level[leaf] = 0;
     this.placed += 1;
-    if (this.top === NONE) {
-      this.top = leaf;
-      this.parent[leaf] = NONE;
-      return;
-    }
     const sibling = this.bestSibling(leaf);
     const above = this.parent[sibling]!;
-    const joint = this.allocate();
-    this.left[joint] = sibling;
-    this.right[joint] = leaf;
+    const joint = this.unite(sibling, leaf);
     this.parent[joint] = above;
-    this.parent[sibling] = joint;
-    this.parent[leaf] = joint;
     this.replaceChild(above, sibling, joint);
     for (let node = joint; node !== NONE && this.shape(node); ) {
       node = this.parent[node]!;
@@ -260,7 +253,7 @@ export class TreeShape<T> {
     while (this.left[node] !== NONE) {
       const joined = this.joinedPerimeter(node);
       const stop = 2 * joined;
-      const inherited = 2 * (joined - this.perimeter(node));
+      const inherited = 2 * (joined - perimeterOf(this.boxes, node));
       const viaLeft = this.descentCost(this.left[node]!) + inherited;
       const viaRight = this.descentCost(this.right[node]!) + inherited;
       if (stop < viaLeft && stop < viaRight) {
@@ -273,12 +266,7 @@ export class TreeShape<T> {
 
   private descentCost(node: number): number {
     const joined = this.joinedPerimeter(node);
-    return this.left[node] === NONE ? joined : joined - this.perimeter(node);
-  }
-
-  private perimeter(node: number): number {
-    const at = BOX * node;
-    return this.boxes[at + 2]! - this.boxes[at]! + (this.boxes[at + 3]! - this.boxes[at + 1]!);
+    return this.left[node] === NONE ? joined : joined - perimeterOf(this.boxes, node);
   }
 
   /** Perimeter of the union of a node and the box that is being inserted. */
@@ -353,7 +341,7 @@ export class TreeShape<T> {
     const j = BOX * low;
     const x = Math.max(boxes[i + 2]!, boxes[j + 2]!) - Math.min(boxes[i]!, boxes[j]!);
     const y = Math.max(boxes[i + 3]!, boxes[j + 3]!) - Math.min(boxes[i + 1]!, boxes[j + 1]!);
-    const saving = this.perimeter(high) - (x + y);
+    const saving = perimeterOf(this.boxes, high) - (x + y);
     if (saving > this.saved) {
       this.saved = saving;
       this.high = high;

@@ -7,8 +7,8 @@ import { END } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { joinLists, leaveLists } from './arbiter-lists.js';
-import { enliven, neighboursOf, quieten, wakeBody } from './sleep.js';
-import { wakeTies } from './ties.js';
+import { neighboursOf, quieten, wakeBody } from './sleep.js';
+import { enlivenTied } from './ties.js';
 
 /** Wakes, with events, the dynamic bodies that a body interacts with. */
 export function rouseNeighbours(world: World, body: RigidBody): void {
@@ -66,9 +66,8 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
     body.asleep = true;
     return;
   }
-  enliven(world, body);
-  // Those of a kinematic body that moved slept if nothing else of them was dynamic.
-  wakeTies(world, body);
+  // Constraints of a kinematic body that moved slept if nothing else of them was dynamic.
+  enlivenTied(world, body);
   if (kind === DYNAMIC) {
     world.events.woke(body);
   }

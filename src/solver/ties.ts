@@ -4,7 +4,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import { BREAK } from '../listeners.js';
 import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
-import { enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
+import { enliven, enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
 // Constraints come, go, and are switched on and off.
 
@@ -134,12 +134,17 @@ export function isInTrain(body: RigidBody): boolean {
   return body.constraints.some(draws, body);
 }
 
-function draws(this: RigidBody, { enabled, owner, members }: Constraint): boolean {
-  return enabled && owner === this.owner && members.some((other) => other !== this && other.kind !== STATIC);
+function draws(this: RigidBody, constraint: Constraint): boolean {
+  return ties.call(this, constraint) && constraint.members.some(isLoose, this);
 }
 
-/** Wakes the sleeping constraints of a body, as it joins the world. */
-export function wakeTies(world: World, body: RigidBody): void {
+function isLoose(this: RigidBody, other: RigidBody): boolean {
+  return other !== this && other.kind !== STATIC;
+}
+
+/** From now on a body is awake in the world, and its constraints with it. */
+export function enlivenTied(world: World, body: RigidBody): void {
+  enliven(world, body);
   for (const constraint of body.constraints) {
     if (constraint.owner === world && constraint.asleep) {
       wakeConstraint(world, constraint, false);

@@ -12,18 +12,18 @@ const BEND = 0.58;
 const AXES = -1;
 const LENGTH = 4 * HALF + 2 * Math.PI * BEND;
 
-/** Where the track is after so many metres from the rear lower corner on, and in what direction it goes on there. */
-function along(way: number): { position: Vec2; rotation: number } {
-  const straight = 2 * HALF;
-  const bend = Math.PI * BEND;
-  if (way < straight) return { position: [way - HALF, AXES + BEND], rotation: 0 };
-  if (way < straight + bend) return around(HALF, (way - straight) / BEND);
-  if (way < 2 * straight + bend) return { position: [HALF - (way - straight - bend), AXES - BEND], rotation: -Math.PI };
-  return around(-HALF, Math.PI + (way - 2 * straight - bend) / BEND);
-}
-
-function around(x: number, angle: number): { position: Vec2; rotation: number } {
-  return { position: [x + BEND * Math.sin(angle), AXES + BEND * Math.cos(angle)], rotation: -angle };
+/** A closed way around two wheels, whose axes are at −half and half: where it is after so many metres from its lower left corner on, and in what direction it goes on there. */
+function along(way: number, half: number, radius: number): { position: Vec2; rotation: number } {
+  const straight = 2 * half;
+  const bend = Math.PI * radius;
+  const around = (x: number, angle: number): { position: Vec2; rotation: number } => ({
+    position: [x + radius * Math.sin(angle), radius * Math.cos(angle)],
+    rotation: -angle,
+  });
+  if (way < straight) return { position: [way - half, radius], rotation: 0 };
+  if (way < straight + bend) return around(half, (way - straight) / radius);
+  if (way < 2 * straight + bend) return { position: [half - (way - straight - bend), -radius], rotation: -Math.PI };
+  return around(-half, Math.PI + (way - 2 * straight - bend) / radius);
 }
 
 function buildTank(world: World): { hull: RigidBody; joints: PointConstraint[] } {
@@ -45,9 +45,11 @@ function buildTank(world: World): { hull: RigidBody; joints: PointConstraint[] }
     world.addConstraint(phys2D.createMotorConstraint({ bodyA: hull, bodyB: wheel, rate: 8, maxForce: 60 }));
   }
   const pitch = LENGTH / LINKS;
-  const links = Array.from({ length: LINKS }, (_, i) =>
-    put(box(0.95 * pitch, 0.12, { material, group: 4, mask: ~4 >>> 0 }), along((i + 0.5) * pitch)),
-  );
+  const links = Array.from({ length: LINKS }, (_, i) => {
+    const { position, rotation } = along((i + 0.5) * pitch, HALF, BEND);
+    const place = { position: [position[0], AXES + position[1]] as Vec2, rotation };
+    return put(box(0.95 * pitch, 0.12, { material, group: 4, mask: ~4 >>> 0 }), place);
+  });
   for (const [i, link] of links.entries()) {
     join(link, [pitch / 2, 0], links[(i + 1) % LINKS]!, [-pitch / 2, 0]);
   }
@@ -110,20 +112,8 @@ describe('a tank on its tracks', () => {
 
 describe('a belt around two wheels', () => {
   const COUNT = 24;
-  const PITCH = (4 + 2 * Math.PI * 0.543) / COUNT;
-
-  /** Where the belt is after so many metres from its upper left corner on. */
-  function on(way: number): { position: Vec2; rotation: number } {
-    const bend = Math.PI * 0.543;
-    const turn = (angle: number, x: number): { position: Vec2; rotation: number } => ({
-      position: [x + 0.543 * Math.sin(angle), -0.543 * Math.cos(angle)],
-      rotation: angle,
-    });
-    if (way < 2) return { position: [way - 1, -0.543], rotation: 0 };
-    if (way < 2 + bend) return turn((way - 2) / 0.543, 1);
-    if (way < 4 + bend) return { position: [3 + bend - way, 0.543], rotation: Math.PI };
-    return turn((way - 4) / 0.543, -1);
-  }
+  const BEND_OF_BELT = 0.543;
+  const PITCH = (4 + 2 * Math.PI * BEND_OF_BELT) / COUNT;
 
   it.each([60, 120, 240])('that stands is told so, at %d steps a second', (rate) => {
     const world = phys2D.createWorld();
@@ -139,7 +129,7 @@ describe('a belt around two wheels', () => {
     world.addConstraint(motor);
     const links = Array.from({ length: COUNT }, (_, i) => {
       const shapes = [box(0.95 * PITCH, 0.08, { material, group: 8, mask: ~8 >>> 0 })];
-      const body = phys2D.createRigidBody({ shapes, ...on((i + 0.5) * PITCH) });
+      const body = phys2D.createRigidBody({ shapes, ...along((i + 0.5) * PITCH, 1, BEND_OF_BELT) });
       world.addRigidBody(body);
       return body;
     });
