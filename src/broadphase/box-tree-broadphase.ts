@@ -32,6 +32,8 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
     readonly number: number,
     readonly group: unknown,
     readonly filter: BroadphaseFilter,
+    /** The same number: the same group. */
+    readonly kin: number,
   ) {}
 }
 
@@ -52,6 +54,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private boxes = new Float64Array(16 * BOX);
   private states = new Int32Array(16 * STATE).fill(NONE);
   private handleCount = 0;
+  /** The group that was inserted last, as long as nothing is removed, and its number: what comes in one group on end is of one kin. */
+  private latestGroup: unknown = null;
+  private kin = 0;
   private readonly freeNumbers: number[] = [];
   /** The first `movedCount` are numbers of handles. As `met` and `samples` not shortened, which would cost the storage. */
   private readonly moved: number[] = [];
@@ -79,7 +84,11 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     filter: BroadphaseFilter = UNFILTERED,
   ): BroadphaseHandle<T> {
     checkInsert('BoxTreeBroadphase.insert', bounds, isStatic, filter);
-    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group, filter);
+    if (group !== this.latestGroup) {
+      this.latestGroup = group;
+      this.kin += 1;
+    }
+    const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group, filter, this.kin);
     this.setBox(handle.number, bounds);
     this.enter(handle, bounds);
     return handle;
@@ -89,7 +98,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private enter(handle: TreeHandle<T>, bounds: RectLike): void {
     const { number, isStatic } = handle;
     const at = number * STATE;
-    this.states[at + LEAF] = this.treeOf(handle).insert(handle, bounds, number);
+    this.states[at + LEAF] = this.treeOf(handle).insert(handle, bounds, number, handle.kin);
     this.states[at + STATIC] = isStatic ? 1 : 0;
     this.noteMoved(number);
   }
@@ -150,6 +159,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     this.treeOf(own).remove(states[number * STATE + LEAF]!);
     states[number * STATE + LEAF] = NONE;
+    this.latestGroup = null;
     this.freeNumbers.push(number);
   }
 
@@ -277,6 +287,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.states.fill(NONE);
     this.movedCount = 0;
     this.handleCount = 0;
+    this.latestGroup = null;
     this.freeNumbers.length = 0;
     this.pairCount = 0;
   }
@@ -337,9 +348,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   /** Adds the pairs of a handle with the leaves that overlap `box`, unless they are marked, of its group, or kept apart by their filters. */
-  private addPairs({ number, group, filter }: TreeHandle<T>, tree: PackedTree<TreeHandle<T>>): void {
+  private addPairs({ number, group, filter, kin }: TreeHandle<T>, tree: PackedTree<TreeHandle<T>>): void {
     const { met, states, search, box } = this;
-    const count = tree.query(box, met, 0);
+    const count = tree.query(box, met, 0, kin);
     for (let i = 0; i < count; i += 1) {
       const leaf = met[i]!;
       const other = tree.right[leaf]!;

@@ -3,6 +3,9 @@
 /** No node. */
 export const NONE = -1;
 
+/** In place of a kin: that of no leaf, nor of leaves of several kins. */
+export const STRANGER = -2;
+
 /** Numbers per box: minX, minY, maxX, maxY. */
 export const BOX = 4;
 

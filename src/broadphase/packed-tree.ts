@@ -1,5 +1,5 @@
 import { areBeside, misses } from './boxes.js';
-import { BOX, NONE } from './layout.js';
+import { BOX, NONE, STRANGER } from './layout.js';
 import { TreeShape } from './tree-shape.js';
 
 /** 1 − 2⁻⁵⁰. Where a ray enters a box is reckoned early by more than rounding can make it late, as it must not miss a corner that it touches. */
@@ -30,11 +30,12 @@ export class PackedTree<T> extends TreeShape<T> {
     return root === NONE ? 0 : this.level[root]!;
   }
 
-  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides, and a number for whoever looks no further. @returns the node. */
-  insert(item: T, bounds: ArrayLike<number>, tag = NONE): number {
+  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides, a number for whoever looks no further, and one of its kin. @returns the node. */
+  insert(item: T, bounds: ArrayLike<number>, tag = NONE, kin = NONE): number {
     const leaf = this.allocate();
     this.items[leaf] = item;
     this.right[leaf] = tag;
+    this.kins[leaf] = kin;
     this.setBox(leaf, bounds);
     this.queue(leaf);
     return leaf;
@@ -71,14 +72,17 @@ export class PackedTree<T> extends TreeShape<T> {
     return this.left[node] === NONE;
   }
 
-  /** Writes the leaves whose boxes overlap `bounds` to `out` from `count` on. It goes straight down as a cast does. @returns the new count. */
-  query(bounds: ArrayLike<number>, out: number[], count: number): number {
+  /**
+   * Writes the leaves whose boxes overlap `bounds` to `out` from `count` on, but for those of a kin: of a body of many shapes each lies amid the others.
+   * It goes straight down as a cast does. @returns the new count.
+   */
+  query(bounds: ArrayLike<number>, out: number[], count: number, kin = STRANGER): number {
     const minX = bounds[0]!;
     const minY = bounds[1]!;
     const maxX = bounds[2]!;
     const maxY = bounds[3]!;
     let node = this.root;
-    const { boxes, left, right } = this;
+    const { boxes, left, right, kins } = this;
     let found = count;
     let top = 0;
     if (node === NONE || misses(boxes, node, minX, minY, maxX, maxY) !== 0) {
@@ -92,8 +96,8 @@ export class PackedTree<T> extends TreeShape<T> {
         found += 1;
       } else {
         const b = right[node]!;
-        const missesA = misses(boxes, a, minX, minY, maxX, maxY);
-        const missesB = misses(boxes, b, minX, minY, maxX, maxY);
+        const missesA = misses(boxes, a, minX, minY, maxX, maxY) | +(kins[a] === kin);
+        const missesB = misses(boxes, b, minX, minY, maxX, maxY) | +(kins[b] === kin);
         if ((missesA | missesB) === 0) {
           stack[top] = b;
           top += 1;

@@ -24,6 +24,8 @@ export class TreeShape<T> {
   right = new Int32Array(16);
   /** What each leaf holds. */
   readonly items: (T | null)[] = [];
+  /** Of each leaf whose kin it is, a number, or NONE; of an inner node that of all leaves below it, or NONE if they have several. */
+  protected kins = new Float64Array(16);
 
   /** Of a leaf that waits: its index among those. Of a free node: the next one. */
   protected parent = new Int32Array(16);
@@ -73,6 +75,7 @@ export class TreeShape<T> {
     this.level[node] = 0;
     this.stale[node] = FRESH;
     this.items[node] = null;
+    this.kins[node] = NONE;
     return node;
   }
 
@@ -88,6 +91,7 @@ export class TreeShape<T> {
     this.boxes = widened(this.boxes, new Float64Array(size * BOX));
     this.left = widened(this.left, new Int32Array(size));
     this.right = widened(this.right, new Int32Array(size));
+    this.kins = widened(this.kins, new Float64Array(size));
     this.parent = widened(this.parent, new Int32Array(size));
     this.level = widened(this.level, new Uint8Array(size));
     this.stale = widened(this.stale, new Uint8Array(size));
@@ -363,9 +367,9 @@ export class TreeShape<T> {
     this.join(high);
   }
 
-  /** Box and height of an inner node from its children. @returns whether they changed. */
+  /** Box, height and kin of an inner node from its children. @returns whether they changed. */
   private join(node: number): boolean {
-    const { boxes, level } = this;
+    const { boxes, level, kins } = this;
     const a = this.left[node]!;
     const b = this.right[node]!;
     const at = BOX * node;
@@ -376,8 +380,10 @@ export class TreeShape<T> {
     const maxX = Math.max(boxes[i + 2]!, boxes[j + 2]!);
     const maxY = Math.max(boxes[i + 3]!, boxes[j + 3]!);
     const height = 1 + Math.max(level[a]!, level[b]!);
+    const kin = kins[a] === kins[b] ? kins[a]! : NONE;
     if (
       height === level[node] &&
+      kin === kins[node] &&
       minX === boxes[at] &&
       minY === boxes[at + 1] &&
       maxX === boxes[at + 2] &&
@@ -390,6 +396,7 @@ export class TreeShape<T> {
     boxes[at + 2] = maxX;
     boxes[at + 3] = maxY;
     level[node] = height;
+    kins[node] = kin;
     return true;
   }
 }
