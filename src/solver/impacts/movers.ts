@@ -12,6 +12,7 @@ import { isTied } from '../ties.js';
 import { ClearSpace } from './clear-space.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
 import { Nearby } from './nearby.js';
+import { shareOfChange } from './onset.js';
 import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */
@@ -149,10 +150,11 @@ export class Mover {
   }
 
   /**
-   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what joints and
-   * contacts added, unless it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite.
+   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what contacts added, unless
+   * it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite. What joints added
+   * came as the way tells that it went: a motor may do it all at once.
    */
-  slow({ drive, substeps }: SolverData): void {
+  slow({ drive, substeps }: SolverData, duration: number): void {
     if (this.stopped) {
       return;
     }
@@ -163,15 +165,17 @@ export class Mover {
     const gainW = substeps * drive[slot + d.GAIN_W]!;
     const dx = body.vx - this.vx;
     const dy = body.vy - this.vy;
+    const dw = body.w - this.w;
     const square = dx * dx + dy * dy;
+    const isHeld = isTied(body);
     const bounced =
       square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
       (body.vx * dx + body.vy * dy > TURNED_BACK * square || wasPushed(body)) &&
-      !isTied(body);
-    const left = this.at - 1;
+      !isHeld;
+    const left = (isHeld ? shareOfChange(this, duration, substeps) : this.at) - 1;
     body.vx += left * (bounced ? gainX : dx);
     body.vy += left * (bounced ? gainY : dy);
-    body.w += left * (bounced ? gainW : body.w - this.w);
+    body.w += left * (bounced ? gainW : dw);
     // Another one that comes at once has it already.
     this.stopped = true;
   }
