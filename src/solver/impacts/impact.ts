@@ -9,6 +9,7 @@ import {
   MAX_CONDITION,
   STATIC_FRICTION_SPEED_SQUARED,
 } from '../../config.js';
+import type { PointConstraint } from '../../constraint/point.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { USED } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
@@ -18,6 +19,7 @@ import { normalGain } from '../contacts/bounce.js';
 import { isMoving } from '../contacts/pack-contacts.js';
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
+import { findHinge, hingeAt, noteReaction } from './hinge.js';
 import { Ledger } from './no-gain.js';
 
 /** One point of an impact. */
@@ -48,15 +50,58 @@ class Point {
   tangentRubbed = 0.5;
 }
 
+/** A body, as an impact moves it: by its inverse mass and inertia, with arms from its origin; or, where it can only turn about a hinge, as one that turns about that and is held there. */
+class Side {
+  body!: RigidBody;
+  mass = 0.5;
+  inertia = 0.5;
+  hinge: PointConstraint | null = null;
+  /** Where arms begin, relative to the origin. */
+  x = 0.5;
+  y = 0.5;
+
+  begin(body: RigidBody): void {
+    body.refreshMass();
+    this.body = body;
+    // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+    this.mass = body.kind === DYNAMIC && body.mass > 0 ? 1 / body.mass : 0;
+    this.inertia = body.kind === DYNAMIC && body.inertia > 0 ? 1 / body.inertia : 0;
+    this.x = 0;
+    this.y = 0;
+    this.hinge = body.constraints.length > 0 && this.mass > 0 && this.inertia > 0 ? findHinge(body) : null;
+    if (this.hinge !== null) {
+      this.x = hingeAt.x;
+      this.y = hingeAt.y;
+      this.mass = 0;
+      this.inertia = 1 / (body.inertia + body.mass * (hingeAt.x * hingeAt.x + hingeAt.y * hingeAt.y));
+      this.hold();
+    }
+  }
+
+  /** Where a hinge is, a body has no velocity. */
+  hold(): void {
+    if (this.hinge !== null) {
+      this.body.vx = 0;
+      this.body.vy = 0;
+    }
+  }
+
+  /** At its origin it has that of turning about the hinge. */
+  release(): void {
+    const { body } = this;
+    if (this.hinge !== null) {
+      body.vx = body.w * this.y;
+      body.vy = -body.w * this.x;
+    }
+  }
+}
+
 /** What two shapes that meet give each other. */
 class Impact {
   pair!: Arbiter;
   readonly points = [new Point(), new Point()] as const;
-  /** Inverse masses and inertias of the bodies. */
-  massA = 0.5;
-  massB = 0.5;
-  inertiaA = 0.5;
-  inertiaB = 0.5;
+  readonly a = new Side();
+  readonly b = new Side();
 }
 
 /** Those that come at once: scratch. What lies beyond the count is for later. */
@@ -66,6 +111,8 @@ let count = 0;
 /** All bodies that these move, and their energy: scratch. */
 const bodies = /* @__PURE__ */ new List<RigidBody>();
 const ledger = /* @__PURE__ */ new Ledger();
+/** What a hinge gave: scratch. */
+const reaction = { x: 0.5, y: 0.5 };
 
 /**
  * Gives the bodies of pairs that meet at once, and have to do with each other, the impulses of their impacts: restitution and friction as in the solver, of each pair first the friction of each point, then both normals
@@ -81,6 +128,7 @@ export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
     }
     begin(solver, impacts[i]!, pairs.items[i]!);
   }
+  releaseHinged();
   ledger.open(bodies.count);
   noteVelocities(ledger.before);
   solve();
@@ -88,18 +136,49 @@ export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
   for (let i = 0; i < count; i += 1) {
     storeImpulses(impacts[i]!);
   }
+  noteHinges();
+}
+
+/** Of what a body on a hinge got in all, the hinge gave what its contacts did not. */
+function noteHinges(): void {
+  for (let k = 0; k < bodies.count; k += 1) {
+    const body = bodies.items[k]!;
+    const hinge = hingeOf(body);
+    if (hinge !== null) {
+      reaction.x = body.mass * (body.vx - ledger.before[3 * k]!);
+      reaction.y = body.mass * (body.vy - ledger.before[3 * k + 1]!);
+      for (let i = 0; i < count; i += 1) {
+        takeContacts(impacts[i]!, body);
+      }
+      noteReaction(hinge, body, reaction);
+    }
+  }
+}
+
+function hingeOf(body: RigidBody): PointConstraint | null {
+  for (let i = 0; i < count; i += 1) {
+    const { a, b } = impacts[i]!;
+    if (a.body === body) return a.hinge;
+    if (b.body === body) return b.hinge;
+  }
+  return null;
+}
+
+/** Takes from `reaction` what the points of an impact gave a body. */
+function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
+  const { numbers: n, at: o } = pair;
+  const sign = a.body === body ? -1 : b.body === body ? 1 : 0;
+  for (const { normal, tangent } of points) {
+    reaction.x -= sign * (n[o + g.NX]! * normal - n[o + g.NY]! * tangent);
+    reaction.y -= sign * (n[o + g.NY]! * normal + n[o + g.NX]! * tangent);
+  }
 }
 
 function begin(data: SolverData, impact: Impact, pair: Arbiter): void {
   const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   impact.pair = pair;
-  a.refreshMass();
-  b.refreshMass();
-  // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
-  impact.massA = a.kind === DYNAMIC && a.mass > 0 ? 1 / a.mass : 0;
-  impact.massB = b.kind === DYNAMIC && b.mass > 0 ? 1 / b.mass : 0;
-  impact.inertiaA = a.kind === DYNAMIC && a.inertia > 0 ? 1 / a.inertia : 0;
-  impact.inertiaB = b.kind === DYNAMIC && b.inertia > 0 ? 1 / b.inertia : 0;
+  impact.a.begin(a);
+  impact.b.begin(b);
   for (let which = 0; which < 2; which += 1) {
     setPoint(data, impact, which, which < pair.count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }
@@ -148,14 +227,26 @@ function noteWeights(): void {
   }
 }
 
+function releaseHinged(): void {
+  for (let i = 0; i < count; i += 1) {
+    impacts[i]!.a.release();
+    impacts[i]!.b.release();
+  }
+}
+
 function solve(): void {
   const most = IMPACT_ITERATIONS * count;
+  for (let i = 0; i < count; i += 1) {
+    impacts[i]!.a.hold();
+    impacts[i]!.b.hold();
+  }
   for (let i = 0, changed = true; i < most && changed; i += 1) {
     changed = false;
     for (let k = 0; k < count; k += 1) {
       changed = solveOne(impacts[k]!) || changed;
     }
   }
+  releaseHinged();
 }
 
 /** @returns as `push`. */
@@ -234,23 +325,25 @@ function measure({ pair }: Impact, point: Point): void {
 
 /** One that takes no part has no arms and no friction, and never comes. */
 function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boolean): void {
-  const { pair, points, massA, massB, inertiaA, inertiaB } = impact;
+  const { pair, points, a: sideA, b: sideB } = impact;
   const point = points[which]!;
   const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
-  const ax = isUsed ? n[o + g.X0 + g.POINT * which]! : 0;
-  const ay = isUsed ? n[o + g.Y0 + g.POINT * which]! : 0;
-  const bx = isUsed ? ax - n[o + g.DX]! : 0;
-  const by = isUsed ? ay - n[o + g.DY]! : 0;
-  const mass = massA + massB;
+  const x = n[o + g.X0 + g.POINT * which]!;
+  const y = n[o + g.Y0 + g.POINT * which]!;
+  const ax = isUsed ? x - sideA.x : 0;
+  const ay = isUsed ? y - sideA.y : 0;
+  const bx = isUsed ? x - n[o + g.DX]! - sideB.x : 0;
+  const by = isUsed ? y - n[o + g.DY]! - sideB.y : 0;
+  const mass = sideA.mass + sideB.mass;
   point.isUsed = isUsed;
   point.rnA = ax * ny - ay * nx;
   point.rnB = bx * ny - by * nx;
   point.rtA = ax * nx + ay * ny;
   point.rtB = bx * nx + by * ny;
-  const kn = mass + inertiaA * point.rnA * point.rnA + inertiaB * point.rnB * point.rnB;
-  const kt = mass + inertiaA * point.rtA * point.rtA + inertiaB * point.rtB * point.rtB;
+  const kn = mass + sideA.inertia * point.rnA * point.rnA + sideB.inertia * point.rnB * point.rnB;
+  const kt = mass + sideA.inertia * point.rtA * point.rtA + sideB.inertia * point.rtB * point.rtB;
   measure(impact, point);
   const { comes, slides } = point;
   const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
@@ -287,13 +380,13 @@ function rub(impact: Impact, point: Point): boolean {
 
 /** Both normals, as `solveVelocityTwo`: one after the other they would come near very slowly where points lie close together. @returns as `push`. */
 function solveNormals(impact: Impact): boolean {
-  const { points, massA, massB, inertiaA, inertiaB } = impact;
+  const { points, a, b } = impact;
   const [one, two] = points;
   measure(impact, one);
   measure(impact, two);
   const k11 = one.give;
   const k22 = two.give;
-  const k12 = massA + massB + inertiaA * one.rnA * two.rnA + inertiaB * one.rnB * two.rnB;
+  const k12 = a.mass + b.mass + a.inertia * one.rnA * two.rnA + b.inertia * one.rnB * two.rnB;
   const det = k11 * k22 - k12 * k12;
   const b1 = one.comes + one.leave - k11 * one.normal - k12 * two.normal;
   const b2 = two.comes + two.leave - k12 * one.normal - k22 * two.normal;
@@ -313,18 +406,18 @@ function solveNormals(impact: Impact): boolean {
 }
 
 /** Gives B what a point is to have more than it has, and A the opposite. @returns whether that changed a velocity. */
-function push({ pair, massA, massB, inertiaA, inertiaB }: Impact, point: Point): boolean {
-  const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
+function push({ pair, a, b }: Impact, point: Point): boolean {
+  const { bodyA, bodyB, numbers: n, at: o } = pair;
   const p = point.nextNormal - point.normal;
   const t = point.nextTangent - point.tangent;
   const x = n[o + g.NX]! * p - n[o + g.NY]! * t;
   const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
-  a.vx -= x * massA;
-  a.vy -= y * massA;
-  a.w -= (point.rnA * p + point.rtA * t) * inertiaA;
-  b.vx += x * massB;
-  b.vy += y * massB;
-  b.w += (point.rnB * p + point.rtB * t) * inertiaB;
+  bodyA.vx -= x * a.mass;
+  bodyA.vy -= y * a.mass;
+  bodyA.w -= (point.rnA * p + point.rtA * t) * a.inertia;
+  bodyB.vx += x * b.mass;
+  bodyB.vy += y * b.mass;
+  bodyB.w += (point.rnB * p + point.rtB * t) * b.inertia;
   point.normal = point.nextNormal;
   point.tangent = point.nextTangent;
   return Math.abs(p) * point.give > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;

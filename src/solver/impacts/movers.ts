@@ -8,7 +8,7 @@ import { grown, widened } from '../../math/doubles.js';
 import type { Shape } from '../../shape/shape.js';
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
-import { isTied } from '../ties.js';
+import { isInTrain, isTied } from '../ties.js';
 import { ClearSpace } from './clear-space.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
 import { Nearby } from './nearby.js';
@@ -151,8 +151,8 @@ export class Mover {
 
   /**
    * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what contacts added, unless
-   * it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite. What joints added
-   * came as the way tells that it went: a motor may do it all at once.
+   * it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite. What joints to static bodies
+   * added came as the way tells that it went: a motor may do it all at once.
    */
   slow({ drive, substeps }: SolverData, duration: number): void {
     if (this.stopped) {
@@ -165,17 +165,23 @@ export class Mover {
     const gainW = substeps * drive[slot + d.GAIN_W]!;
     const dx = body.vx - this.vx;
     const dy = body.vy - this.vy;
-    const dw = body.w - this.w;
     const square = dx * dx + dy * dy;
+    const gain = gainX * gainX + gainY * gainY;
     const isHeld = isTied(body);
-    const bounced =
-      square > SUDDEN * SUDDEN * (gainX * gainX + gainY * gainY) &&
-      (body.vx * dx + body.vy * dy > TURNED_BACK * square || wasPushed(body)) &&
-      !isHeld;
     const left = (isHeld ? shareOfChange(this, duration, substeps) : this.at) - 1;
-    body.vx += left * (bounced ? gainX : dx);
-    body.vy += left * (bounced ? gainY : dy);
-    body.w += left * (bounced ? gainW : dw);
+    const wasGiven = square > SUDDEN * SUDDEN * gain && wasPushed(body);
+    if (isHeld && (wasGiven || isInTrain(body))) {
+      // As much of what forces added as there is: what hangs at rest got it back.
+      const share = gain > 0 ? Math.min(Math.max((dx * gainX + dy * gainY) / gain, 0), 1) : 0;
+      body.vx += (this.at - 1) * share * gainX;
+      body.vy += (this.at - 1) * share * gainY;
+    } else {
+      const turned = square > SUDDEN * SUDDEN * gain && body.vx * dx + body.vy * dy > TURNED_BACK * square;
+      const bounced = !isHeld && (turned || wasGiven);
+      body.vx += left * (bounced ? gainX : dx);
+      body.vy += left * (bounced ? gainY : dy);
+      body.w += left * (bounced ? gainW : body.w - this.w);
+    }
     // Another one that comes at once has it already.
     this.stopped = true;
   }

@@ -1,0 +1,70 @@
+import type { RigidBody } from '../../body.js';
+import { STATIC } from '../../body-kind.js';
+import { CONTACT_SLOP } from '../../config.js';
+import type { Constraint } from '../../constraint/constraint.js';
+import type { PointConstraint } from '../../constraint/point.js';
+
+// A pendulum, a door, a flipper: what hangs on one point of something static can only turn about that, also when it is struck. As a free body it would come away from its hinge,
+// and lose a quarter of its energy as it is put back.
+
+/** Share of the way from hinge to origin by which a hinge may gape: on its way through a step a body goes straight on. */
+const GAPE = 0.1;
+
+/** Where the hinge of a body is, relative to its origin, m: scratch. */
+export const hingeAt = { x: 0.5, y: 0.5 };
+
+/** Finds the only point of a body that is held, by what is static and gives way to nothing, to `hingeAt`. Motors, and bounds of angles, do not count. @returns what holds it, or `null`. */
+export function findHinge(body: RigidBody): PointConstraint | null {
+  let point: PointConstraint | null = null;
+  for (let i = 0; i < body.constraints.length; i += 1) {
+    const constraint = body.constraints[i]!;
+    if (constraint.owner !== body.owner || !constraint.enabled || turnsOnly(constraint)) {
+      continue;
+    }
+    if (point !== null || !isFirm(constraint)) {
+      return null;
+    }
+    point = constraint as PointConstraint;
+  }
+  return point !== null && isOn(point, body) ? point : null;
+}
+
+/** An impact made a hinge give a body that hangs on it an impulse, and the opposite to what it hangs on. */
+export function noteReaction(
+  { members, anchors, given }: PointConstraint,
+  body: RigidBody,
+  { x, y }: { readonly x: number; readonly y: number },
+): void {
+  for (let k = 0; k < 2; k += 1) {
+    const { cos, sin } = members[k]!;
+    const sign = members[k] === body ? 1 : -1;
+    const armX = cos * anchors[2 * k]! - sin * anchors[2 * k + 1]!;
+    const armY = sin * anchors[2 * k]! + cos * anchors[2 * k + 1]!;
+    given[3 * k] = given[3 * k]! + sign * x;
+    given[3 * k + 1] = given[3 * k + 1]! + sign * y;
+    given[3 * k + 2] = given[3 * k + 2]! + sign * (armX * y - armY * x);
+  }
+}
+
+function turnsOnly({ type }: Constraint): boolean {
+  return type === 'MOTOR' || type === 'ANGLE';
+}
+
+/** Whether it is a point that holds whatever comes. */
+function isFirm({ type, stiff, maxForce, breakUnderForce, breakUnderError }: Constraint): boolean {
+  return type === 'POINT' && stiff && maxForce === Infinity && !breakUnderForce && !breakUnderError;
+}
+
+/** Whether a point holds a body to something static, and is closed. */
+function isOn({ bodyA, bodyB, anchors }: PointConstraint, body: RigidBody): boolean {
+  const own = bodyA === body ? 0 : 2;
+  const other = bodyA === body ? bodyB : bodyA;
+  const held = 2 - own;
+  const { cos, sin } = body;
+  hingeAt.x = cos * anchors[own]! - sin * anchors[own + 1]!;
+  hingeAt.y = sin * anchors[own]! + cos * anchors[own + 1]!;
+  const x = other.x + other.cos * anchors[held]! - other.sin * anchors[held + 1]! - body.x - hingeAt.x;
+  const y = other.y + other.sin * anchors[held]! + other.cos * anchors[held + 1]! - body.y - hingeAt.y;
+  const most = CONTACT_SLOP + GAPE * Math.sqrt(hingeAt.x * hingeAt.x + hingeAt.y * hingeAt.y);
+  return other.kind === STATIC && x * x + y * y <= most * most;
+}
