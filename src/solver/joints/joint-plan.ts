@@ -117,7 +117,7 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-/** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
+/** Whether it is a mechanism, where what is welded together counts as one body. */
 function weighFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
@@ -127,7 +127,7 @@ function weighFirmness(data: SolverData, group: Group): void {
   let welds = 0;
   for (let k = start; k < end && may; k += 1) {
     const { constraint, kernel, first, layout } = joints[k]!;
-    may = kernel !== CUSTOM && !constraint.breakUnderForce;
+    may = kernel !== CUSTOM;
     welds += layout.rows === 3 ? 1 : 0;
     rows += layout.rows === 3 ? 0 : heldRows(constraint);
     for (let m = first; m < first + layout.members; m += 1) {
