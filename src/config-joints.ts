@@ -154,7 +154,10 @@ export const ALONE_ERROR = 0.005;
  */
 export const EXCESS_SHARE = 0.1;
 
-/** The same in one step, of what touches something together with all that lies on it, and without regard to what was lost before: loads on hinged bridges, and who sits on a swing, bounce for ever without it. */
+/** The same of what is taken from heavy bodies, too. */
+export const EXCESS_WILD = 0.25;
+
+/** The same as the first in one step, of what touches something together with all that lies on it, and without regard to what was lost before: loads on hinged bridges, and who sits on a swing, bounce for ever without it. */
 export const TOUCHED_EXCESS = 0.03;
 
 /** By how much more a joint turns a body than it moves it, as energies, where joints are looked at for that: 3 at the end of a rod or the corner of a box whose inertia is that of its mass. */

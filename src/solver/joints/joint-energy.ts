@@ -1,4 +1,12 @@
-import { EASY_TURN, EXCESS_FADES, EXCESS_REMOVED, EXCESS_SHARE, HEAVY, TOUCHED_EXCESS } from '../../config-joints.js';
+import {
+  EASY_TURN,
+  EXCESS_FADES,
+  EXCESS_REMOVED,
+  EXCESS_SHARE,
+  EXCESS_WILD,
+  HEAVY,
+  TOUCHED_EXCESS,
+} from '../../config-joints.js';
 import type { List } from '../../math/list.js';
 import { recordAt, type SolverData } from '../data.js';
 import * as d from '../layout.js';
@@ -95,12 +103,13 @@ function takeExcess(data: SolverData, group: Group): void {
   const x = sums[PX]! / sums[MASS]!;
   const y = sums[PY]! / sums[MASS]!;
   const isCalm = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!;
-  const over = excess - share * Math.max(0, kinetic - excess);
+  const right = Math.max(0, kinetic - excess);
   let removed = 0;
-  if (over > 0 && !isCalm) {
-    const own = energyOfLight(data, group, x, y);
-    removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
-    if (removed > 0) slowDown(data, group, Math.sqrt(1 - removed / own), x, y);
+  if (!isCalm) {
+    removed = slowDown(data, group, excess - share * right, made, x, y);
+    // Light bodies whirl by themselves; where the heavy ones were flung, too, they are no measure of what there should be.
+    sums[LIGHTEST] = 0;
+    removed += slowDown(data, group, excess - removed - EXCESS_WILD * right, made, x, y);
   }
   if (!group.touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
@@ -130,8 +139,14 @@ function energyOfLight(data: SolverData, group: Group, x: number, y: number): nu
   return twice / 2;
 }
 
-/** The light bodies, against a common velocity. What nothing holds keeps its momentum: all bodies get back what these lose. */
-function slowDown(data: SolverData, group: Group, keep: number, x: number, y: number): void {
+/** Takes as much energy from the light bodies, against a common velocity, but no more than some of what they have and all that was made in this step. What nothing holds keeps its momentum: all bodies get back what these lose. @returns how much. */
+function slowDown(data: SolverData, group: Group, over: number, made: number, x: number, y: number): number {
+  const own = over > 0 ? energyOfLight(data, group, x, y) : 0;
+  const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
+  if (!(removed > 0)) {
+    return 0;
+  }
+  const keep = Math.sqrt(1 - removed / own);
   const { velocity: v } = data;
   const { items, count } = group.bodies;
   let px = 0;
@@ -149,6 +164,7 @@ function slowDown(data: SolverData, group: Group, keep: number, x: number, y: nu
   if (sums[MASS]! < Infinity) {
     giveBack(data, group, px, py);
   }
+  return removed;
 }
 
 function giveBack(data: SolverData, group: Group, px: number, py: number): void {

@@ -57,7 +57,7 @@ export function addJoint(
 export function allot(data: JointData): void {
   for (const group of data.groups) {
     const isCareful = data.joints.slice(group.start, group.end).some(({ constraint }) => constraint.breakUnderForce);
-    group.tolerance = isCareful ? JOINT_SWEEP_ERROR : toleranceOf(group.end - group.start);
+    group.tolerance = toleranceOf(group.end - group.start);
     group.sweeps = isCareful || !carriesNothing(data, group) ? 1 : NEW_JOINT_SWEEPS;
     group.branches = branches(data, group);
   }

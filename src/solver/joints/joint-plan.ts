@@ -301,6 +301,8 @@ function mayBeFirm({
   isHeld,
   isMechanism,
   isIndeterminate,
+  mayBreak,
+  burdened,
   start,
   end,
   untouched,
@@ -311,5 +313,6 @@ function mayBeFirm({
   if (touched) {
     return isMechanism && stands;
   }
-  return isHeld && (isMechanism || (end - start <= FIRM_FEW && untouched === FIRM_STEPS));
+  const isFew = end - start <= (mayBreak && burdened ? FIRM_JOINTS : FIRM_FEW);
+  return isHeld && (isMechanism || (isFew && untouched === FIRM_STEPS));
 }
