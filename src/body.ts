@@ -6,7 +6,17 @@ import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './
 import { takeOut } from './math/list.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
-import { callable, finite, instance, leadsTo, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
+import {
+  callable,
+  finite,
+  instance,
+  leadsTo,
+  nonNegative,
+  positive,
+  positiveOrInfinite,
+  rangeError,
+  vector,
+} from './validate.js';
 import type { World } from './world.js';
 
 /** What bodies tell their listeners. */
@@ -315,12 +325,22 @@ export class RigidBody extends BodyState {
   /**
    * Translates all shapes so that their centre of mass is the body origin. The body's position stays, so the shapes move
    * in the world. No effect without shapes or mass. Ignored as `setPosition` is. Wakes the body.
+   *
+   * @throws RangeError, before anything changes, if corners of one would coincide where it came to be, as where shapes are 1e14 m apart.
    */
   alignWithOrigin(): void {
     if (this.isLocked() || !(this.computeMassFromShapes() > 0)) {
       return;
     }
     const [x, y] = this.computeLocalCenterOfMass();
+    if (!this.shapes.every((shape) => shape.staysWhole(-x, -y))) {
+      throw rangeError(
+        'RigidBody.alignWithOrigin',
+        'shapes',
+        'ones that stay whole where they come to be',
+        this.shapes,
+      );
+    }
     for (const shape of this.shapes) {
       shape.translate([-x, -y]);
     }

@@ -342,6 +342,13 @@ export class Arbiter extends PairState {
     return this.held !== null && this.held.step === this.lastInteraction;
   }
 
+  /** @internal holds it from now on. @returns its numbers. */
+  hold(): Float64Array {
+    this.held ??= { step: -1, numbers: new Float64Array(c.HELD_NUMBERS) };
+    this.held.step = this.lastInteraction;
+    return this.held.numbers;
+  }
+
   /** @internal lists the points that the manifold has, as new ones */
   showPoints(): void {
     this.dropPoints();

@@ -5,11 +5,14 @@ import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { Arbiter } from './arbiter.js';
+import { HELD_NUMBERS } from './layout.js';
 
 // A manifold followed from the placements that it was found for to those at the end of the step. Worked out when asked for, because most contacts are never asked; or before a body is put elsewhere.
 
 /** What was found: scratch. */
 export const atEnd = { nx: 0.5, ny: 0.5, x: 0.5, y: 0.5, penetration: 0.5 };
+
+const found = new Float64Array(HELD_NUMBERS);
 
 /** How much two units may differ by rounding. */
 const SAME = 1e-9;
@@ -19,18 +22,17 @@ export function holdAtEnd(arbiter: Arbiter): void {
   if (!arbiter.active || arbiter.count === 0 || arbiter.isHeld()) {
     return;
   }
-  const held = arbiter.held ?? { step: -1, numbers: new Float64Array(8) };
+  // Held only when all is found: what is held is told.
   for (let which = 0; which < 2; which += 1) {
     pointAtEnd(arbiter, which);
     const at = 2 + 3 * which;
-    held.numbers[at] = atEnd.x;
-    held.numbers[at + 1] = atEnd.y;
-    held.numbers[at + 2] = atEnd.penetration;
+    found[at] = atEnd.x;
+    found[at + 1] = atEnd.y;
+    found[at + 2] = atEnd.penetration;
   }
-  held.numbers[0] = atEnd.nx;
-  held.numbers[1] = atEnd.ny;
-  held.step = arbiter.lastInteraction;
-  arbiter.held = held;
+  found[0] = atEnd.nx;
+  found[1] = atEnd.ny;
+  arbiter.hold().set(found);
 }
 
 /** The normal: that of an edge turns with its body; that of corners and circles is the way from the middle of one to that of the other. */

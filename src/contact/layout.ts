@@ -17,3 +17,6 @@ export const DYNAMIC_FRICTION = 25;
 export const ROLLING_FRICTION = 26;
 /** m/s. How fast the surfaces come together; only kept right where a `hit` is listened for. */
 export const APPROACH = 39;
+
+/** How many numbers a manifold has that is held, in an array of its own: see `at-end.ts`. */
+export const HELD_NUMBERS = 8;

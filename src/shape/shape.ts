@@ -245,6 +245,11 @@ export abstract class BaseShape {
     this.map('Shape.translate', 'translation', translation, [1, 0, 0, 1, translation[0]!, translation[1]!]);
   }
 
+  /** @internal whether it may be moved by so much: from very far away corners would coincide */
+  staysWhole(x: number, y: number): boolean {
+    return this.clone().mapGeometry([1, 0, 0, 1, x, y]);
+  }
+
   /** Turns the shape about the body origin, clockwise on screen. Ignored as `translate` is. Wakes the body. */
   rotate(clockwiseRadians: number): void {
     finite('Shape.rotate', 'clockwiseRadians', clockwiseRadians);

@@ -8,10 +8,12 @@ export const SOLVED = 32;
 export const USUAL = 128;
 /** There are rolling impulses, too. */
 export const ROLLED = 1 << 22;
+/** The manifold at the end of the latest step is held. */
+export const HELD = 1 << 24;
 /** From which bit on its small numbers stand, and where all end. */
 export const COUNT = 8;
 export const FACE = 10;
-export const FLAGS_END = 24;
+export const FLAGS_END = 25;
 
 /** What a tape is for at the moment. */
 export const WRITE = 0;

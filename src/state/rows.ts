@@ -21,7 +21,7 @@ import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
 import type { Group } from '../solver/joints/joint-data.js';
-import { AGAIN, COUNT, FACE, FLAGS_END, ROLLED, SOLVED, USUAL } from './layout.js';
+import { AGAIN, COUNT, FACE, FLAGS_END, HELD, ROLLED, SOLVED, USUAL } from './layout.js';
 import { areSame, Row, type Tape } from './tape.js';
 
 // What of each object influences the future, field by field. What can be worked out from other fields is not there, nor are listeners and user data.
@@ -187,6 +187,9 @@ export function keepPair(tape: Tape, pair: Arbiter): void {
   if ((flags & AGAIN) !== 0) {
     keepMetAgain(tape, pair);
   }
+  if ((flags & HELD) !== 0) {
+    tape.block(pair.hold(), 0, c.HELD_NUMBERS);
+  }
   if ((flags & SOLVED) !== 0) {
     const rolled = (flags & ROLLED) !== 0;
     tape.block(n, o + c.NORMAL, o + (rolled ? c.ELASTICITY : c.ROLL));
@@ -205,6 +208,7 @@ function flagsOf(pair: Arbiter): number {
   return (
     (pair.bits & KEPT) |
     (pair.metAgain() ? AGAIN : 0) |
+    (pair.isHeld() ? HELD : 0) |
     (hasImpulse(n, o) ? SOLVED : 0) |
     (hasRoll(n, o) ? ROLLED : 0) |
     (isUsual(pair, isKnown ? usual : usualNear) ? USUAL : 0) |

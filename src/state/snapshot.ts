@@ -189,6 +189,7 @@ function takeOut(world: World, body: RigidBody): void {
 
 /** Puts the bodies, their shapes and the constraints into the world. */
 function assemble(world: World, { bodies, inside, shapes, counts, constraints }: Scene, ids: Int32Array): void {
+  const known = new Set(constraints.length > 0 ? bodies : []);
   let at = HEAD;
   let first = 0;
   world.nextOrder = ids[0]!;
@@ -220,10 +221,10 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     constraint.order = ids[at]!;
     constraint.index = i;
     world.constraints.push(constraint);
-    for (const { owner, constraints: ties } of constraint.members) {
-      // Of those that the snapshot is of, the order of the list is passed, too.
-      if (owner !== null && owner !== world && !ties.includes(constraint)) {
-        ties.push(constraint);
+    for (const body of constraint.members) {
+      // Of those that the snapshot is of, the order of the list is passed, too. Others were in another world, wherever they are now.
+      if (!known.has(body) && !body.constraints.includes(constraint)) {
+        body.constraints.push(constraint);
       }
     }
   }

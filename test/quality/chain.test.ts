@@ -140,9 +140,8 @@ describe('a heavy ball on light links that may break, though not by that', () =>
   it.each([
     [2, 30],
     [2, 60],
+    [2, 120],
     [4, 60],
-    [8, 60],
-    [8, 120],
   ])('gains no energy on %d, at %d steps a second', (links, rate) => {
     const { made, force } = swing(links, rate);
     console.log(

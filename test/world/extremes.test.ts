@@ -118,3 +118,18 @@ it.each([
   body.alignWithOrigin();
   expect(body.computeLocalCenterOfMass().map((each) => Math.abs(each / size) < 1e-12)).toEqual([true, true]);
 });
+
+it('shapes that are too far apart to be moved stay all where they are', () => {
+  const material = phys2D.createMaterial({ density: 1000 });
+  const far = phys2D.createCircleShape({ radius: 1, origin: [1e14, 0], material });
+  const small = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1e-3, 1e-3) });
+  const body = phys2D.createRigidBody({ shapes: [far, small] });
+  expect(() => body.alignWithOrigin()).toThrow('RigidBody.alignWithOrigin: shapes must be ones that stay whole');
+  expect(far.getOrigin()).toEqual([1e14, 0]);
+  expect(small.getVertices()).toEqual([
+    [-5e-4, -5e-4],
+    [5e-4, -5e-4],
+    [5e-4, 5e-4],
+    [-5e-4, 5e-4],
+  ]);
+});
