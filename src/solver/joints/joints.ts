@@ -357,13 +357,21 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     if (!isLinear) {
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     }
+    const isExact = group.isFirm && isOfPoints(group) && (goesOn || sweep === 0);
     // What is swept to is swept fro, too.
-    if (!isOff && !(group.toAndFro && sweep % 2 === 0)) {
+    if (!isOff && !isExact && !(group.toAndFro && sweep % 2 === 0)) {
       return false;
     }
-    if (goesOn && sweep < after - 1) goOn(data, group, true);
+    if (goesOn && sweep < after - 1 && !goOn(data, group, true) && isExact) {
+      return false;
+    }
   }
   return true;
+}
+
+/** Rigid points alone are pushed until nothing changes: where small errors wait until they are worth a sweep, forces jump from step to step. */
+function isOfPoints({ runs, start, end }: Group): boolean {
+  return runs.length === 1 && runs[0]!.kernel === POINT && end - start > 1;
 }
 
 function pushCustom(data: SolverData, joint: Joint): void {
