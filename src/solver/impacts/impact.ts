@@ -18,8 +18,8 @@ import type { World } from '../../world.js';
 import { normalGain } from '../contacts/bounce.js';
 import { isMoving } from '../contacts/pack-contacts.js';
 import type { SolverData } from '../data.js';
+import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
-import { findHinge, hingeAt, noteReaction } from './hinge.js';
 import { Ledger } from './no-gain.js';
 
 /** One point of an impact. */
@@ -60,21 +60,20 @@ class Side {
   x = 0.5;
   y = 0.5;
 
-  begin(body: RigidBody): void {
+  begin(body: RigidBody, joints: JointSolver | null): void {
     body.refreshMass();
     this.body = body;
     // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
     this.mass = body.kind === DYNAMIC && body.mass > 0 ? 1 / body.mass : 0;
     this.inertia = body.kind === DYNAMIC && body.inertia > 0 ? 1 / body.inertia : 0;
-    this.x = 0;
-    this.y = 0;
-    this.hinge = body.constraints.length > 0 && this.mass > 0 && this.inertia > 0 ? findHinge(body) : null;
+    this.hinge = joints !== null && this.mass > 0 && this.inertia > 0 ? joints.findHinge(body, this) : null;
     if (this.hinge !== null) {
-      this.x = hingeAt.x;
-      this.y = hingeAt.y;
       this.mass = 0;
-      this.inertia = 1 / (body.inertia + body.mass * (hingeAt.x * hingeAt.x + hingeAt.y * hingeAt.y));
+      this.inertia = 1 / (body.inertia + body.mass * (this.x * this.x + this.y * this.y));
       this.hold();
+    } else {
+      this.x = 0;
+      this.y = 0;
     }
   }
 
@@ -119,14 +118,14 @@ const reaction = { x: 0.5, y: 0.5 };
  * together, and so on, until nothing changes. One after the other a box that falls flat on two tiles would be thrown over by the first. They are added to those of the step, and nothing is kept for the next one to start
  * from, as an impact does not go on.
  */
-export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
+export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter>): void {
   count = pairs.count;
   bodies.clear();
   for (let i = 0; i < count; i += 1) {
     if (i === impacts.length) {
       impacts.push(new Impact());
     }
-    begin(solver, impacts[i]!, pairs.items[i]!);
+    begin(solver, jointSolver, impacts[i]!, pairs.items[i]!);
   }
   releaseHinged();
   ledger.open(bodies.count);
@@ -136,11 +135,11 @@ export function solveImpacts({ solver }: World, pairs: List<Arbiter>): void {
   for (let i = 0; i < count; i += 1) {
     storeImpulses(impacts[i]!);
   }
-  noteHinges();
+  if (jointSolver !== null) noteHinges(jointSolver);
 }
 
 /** Of what a body on a hinge got in all, the hinge gave what its contacts did not. */
-function noteHinges(): void {
+function noteHinges(joints: JointSolver): void {
   for (let k = 0; k < bodies.count; k += 1) {
     const body = bodies.items[k]!;
     const hinge = hingeOf(body);
@@ -150,7 +149,7 @@ function noteHinges(): void {
       for (let i = 0; i < count; i += 1) {
         takeContacts(impacts[i]!, body);
       }
-      noteReaction(hinge, body, reaction);
+      joints.noteReaction(hinge, body, reaction);
     }
   }
 }
@@ -174,11 +173,11 @@ function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
   }
 }
 
-function begin(data: SolverData, impact: Impact, pair: Arbiter): void {
+function begin(data: SolverData, joints: JointSolver | null, impact: Impact, pair: Arbiter): void {
   const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   impact.pair = pair;
-  impact.a.begin(a);
-  impact.b.begin(b);
+  impact.a.begin(a, joints);
+  impact.b.begin(b, joints);
   for (let which = 0; which < 2; which += 1) {
     setPoint(data, impact, which, which < pair.count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }

@@ -6,13 +6,12 @@ import * as c from '../../contact/layout.js';
 import type { Travel } from '../../geometry/sweep.js';
 import { grown, widened } from '../../math/doubles.js';
 import type { Shape } from '../../shape/shape.js';
-import type { SolverData } from '../data.js';
+import type { World } from '../../world.js';
 import * as d from '../layout.js';
 import { isInTrain, isTied } from '../ties.js';
 import { ClearSpace } from './clear-space.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
 import { Nearby } from './nearby.js';
-import { shareOfChange } from './onset.js';
 import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */
@@ -154,11 +153,12 @@ export class Mover {
    * it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite. What joints to static bodies
    * added came as the way tells that it went: a motor may do it all at once.
    */
-  slow({ drive, substeps }: SolverData, duration: number): void {
+  slow({ solver, movers, jointSolver }: World): void {
     if (this.stopped) {
       return;
     }
     const { body } = this;
+    const { drive, substeps } = solver;
     const slot = body.slot * d.BODY_STRIDE;
     const gainX = substeps * drive[slot + d.GAIN_X]!;
     const gainY = substeps * drive[slot + d.GAIN_Y]!;
@@ -167,8 +167,8 @@ export class Mover {
     const dy = body.vy - this.vy;
     const square = dx * dx + dy * dy;
     const gain = gainX * gainX + gainY * gainY;
-    const isHeld = isTied(body);
-    const left = (isHeld ? shareOfChange(this, duration, substeps) : this.at) - 1;
+    const isHeld = jointSolver !== null && isTied(body);
+    const left = (isHeld ? jointSolver.shareOfChange(this, movers.duration, substeps) : this.at) - 1;
     const wasGiven = square > SUDDEN * SUDDEN * gain && wasPushed(body);
     if (isHeld && (wasGiven || isInTrain(body))) {
       // As much of what forces added as there is: what hangs at rest got it back.

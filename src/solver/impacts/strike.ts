@@ -109,7 +109,7 @@ function rouse(world: World, body: RigidBody, begins: boolean): void {
   if (body.kind === DYNAMIC) {
     wakeBody(world, body, false);
     if (begins) {
-      world.movers.of(body).slow(world.solver, world.movers.duration);
+      world.movers.of(body).slow(world);
     }
   }
 }

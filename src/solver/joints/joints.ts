@@ -22,6 +22,7 @@ import {
 } from './block-joints.js';
 import { beginTrial, endTrial } from './breaking.js';
 import { closeOpen } from './close-joints.js';
+import { findHinge, noteReaction } from './hinge.js';
 import { findCompanies, findGuests } from './joint-company.js';
 import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
 import { noteEnergy, takeExcesses } from './joint-energy.js';
@@ -36,6 +37,7 @@ import { forgetShocks, linkShocks } from './joint-shocks.js';
 import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
 import { turnStress } from './joint-stress.js';
 import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './joint-sweeps.js';
+import { shareOfChange } from './onset.js';
 import {
   beginPoints,
   finishPoints,
@@ -481,6 +483,9 @@ export const jointSolver = {
   linkShocks,
   sweepShock,
   steadyFrame,
+  findHinge,
+  noteReaction,
+  shareOfChange,
 };
 
 export type JointSolver = typeof jointSolver;

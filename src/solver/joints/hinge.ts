@@ -10,11 +10,14 @@ import type { PointConstraint } from '../../constraint/point.js';
 /** Share of the way from hinge to origin by which a hinge may gape: on its way through a step a body goes straight on. */
 const GAPE = 0.1;
 
-/** Where the hinge of a body is, relative to its origin, m: scratch. */
-export const hingeAt = { x: 0.5, y: 0.5 };
+/** m. Where something is, relative to the origin of a body; or N·s, an impulse. */
+interface Pair {
+  x: number;
+  y: number;
+}
 
-/** Finds the only point of a body that is held, by what is static and gives way to nothing, to `hingeAt`. Motors, and bounds of angles, do not count. @returns what holds it, or `null`. */
-export function findHinge(body: RigidBody): PointConstraint | null {
+/** Finds the only point of a body that is held, by what is static and gives way to nothing, and writes where it is to `at`. Motors, and bounds of angles, do not count. @returns what holds it, or `null`. */
+export function findHinge(body: RigidBody, at: Pair): PointConstraint | null {
   let point: PointConstraint | null = null;
   for (let i = 0; i < body.constraints.length; i += 1) {
     const constraint = body.constraints[i]!;
@@ -26,14 +29,14 @@ export function findHinge(body: RigidBody): PointConstraint | null {
     }
     point = constraint as PointConstraint;
   }
-  return point !== null && isOn(point, body) ? point : null;
+  return point !== null && isOn(point, body, at) ? point : null;
 }
 
 /** An impact made a hinge give a body that hangs on it an impulse, and the opposite to what it hangs on. */
 export function noteReaction(
   { members, anchors, given }: PointConstraint,
   body: RigidBody,
-  { x, y }: { readonly x: number; readonly y: number },
+  { x, y }: Readonly<Pair>,
 ): void {
   for (let k = 0; k < 2; k += 1) {
     const { cos, sin } = members[k]!;
@@ -56,15 +59,15 @@ function isFirm({ type, stiff, maxForce, breakUnderForce, breakUnderError }: Con
 }
 
 /** Whether a point holds a body to something static, and is closed. */
-function isOn({ bodyA, bodyB, anchors }: PointConstraint, body: RigidBody): boolean {
+function isOn({ bodyA, bodyB, anchors }: PointConstraint, body: RigidBody, at: Pair): boolean {
   const own = bodyA === body ? 0 : 2;
   const other = bodyA === body ? bodyB : bodyA;
   const held = 2 - own;
   const { cos, sin } = body;
-  hingeAt.x = cos * anchors[own]! - sin * anchors[own + 1]!;
-  hingeAt.y = sin * anchors[own]! + cos * anchors[own + 1]!;
-  const x = other.x + other.cos * anchors[held]! - other.sin * anchors[held + 1]! - body.x - hingeAt.x;
-  const y = other.y + other.sin * anchors[held]! + other.cos * anchors[held + 1]! - body.y - hingeAt.y;
-  const most = CONTACT_SLOP + GAPE * Math.sqrt(hingeAt.x * hingeAt.x + hingeAt.y * hingeAt.y);
+  at.x = cos * anchors[own]! - sin * anchors[own + 1]!;
+  at.y = sin * anchors[own]! + cos * anchors[own + 1]!;
+  const x = other.x + other.cos * anchors[held]! - other.sin * anchors[held + 1]! - body.x - at.x;
+  const y = other.y + other.sin * anchors[held]! + other.cos * anchors[held + 1]! - body.y - at.y;
+  const most = CONTACT_SLOP + GAPE * Math.sqrt(at.x * at.x + at.y * at.y);
   return other.kind === STATIC && x * x + y * y <= most * most;
 }
