@@ -38,6 +38,43 @@ describe.each(BROADPHASES)('%s', (name, create) => {
     }
   });
 
+  it('agrees with a plain list also where whole parts of it are of one group', () => {
+    for (let seed = 1; seed <= 8; seed += 1) {
+      const random = generator(100 + seed);
+      const model = new Model(create());
+      const bodies: number[][] = [];
+      const insertBody = () => {
+        const [x, y] = [12 * random(), 12 * random()];
+        const group = {};
+        bodies.push(
+          Array.from({ length: 12 }, (_, i) => {
+            const [left, top] = [x + (i % 4), y + Math.floor(i / 4)];
+            return model.insert([left, top, left + 1, top + 1], random() < 0.1, group);
+          }),
+        );
+      };
+      for (let i = 0; i < 150; i += 1) {
+        const at = Math.floor(random() * bodies.length);
+        const choice = random();
+        if (bodies.length < 4 || choice < 0.1) {
+          insertBody();
+        } else if (choice < 0.2 || bodies.length > 8) {
+          for (const id of bodies.splice(at, 1)[0]!) model.remove(id);
+        } else if (choice < 0.4) {
+          model.remove(bodies[at]!.splice(Math.floor(random() * bodies[at]!.length), 1)[0] ?? -1);
+          if (bodies[at]!.length === 0) bodies.splice(at, 1);
+        } else {
+          const [dx, dy] = [3 * (random() - 0.5), 3 * (random() - 0.5)];
+          for (const id of bodies[at]!) {
+            const [x0, y0, x1, y1] = model.entries.get(id)!.bounds;
+            model.update(id, [x0 + dx, y0 + dy, x1 + dx, y1 + dy]);
+          }
+        }
+        expect(pairsOf(model.broadphase)).toEqual(model.expectedPairs());
+      }
+    }
+  });
+
   it('takes infinite bounds', () => {
     const model = new Model(create());
     model.insert([-Infinity, 3, Infinity, 4], true);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
-import { box, staticBody, weightless } from '../conformance/setting.js';
+import { box, disc, staticBody, weightless } from '../conformance/setting.js';
 
 // A rod of 4 m that hangs on a hinge at the origin and turns against a wall, without gravity.
 
@@ -73,5 +73,66 @@ describe('what hangs on a hinge and strikes a wall', () => {
       expect(opposite[2]).toBeCloseTo(0.5 * ofHinge[1], 12);
     }
     expect(struck).toBeGreaterThan(0);
+  });
+});
+
+describe('bullets that are joined to others', () => {
+  const PAIRS = 4;
+
+  /** Of the momentum with which a pair flies into three that rest what is left after a second. */
+  function left(rate: number, gap: number, isWelded: boolean): number {
+    const world = weightless();
+    const material = phys2D.createMaterial({ elasticity: 0.5 });
+    const bodies: RigidBody[] = [];
+    const addBody = (x: number, speed: number) => {
+      const params = { position: [x, 0] as const, velocity: [speed, 0] as const, linearDrag: 0, angularDrag: 0 };
+      const body = phys2D.createRigidBody({ ...params, bullet: true, shapes: [box(1, 0.8, { material })] });
+      world.addRigidBody(body);
+      bodies.push(body);
+      return body;
+    };
+    for (let i = 0; i < PAIRS; i += 1) {
+      const x = i === 0 ? -4 : i * (2.01 + gap);
+      const [bodyA, bodyB] = [addBody(x, i === 0 ? 20 : 0), addBody(x + 1.01, i === 0 ? 20 : 0)];
+      const params = { bodyA, bodyB, anchorA: [0.505, 0], anchorB: [-0.505, 0], ignoreInteractions: true };
+      world.addConstraint(isWelded ? phys2D.createWeldConstraint(params) : phys2D.createPointConstraint(params));
+    }
+    for (let i = 0; i < rate; i += 1) {
+      world.step(1 / rate);
+    }
+    return bodies.reduce((sum, body) => sum + body.getVelocity()[0], 0) / 40;
+  }
+
+  it.each([30, 60, 120])('keep their momentum when they are struck, at %d steps a second', (rate) => {
+    for (const gap of [0.005, 0.05, 0.2]) {
+      for (const isWelded of [false, true]) {
+        // Before, down to 0.79.
+        expect(left(rate, gap, isWelded), `gap ${gap}, welded ${isWelded}`).toBeCloseTo(1, 3);
+      }
+    }
+  });
+
+  it('hang in a row and are struck by one: on ropes as without', () => {
+    for (const isHung of [false, true]) {
+      const world = weightless();
+      const material = phys2D.createMaterial({ elasticity: 0.8, staticFriction: 0, dynamicFriction: 0 });
+      const bodies = [-1.2, 0, 0.605, 1.21, 1.815].map((x, i) => {
+        const params = { position: [x, 0] as const, velocity: [i === 0 ? 12 : 0, 0] as const, linearDrag: 0 };
+        const body = phys2D.createRigidBody({ ...params, bullet: true, shapes: [disc(0.3, { material })] });
+        world.addRigidBody(body);
+        if (isHung && i > 0) {
+          const bodyA = staticBody({ position: [x, -4] });
+          world.addConstraint(phys2D.createDistanceConstraint({ bodyA, bodyB: body, lowerBound: 0, upperBound: 4 }));
+        }
+        return body;
+      });
+      for (let i = 0; i < 10; i += 1) {
+        world.step(1 / 60);
+      }
+      const momentum = bodies.reduce((sum, body) => sum + body.getVelocity()[0], 0) / 12;
+      // Before, 0.44 on ropes.
+      expect(momentum).toBeGreaterThan(0.97);
+      expect(momentum).toBeLessThan(1.01);
+    }
   });
 });
