@@ -154,7 +154,7 @@ export const ALONE_ERROR = 0.005;
  */
 export const EXCESS_SHARE = 0.1;
 
-/** The same of what is taken from heavy bodies, too. */
+/** The same of joints that may break, which are swept over less: what is more than that is taken from heavy bodies, too, as they were flung. */
 export const EXCESS_WILD = 0.25;
 
 /** The same as the first in one step, of what touches something together with all that lies on it, and without regard to what was lost before: loads on hinged bridges, and who sits on a swing, bounce for ever without it. */

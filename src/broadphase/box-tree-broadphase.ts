@@ -23,6 +23,9 @@ const MAX_AHEAD = 1;
 /** m. How large the leaf of a faster thing may get to hold where it was before, too. */
 const MAX_STAY = 3;
 
+/** In place of a group: that of no handle. */
+const NO_GROUP = /* @__PURE__ */ Symbol();
+
 /** A handle of {@link BoxTreeBroadphase}. */
 class TreeHandle<T> implements BroadphaseHandle<T> {
   constructor(
@@ -54,8 +57,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private boxes = new Float64Array(16 * BOX);
   private states = new Int32Array(16 * STATE).fill(NONE);
   private handleCount = 0;
-  /** The group that was inserted last, as long as nothing is removed, and its number: what comes in one group on end is of one kin. */
-  private latestGroup: unknown = null;
+  /** The group that was inserted last, as long as nothing is removed, and its number: what is inserted on end in one group is of one kin. A group may have several, which only takes longer. */
+  private latestGroup: unknown = NO_GROUP;
   private kin = 0;
   private readonly freeNumbers: number[] = [];
   /** The first `movedCount` are numbers of handles. As `met` and `samples` not shortened, which would cost the storage. */
@@ -159,7 +162,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     this.treeOf(own).remove(states[number * STATE + LEAF]!);
     states[number * STATE + LEAF] = NONE;
-    this.latestGroup = null;
+    this.latestGroup = NO_GROUP;
     this.freeNumbers.push(number);
   }
 
@@ -287,7 +290,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.states.fill(NONE);
     this.movedCount = 0;
     this.handleCount = 0;
-    this.latestGroup = null;
+    this.latestGroup = NO_GROUP;
     this.freeNumbers.length = 0;
     this.pairCount = 0;
   }

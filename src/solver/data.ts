@@ -75,6 +75,8 @@ export class BounceList {
   /** Its NX, NY, RN_A1 and RN_B1 once more, four numbers each: all of them are looked at twice in a sub-step, and most do not bounce. */
   arms = new Float64Array(64);
   bias = new Float64Array(16);
+  /** m/s. With what speed a point that bounced was to leave. */
+  leaves = new Float64Array(16);
   /** Which bounced in the sub-step, see `bounce.ts`. */
   hit = new Uint8Array(16);
   /** Places in the list of the contacts that bounce in a round, by their first points. */
@@ -111,6 +113,7 @@ export class BounceList {
     this.bodies = widened(this.bodies, new Int32Array(2 * size));
     this.arms = widened(this.arms, new Float64Array(4 * size));
     this.bias = widened(this.bias, new Float64Array(size));
+    this.leaves = new Float64Array(size);
     this.bouncing = new Int32Array(size);
     this.hit = new Uint8Array(size);
     this.elasticity = widened(this.elasticity, new Float64Array(size));

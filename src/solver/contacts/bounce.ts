@@ -147,8 +147,11 @@ function setBiases({ bounces: list }: SolverData, first: number): void {
   for (let k = first; k < after; k += 1) {
     const bounces = bouncesNow(list, k);
     r[record + list.shift[k]! + d.BIAS1] = bounces ? list.bias[k]! + r[record + d.SURFACE_N]! : d.OFF;
+    if (bounces) {
+      list.hit[k] = BOUNCED;
+      list.leaves[k] = -list.bias[k]!;
+    }
     list.bias[k] = 0;
-    if (bounces) list.hit[k] = BOUNCED;
   }
 }
 
@@ -337,13 +340,16 @@ function hangs({ batches, index }: BounceList, k: number): boolean {
   return isTied(bodyA) || isTied(bodyB);
 }
 
-/** What bounced and is tied to others is to leave with the speed that it has now: a plank that a ball struck may be welded to a house. */
+/**
+ * What bounced and is tied to others is to leave with the speed that it has now: a plank that a ball struck may be welded to a house. But no point faster than it was to: what is free is thrown off by one of its points so that the other one leaves
+ * still faster, which on an axle it cannot without turning as much.
+ */
 function keepLeaving(data: SolverData, k: number): void {
   const { bounces: list } = data;
   const { records: r, stride } = list.batches[k]!;
   const record = recordAt(list.index[k]!, stride);
   findSpeed(data, k);
-  const leaves = plan.comes;
+  const leaves = Math.min(plan.comes, list.leaves[k]!);
   list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
 }
 

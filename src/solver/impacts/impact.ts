@@ -70,6 +70,8 @@ class Side {
     if (this.hinge !== null) {
       this.mass = 0;
       this.inertia = 1 / (body.inertia + body.mass * (this.x * this.x + this.y * this.y));
+      // Of all that it has about the hinge nothing is lost, also where its velocity does not fit that.
+      body.w = this.inertia * (body.inertia * body.w + body.mass * (this.y * body.vx - this.x * body.vy));
       this.hold();
     } else {
       this.x = 0;
@@ -77,7 +79,7 @@ class Side {
     }
   }
 
-  /** Where a hinge is, a body has no velocity. */
+  /** While an impact is solved the velocity of a body on a hinge is that at the hinge, none. */
   hold(): void {
     if (this.hinge !== null) {
       this.body.vx = 0;
@@ -85,7 +87,7 @@ class Side {
     }
   }
 
-  /** At its origin it has that of turning about the hinge. */
+  /** Then it is that at its origin again, of turning about the hinge. */
   release(): void {
     const { body } = this;
     if (this.hinge !== null) {

@@ -1,7 +1,7 @@
 import { BREAK_STEPS } from '../../config-joints.js';
 import type { SolverData } from '../data.js';
 import { applyRows, findLength, length } from './block-rows.js';
-import type { Group, Joint } from './joint-data.js';
+import type { Joint } from './joint-data.js';
 import * as j from './joint-layout.js';
 
 // Joints break under what they give: in a velocity iteration, or by what they gave as a whole. Under their errors they do in `block-joints.ts`.
@@ -28,37 +28,6 @@ export function cutOrBreak(data: SolverData, joint: Joint): boolean {
     r[at + work + n] = (r[at + work + n]! * limit) / size;
   }
   return false;
-}
-
-/** Sweeps over a group that follow impulses beyond what they come to in the end are no test of what its joints bear. */
-export function beginTrial({ joints: { joints, records: r } }: SolverData, { start, end }: Group): void {
-  for (let k = start; k < end; k += 1) {
-    const { at, constraint } = joints[k]!;
-    if (constraint.breakUnderForce) r[at + j.CHECKED] = 0;
-  }
-}
-
-/** What they came to is. */
-export function endTrial(data: SolverData, { start, end }: Group): void {
-  const { joints, records: r } = data.joints;
-  for (let k = start; k < end; k += 1) {
-    const joint = joints[k]!;
-    if (joint.constraint.breakUnderForce) {
-      r[joint.at + j.CHECKED] = 1;
-      tearStrained(data, joint);
-    }
-  }
-}
-
-function tearStrained(data: SolverData, joint: Joint): void {
-  const { records: r } = data.joints;
-  const { at, layout } = joint;
-  const { rows, work, total, impulse } = layout;
-  for (let n = 0; n < rows; n += 1) {
-    r[at + work + n] = r[at + total + n]! + r[at + impulse + n]!;
-  }
-  findLength(r, at + work, rows);
-  if (length[0]! > r[at + j.BREAK]!) tear(data, joint);
 }
 
 /**

@@ -16,7 +16,7 @@ interface Pair {
   y: number;
 }
 
-/** Finds the only point of a body that is held, by what is static and gives way to nothing, and writes where it is to `at`. Motors, and bounds of angles, do not count. @returns what holds it, or `null`. */
+/** Finds the only point of a body that is held, by what is static and gives way to nothing, and writes where it is to `at`. Motors and angles do not count. @returns what holds it, or `null`. */
 export function findHinge(body: RigidBody, at: Pair): PointConstraint | null {
   let point: PointConstraint | null = null;
   for (let i = 0; i < body.constraints.length; i += 1) {

@@ -104,10 +104,9 @@ function takeExcess(data: SolverData, group: Group): void {
   const y = sums[PY]! / sums[MASS]!;
   const isCalm = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!;
   const right = Math.max(0, kinetic - excess);
-  let removed = 0;
-  if (!isCalm) {
-    removed = slowDown(data, group, excess - share * right, made, x, y);
-    // Light bodies whirl by themselves; where the heavy ones were flung, too, they are no measure of what there should be.
+  let removed = isCalm ? 0 : slowDown(data, group, excess - share * right, made, x, y);
+  if (!isCalm && group.mayBreak && !group.touched) {
+    // From here on all of them count as light.
     sums[LIGHTEST] = 0;
     removed += slowDown(data, group, excess - removed - EXCESS_WILD * right, made, x, y);
   }

@@ -117,7 +117,7 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-/** Whether it is a mechanism, where what is welded together counts as one body. */
+/** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
 function weighFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
@@ -127,7 +127,7 @@ function weighFirmness(data: SolverData, group: Group): void {
   let welds = 0;
   for (let k = start; k < end && may; k += 1) {
     const { constraint, kernel, first, layout } = joints[k]!;
-    may = kernel !== CUSTOM;
+    may = kernel !== CUSTOM && !constraint.breakUnderForce;
     welds += layout.rows === 3 ? 1 : 0;
     rows += layout.rows === 3 ? 0 : heldRows(constraint);
     for (let m = first; m < first + layout.members; m += 1) {
@@ -301,8 +301,6 @@ function mayBeFirm({
   isHeld,
   isMechanism,
   isIndeterminate,
-  mayBreak,
-  burdened,
   start,
   end,
   untouched,
@@ -313,6 +311,5 @@ function mayBeFirm({
   if (touched) {
     return isMechanism && stands;
   }
-  const isFew = end - start <= (mayBreak && burdened ? FIRM_JOINTS : FIRM_FEW);
-  return isHeld && (isMechanism || (isFew && untouched === FIRM_STEPS));
+  return isHeld && (isMechanism || (end - start <= FIRM_FEW && untouched === FIRM_STEPS));
 }

@@ -20,7 +20,6 @@ import {
   storeBlock,
   warmStartBlock,
 } from './block-joints.js';
-import { beginTrial, endTrial } from './breaking.js';
 import { closeOpen } from './close-joints.js';
 import { findHinge, noteReaction } from './hinge.js';
 import { findCompanies, findGuests } from './joint-company.js';
@@ -273,12 +272,6 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
 
 /** Sweeps until nothing changes any more. */
 function solveFirmly(data: SolverData, group: Group): void {
-  if (group.mayBreak) beginTrial(data, group);
-  followGradients(data, group);
-  if (group.mayBreak) endTrial(data, group);
-}
-
-function followGradients(data: SolverData, group: Group): void {
   beginGradients(data, group, false);
   for (let sweep = 0; sweep < group.sweeps; sweep += 1) {
     noteStart(data, false);
