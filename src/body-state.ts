@@ -10,7 +10,7 @@ import { presentBounds } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import type { Island } from './solver/sleep.js';
 import type { UserDataOf } from './user-data.js';
-import { boolean, sink } from './validate.js';
+import { boolean, rangeError, sink } from './validate.js';
 import type { World } from './world.js';
 
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
@@ -230,6 +230,16 @@ export abstract class BodyState extends BodyNumbers {
     this.placeStale = true;
     for (const shape of this.shapes) {
       shape.leave();
+    }
+  }
+
+  /** @internal within the body: all of them, or none */
+  protected moveShapes(where: string, x: number, y: number): void {
+    if (!this.shapes.every((shape) => shape.staysWhole(x, y))) {
+      throw rangeError(where, 'shapes', 'ones that stay whole where they come to be', this.shapes);
+    }
+    for (const shape of this.shapes) {
+      shape.translate([x, y]);
     }
   }
 

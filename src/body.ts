@@ -6,17 +6,7 @@ import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './
 import { takeOut } from './math/list.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { Shape } from './shape/shape.js';
-import {
-  callable,
-  finite,
-  instance,
-  leadsTo,
-  nonNegative,
-  positive,
-  positiveOrInfinite,
-  rangeError,
-  vector,
-} from './validate.js';
+import { callable, finite, instance, leadsTo, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
 import type { World } from './world.js';
 
 /** What bodies tell their listeners. */
@@ -333,17 +323,7 @@ export class RigidBody extends BodyState {
       return;
     }
     const [x, y] = this.computeLocalCenterOfMass();
-    if (!this.shapes.every((shape) => shape.staysWhole(-x, -y))) {
-      throw rangeError(
-        'RigidBody.alignWithOrigin',
-        'shapes',
-        'ones that stay whole where they come to be',
-        this.shapes,
-      );
-    }
-    for (const shape of this.shapes) {
-      shape.translate([-x, -y]);
-    }
+    this.moveShapes('RigidBody.alignWithOrigin', -x, -y);
   }
 
   /** Attaches a shape. @returns `false`, without effect, if it has a body, during a step, or for a static body in a world. */
