@@ -50,6 +50,30 @@ describe('what hangs on a hinge and strikes a wall', () => {
     }
   });
 
+  it('also where it falls flat against two at once', () => {
+    for (let rate = 20; rate <= 80; rate += 1) {
+      for (const elasticity of [0.5, 1]) {
+        const { world, rod } = setUp(elasticity, 0);
+        const material = phys2D.createMaterial({ elasticity, staticFriction: 0, dynamicFriction: 0 });
+        rod.setVelocity([0, 8]);
+        rod.setAngularVelocity(4);
+        rod.bullet = true;
+        // Before it comes to the wall.
+        for (const y of [1.5, 3.5]) {
+          world.addRigidBody(staticBody({ position: [-1.1, y], shapes: [box(2, 1, { material })] }));
+        }
+        for (let i = 0; i < rate && rod.getAngularVelocity() > 3.6; i += 1) {
+          world.step(1 / rate);
+        }
+        // Before, at some rates a quarter of that: each impact took what it has about the hinge from the origin once more.
+        expect(rod.getAngularVelocity(), `elasticity ${elasticity}, ${rate} steps a second`).toBeCloseTo(
+          -4 * elasticity,
+          0,
+        );
+      }
+    }
+  });
+
   it('tells what the hinge gave: with what the contact gave all that changed the momentum', () => {
     const { world, rod, hinge } = setUp(1, 0.5);
     const mass = rod.computeMassFromShapes();

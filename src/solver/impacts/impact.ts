@@ -129,7 +129,6 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
     }
     begin(solver, jointSolver, impacts[i]!, pairs.items[i]!);
   }
-  releaseHinged();
   ledger.open(bodies.count);
   noteVelocities(ledger.before);
   solve();
@@ -183,6 +182,9 @@ function begin(data: SolverData, joints: JointSolver | null, impact: Impact, pai
   for (let which = 0; which < 2; which += 1) {
     setPoint(data, impact, which, which < pair.count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }
+  // Another impact of the same body begins with all that it has.
+  impact.a.release();
+  impact.b.release();
   listBody(a);
   listBody(b);
 }
@@ -228,13 +230,6 @@ function noteWeights(): void {
   }
 }
 
-function releaseHinged(): void {
-  for (let i = 0; i < count; i += 1) {
-    impacts[i]!.a.release();
-    impacts[i]!.b.release();
-  }
-}
-
 function solve(): void {
   const most = IMPACT_ITERATIONS * count;
   for (let i = 0; i < count; i += 1) {
@@ -247,7 +242,10 @@ function solve(): void {
       changed = solveOne(impacts[k]!) || changed;
     }
   }
-  releaseHinged();
+  for (let i = 0; i < count; i += 1) {
+    impacts[i]!.a.release();
+    impacts[i]!.b.release();
+  }
 }
 
 /** @returns as `push`. */
