@@ -22,7 +22,7 @@ const RECORDS: usize = 16 * d.ONE_STRIDE;
 export function warmStartOne(records: usize, bodies: usize, velocity: usize, motion: usize, from: i32, to: i32): void {
   const zero = f64x2.splat(0);
   const inverseH = f64x2.splat(1 / load<f64>(n.H));
-  for (let k = from & d.PAIR; k < to; k += 2) {
+  for (let k = from & d.EVEN; k < to; k += 2) {
     const r = records + <usize>(k >> 1) * RECORDS;
     const pair = bodies + <usize>(k >> 1) * OFFSETS;
     const a1 = load<i32>(pair) << 3;
@@ -99,7 +99,7 @@ export function solveVelocityOne(records: usize, bodies: usize, velocity: usize,
   const zero = f64x2.splat(0);
   const limitOfCalm = f64x2.splat(CALM_ACCELERATION * load<f64>(n.H));
   let changed = 0;
-  for (let k = from & d.PAIR; k < to; k += 2) {
+  for (let k = from & d.EVEN; k < to; k += 2) {
     const r = records + <usize>(k >> 1) * RECORDS;
     const pair = bodies + <usize>(k >> 1) * OFFSETS;
     const a1 = velocity + (load<i32>(pair) << 3);

@@ -1,7 +1,6 @@
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { RigidBodyParams } from './body-params.js';
 import { BodyState } from './body-state.js';
-import { FAR } from './config.js';
 import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './listeners.js';
 import { takeOut } from './math/list.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
@@ -144,7 +143,7 @@ export class RigidBody extends BodyState {
     const vx = (targetPosition[0]! - this.x) / deltaTime;
     const vy = (targetPosition[1]! - this.y) / deltaTime;
     const w = (targetRotation - this.angle) / deltaTime;
-    leadsTo(where, 'deltaTime', deltaTime, 'velocities', FAR, vx, vy, w);
+    leadsTo(where, 'deltaTime', deltaTime, 'velocities', vx, vy, w);
     this.vx = vx;
     this.vy = vy;
     this.w = w;
@@ -173,7 +172,7 @@ export class RigidBody extends BodyState {
       const ry = position[1]! - this.y;
       w += (rx * impulse[1]! - ry * impulse[0]!) * this.inverseInertia();
     }
-    leadsTo(where, 'impulse', impulse, 'velocities', FAR, vx, vy, w);
+    leadsTo(where, 'impulse', impulse, 'velocities', vx, vy, w);
     this.vx = vx;
     this.vy = vy;
     this.w = w;
@@ -188,7 +187,7 @@ export class RigidBody extends BodyState {
       const x = this.x + this.vx * deltaTime;
       const y = this.y + this.vy * deltaTime;
       const angle = this.angle + this.w * deltaTime;
-      leadsTo(where, 'deltaTime', deltaTime, 'a placement', FAR, x, y, angle);
+      leadsTo(where, 'deltaTime', deltaTime, 'a placement', x, y, angle);
       this.putAt(x, y, angle);
       this.rouse();
     }
@@ -225,23 +224,23 @@ export class RigidBody extends BodyState {
     }
   }
 
-  /** Share of the velocity lost per second. */
+  /** Share of the velocity lost per second; 0.05 unless set. */
   getLinearDrag(): number {
     return this.linearDrag;
   }
 
-  /** Sets the share of the velocity lost per second, >= 0. Wakes the body. */
+  /** Sets the share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Wakes it. */
   setLinearDrag(linearDrag: number): void {
     this.linearDrag = nonNegative('RigidBody.setLinearDrag', 'linearDrag', linearDrag);
     this.rouse();
   }
 
-  /** Share of the angular velocity lost per second. */
+  /** Share of the angular velocity lost per second; 0.05 unless set. */
   getAngularDrag(): number {
     return this.angularDrag;
   }
 
-  /** Sets the share of the angular velocity lost per second, >= 0. Wakes the body. */
+  /** Sets the share of the angular velocity lost per second, >= 0; 1 and more stop its turn in each step. Wakes the body. */
   setAngularDrag(angularDrag: number): void {
     this.angularDrag = nonNegative('RigidBody.setAngularDrag', 'angularDrag', angularDrag);
     this.rouse();

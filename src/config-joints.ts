@@ -21,7 +21,7 @@ export const SPRING_SWEEPS = 16;
 /** Parts of a turn. Below it, as up to 24 Hz at 1/60 s and four sub-steps, one sweep is enough. */
 export const SPRING_TURN = 0.1;
 
-/** Of what a spring holds, so much at most counts as given to it, as it is not known to the last digit. */
+/** A spring may give back so many times what it holds at most, as that is not known to the last digit. */
 export const SPRING_GAIN = 1.02;
 
 /** So many times what a spring holds it may owe. With 1 springs of 5 Hz that are hardly damped still draw energy from how bodies turn, in 2 of 360 arms; more than 4 does not help. */
@@ -30,7 +30,7 @@ export const SPRING_DEBT = 4;
 /** rad/s. For each such part by which a motor misses its rate all that hangs together is swept over once more: in one sweep light wheels hand heavy ones so little that both swing for ever. */
 export const MOTOR_LAG = 0.02;
 
-/** So many joints that hang together are few; for more it grows in proportion. */
+/** Of so many joints that hang together, or fewer, the error counts for which few are swept over once more; of more it is larger in proportion, up to that of nets. */
 export const FEW_JOINTS = 64;
 
 /**
@@ -61,7 +61,7 @@ export const JOINT_STILL = 1e-12;
 /** A direction that has so little of the energy of the change it was made of has lost it to rounding. */
 export const GRADIENT_LOST = 1e-10;
 
-/** Nor is one followed along which rows give so much against each other that this share is left of what they would change one by one: where a few more joints hold than are needed, followed to its end it is without end. */
+/** Nor is one followed along which rows work against each other, so that less than this share is left of what they would change one by one: where there are a few more joints than are needed, such a direction has no end. */
 export const GRADIENT_SHARE = 3e-5;
 
 /** m, rad. Only while errors are smaller: linear solutions of larger ones, solved to their end, make energy of large turns. */
@@ -237,10 +237,10 @@ export const SINGULAR = 1e-12;
  */
 export const STRESS_FADES = 0.5;
 
-/** rad. What turns by less in a sub-step takes what they give as it is; … */
+/** rad. What turns by less in a sub-step takes what they give as it is. */
 export const STRESS_STILL = 1e-4;
 
-/** rad/s. … and what is of more than FEW_JOINTS if it turns slower, as nets that hang, which would take a third longer. Nets that turn at 1 rad/s lose nothing by it, at 3 rad/s half of their energy in 10 s. */
+/** rad/s. So does what turns slower than this among more than FEW_JOINTS, as nets that hang: they would take a third longer. Nets that turn at 1 rad/s lose nothing by it, at 3 rad/s half of their energy in 10 s. */
 export const STRESS_SLOW = 1;
 
 /**
@@ -252,17 +252,19 @@ export const WHIRL = 0.7;
 /** Steps on end in which joints, which hold what hangs on them to what does not move at two places or more, are open by STUCK_ERROR: then they cannot all be met. Ropes between two posts are for a while, too. */
 export const STUCK_STEPS = 16;
 
-/** m, rad. */
+/** m, rad. Joints that are open by more count towards STUCK_STEPS. */
 export const STUCK_ERROR = 3e-4;
 
 /** The share of its kinetic energy by which what cannot be met moves otherwise than it is told to, from which on it is told how it moves: 0.15 slows ropes between two posts that swing. */
 export const STUCK_APART = 0.25;
 
 /**
- * For so many steps on end what touches something moved with less than this share of the energy that its velocities tell of: then they are what it moved by. A tank that was parked told of 1.3 m/s for ever, and never slept; a belt that stood of
- * 6 m/s (shares of 0.0003).
+ * If what touches something moved for so many steps on end with less than UNTRUE_SHARE of the energy of its velocities, they are replaced by what it moved by. A tank that was parked had 1.3 m/s for ever, and never slept; a belt that stood
+ * had 6 m/s.
  */
 export const UNTRUE_STEPS = 16;
+
+/** Of that tank and that belt it was 0.0003. */
 export const UNTRUE_SHARE = 0.01;
 
 /** m, rad. Only where joints are open by more than this: what bounces to and fro in a slot within a step moves as little, and is as fast as it is told. */
@@ -270,3 +272,9 @@ export const UNTRUE_ERROR = 1e-4;
 
 /** The share of that energy that the motion may have where something is touched: with 1 beams that a ball strikes gain 0.36 times what it brings, not 0.21. */
 export const STUCK_STANDS = 0.25;
+
+/** Share of the way from hinge to origin by which a hinge may gape: on its way through a step a body goes straight on. */
+export const HINGE_GAPE = 0.1;
+
+/** Bodies. Where more are together it is not looked at what joints make of energy: in a heap it would be the whole heap, for each of those in it. */
+export const MOST_GUESTS = 100;

@@ -198,7 +198,7 @@ export const CLEARANCE = 0.1;
 /** For so many steps, at the speed it has, a body is looked around at once; more means a wider look, which finds something more often, and was for nothing then. */
 export const CLEAR_STEPS = 8;
 
-/** How much deeper than others jointed bodies may get. Times IMPACT_SHARE no more than a half: what is deeper in a wall leaves it on the other side. With 3 jointed balls did. */
+/** So many times as deep as others jointed bodies may get before they are stopped. Times IMPACT_SHARE it is a half at most: what is deeper in a wall leaves it on the other side. With 3 jointed balls did. */
 export const JOINT_PATIENCE = 2;
 
 /** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
@@ -336,3 +336,21 @@ export const MAX_SPEED = 1e6;
  * rad²/s². Where the product of the rates at which two bodies turn is larger, contacts of what is joined, of several shapes, or carried by something that nothing moves turn with them. Below it a box on a platform creeps by 25 µm in a second at most, at 0.5 rad/s it would by 2 mm.
  */
 export const TURNS_TOGETHER = 1e-3;
+
+/** rad. What turns farther in a step meets something else before it ends: its contacts are not told how they turn. */
+export const MOST_BEND = 0.5;
+
+/** Cosine of the angle by which a face of a floor may differ from a contact that it is to replace. */
+export const FACE_LOOKS = -0.2;
+
+/** rad. A gap that is narrower does not open the edges that it is between. */
+export const FACE_GAP = 0.2;
+
+/** Of a right angle. Wedges of a floor that leave less between them leave nothing. */
+export const FACE_SLIT = 0.3;
+
+/** Times what forces add to a velocity in a step: a bounce adds more. */
+export const BOUNCE_SUDDEN = 2;
+
+/** Share of what a bounce adds: more than this is left when it is over. */
+export const BOUNCE_LEFT = 0.01;

@@ -22,7 +22,7 @@ export const materials = { someDeaden: false };
 
 /**
  * What a shape is made of. Immutable apart from `userData`; sharing one between shapes is normal.
- * Two combine at a contact to the mean of their elasticities and the geometric mean of their frictions.
+ * Two combine at a contact to the mean of their elasticities, within 0 and 1 (0 if either is −Infinity, else 1 if either is +Infinity), and the geometric mean of their frictions.
  */
 export class Material {
   /** Of the class, as in Turbulenz. */

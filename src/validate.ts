@@ -5,6 +5,7 @@
  * Wrong kind of thing: `TypeError`. Right kind, value out of range: `RangeError`.
  */
 
+import { FAR } from './config.js';
 import type { Ray } from './math/vectors.js';
 
 /** The class of an object, if its name tells something: those of one or two letters are of minifiers, and bundlers put `_` before some. */
@@ -194,11 +195,10 @@ export function leadsTo(
   name: string,
   value: unknown,
   what: string,
-  most: number,
   ...results: readonly number[]
 ): void {
-  if (!results.every((result) => Math.abs(result) <= most)) {
-    throw rangeError(where, name, `one that leads to ${what} of at most ${most}`, value);
+  if (!results.every((result) => Math.abs(result) <= FAR)) {
+    throw rangeError(where, name, `one that leads to ${what} of at most ${FAR}`, value);
   }
 }
 

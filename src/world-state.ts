@@ -82,7 +82,7 @@ export interface WorldParams {
 
 /** What `WorldParams.state` is: `worldState`. */
 export interface WorldSaving {
-  /** Of the snapshots. */
+  /** Of the snapshots that it writes and reads. */
   readonly version: number;
   /** @internal the class of the bodies that it knows: that of its own copy of the engine */
   readonly bodyClass: typeof RigidBody;
@@ -124,7 +124,7 @@ export abstract class WorldState {
   /** @internal bodies whose geometry has to be refreshed */
   readonly stale = new List<RigidBody>();
   /** @internal sleeping bodies hit in this step */
-  readonly hit = new List<RigidBody>();
+  readonly toWake = new List<RigidBody>();
   /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */
   readonly closing = new List<Arbiter>();
   /** @internal shapes that lie on or near several static ones, of one step */

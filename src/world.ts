@@ -250,7 +250,7 @@ export class World extends WorldState {
 
   /**
    * The nearest surface that a ray meets at a factor below `ray.maxFactor`, or `null`. A ray that starts inside a shape meets it where it leaves it,
-   * unless `ignoreInnerSurfaces`. `callback` is asked about each hit that is nearer than those before, by an object that is used again; if it
+   * unless `ignoreInnerSurfaces` (default `false`). `callback` is asked about each hit that is nearer than those before, by an object that is used again; if it
    * returns nothing or `false` the shape is left out. It must not change the world.
    */
   rayCast(

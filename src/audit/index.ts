@@ -36,7 +36,7 @@ export function validate(world: World): void {
   audit.finite(world, 'gravity x', world.gravityX);
   audit.finite(world, 'gravity y', world.gravityY);
   audit.finite(world, 'simulatedTime', world.simulatedTime);
-  audit.demand(world.hit.count === 0, world, 'what was hit must be woken within the step');
+  audit.demand(world.toWake.count === 0, world, 'what was hit must be woken within the step');
   auditBodies(audit);
   auditHandles(audit);
   auditConstraints(audit);

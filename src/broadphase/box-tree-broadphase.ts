@@ -16,8 +16,10 @@ import { PackedTree } from './packed-tree.js';
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
 const MARGIN = 0.1;
 
-/** Steps that the leaf of a fast thing is ahead of it, and how far at most, m. */
+/** Steps by which the leaf of a moving thing is ahead of it. */
 const AHEAD = 4;
+
+/** m. What goes farther than this in a step is fast, and its leaf is not ahead of it. */
 const MAX_AHEAD = 1;
 
 /** m. How large the leaf of a faster thing may get to hold where it was before, too. */

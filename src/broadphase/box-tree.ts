@@ -78,7 +78,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     return new BoxTree<T>();
   }
 
-  /** Adds an object with its bounds `[minX, minY, maxX, maxY]`. */
+  /** Adds an object with its bounds `[minX, minY, maxX, maxY]`. @throws TypeError if it is in a tree already. */
   add(externalNode: T, extents: RectLike): void {
     checkNode('BoxTree.add', externalNode);
     checkRect('BoxTree.add', extents, 'extents');
@@ -94,7 +94,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.changed();
   }
 
-  /** Gives an object new bounds; one that is in no tree is added. */
+  /** Gives an object new bounds; one that is in no tree is added. @throws TypeError if it is in another tree. */
   update(externalNode: T, extents: RectLike): void {
     checkNode('BoxTree.update', externalNode);
     checkRect('BoxTree.update', extents, 'extents');
@@ -107,7 +107,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.changed();
   }
 
-  /** Takes an object out; one that is in no tree is ignored. */
+  /** Takes an object out; one that is in no tree is ignored. @throws TypeError if it is in another tree. */
   remove(externalNode: T): void {
     checkNode('BoxTree.remove', externalNode);
     if (externalNode.boxTreeIndex === undefined) {

@@ -2,17 +2,15 @@ import { BOX } from './layout.js';
 
 // Boxes that lie side by side in an array, by their numbers.
 
-/** 1 if the box with a number does not overlap another one, else 0: combined as numbers, as for a cast. */
-export function misses(
-  boxes: Float64Array,
-  node: number,
-  minX: number,
-  minY: number,
-  maxX: number,
-  maxY: number,
-): number {
+/** 1 if the box with a number does not overlap `asked`, else 0: combined as numbers, as for a cast. That is an array, as numbers would be boxed for each call that is not inlined. */
+export function misses(boxes: Float64Array, node: number, asked: Float64Array): number {
   const at = BOX * node;
-  return +(boxes[at]! > maxX) | +(boxes[at + 1]! > maxY) | +(boxes[at + 2]! < minX) | +(boxes[at + 3]! < minY);
+  return (
+    +(boxes[at]! > asked[2]!) |
+    +(boxes[at + 1]! > asked[3]!) |
+    +(boxes[at + 2]! < asked[0]!) |
+    +(boxes[at + 3]! < asked[1]!)
+  );
 }
 
 /** Half the perimeter of the box with a number. */

@@ -11,6 +11,8 @@ const EARLY = 1 - 4 * Number.EPSILON;
  */
 export class PackedTree<T> extends TreeShape<T> {
   private stack = new Int32Array(64);
+  /** The box that is asked for: scratch. */
+  private readonly asked = new Float64Array(BOX);
   /** For the next cast; `null` during one. */
   private castStack: Int32Array | null = null;
 
@@ -24,13 +26,7 @@ export class PackedTree<T> extends TreeShape<T> {
     return this.top;
   }
 
-  /** Number of levels above the leaves; 0 for one leaf and for none. */
-  get height(): number {
-    const { root } = this;
-    return root === NONE ? 0 : this.level[root]!;
-  }
-
-  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides, a number for whoever looks no further, and one of its kin. @returns the node. */
+  /** Adds a leaf with the box `[asked]`, grown by the margin on all sides, a number for whoever looks no further, and one of its kin. @returns the node. */
   insert(item: T, bounds: ArrayLike<number>, tag = NONE, kin = NONE): number {
     const leaf = this.allocate();
     this.items[leaf] = item;
@@ -77,15 +73,14 @@ export class PackedTree<T> extends TreeShape<T> {
    * It goes straight down as a cast does. @returns the new count.
    */
   query(bounds: ArrayLike<number>, out: number[], count: number, kin = STRANGER): number {
-    const minX = bounds[0]!;
-    const minY = bounds[1]!;
-    const maxX = bounds[2]!;
-    const maxY = bounds[3]!;
     let node = this.root;
-    const { boxes, left, right, kins } = this;
+    const { boxes, left, right, kins, asked } = this;
+    for (let i = 0; i < BOX; i += 1) {
+      asked[i] = bounds[i]!;
+    }
     let found = count;
     let top = 0;
-    if (node === NONE || misses(boxes, node, minX, minY, maxX, maxY) !== 0) {
+    if (node === NONE || misses(boxes, node, asked) !== 0) {
       return found;
     }
     const stack = this.readyStack();
@@ -96,8 +91,8 @@ export class PackedTree<T> extends TreeShape<T> {
         found += 1;
       } else {
         const b = right[node]!;
-        const missesA = misses(boxes, a, minX, minY, maxX, maxY) | +(kins[a] === kin);
-        const missesB = misses(boxes, b, minX, minY, maxX, maxY) | +(kins[b] === kin);
+        const missesA = misses(boxes, a, asked) | +(kins[a] === kin);
+        const missesB = misses(boxes, b, asked) | +(kins[b] === kin);
         if ((missesA | missesB) === 0) {
           stack[top] = b;
           top += 1;

@@ -4,7 +4,7 @@ import type { Constraint } from './constraint.js';
 
 /** Options of every constraint that can be changed later with `configure`. */
 export interface ConstraintConfig {
-  /** Rigid: errors are removed outright. `false`: a damped spring. Default `true`. */
+  /** Rigid: errors are removed outright. `false`: a damped spring. Without effect on motors, and on custom constraints without `position`. Default `true`. */
   stiff?: boolean | undefined;
   /** With `stiff: false`: how fast the spring swings, Hz, > 0, whatever the masses. Default 10. */
   frequency?: number | undefined;
@@ -15,7 +15,7 @@ export interface ConstraintConfig {
    * has `breakUnderForce`: any constraint that has breaks above it. Of a weld it is the length of both together, √(fx² + fy² + torque²). Default `Infinity`.
    */
   maxForce?: number | undefined;
-  /** With `breakUnderError` the error above which the constraint breaks, m (for angles rad), >= 0. Else, with `stiff: false`, the largest speed at which it corrects one, m/s. Default `Infinity`. */
+  /** With `breakUnderError` the error above which the constraint breaks, m (for angles rad), >= 0. Else, with `stiff: false`, the largest speed at which it corrects one, m/s (for angles rad/s). Default `Infinity`. */
   maxError?: number | undefined;
   /** Leaves the world when it breaks; `false`: stays, disabled. Default `true`. */
   removeOnBreak?: boolean | undefined;

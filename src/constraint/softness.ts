@@ -1,9 +1,9 @@
 import type { Constraint } from './constraint.js';
 
-/** Offsets of what `writeSoftness` writes. */
-export const SOFTNESS = 0;
-export const FEEDBACK = 1;
-export const RATE = 2;
+/** Offsets of what `writeSoftness` writes, as `joint-layout.ts` has them, which may not import. */
+const SOFTNESS = 0;
+const FEEDBACK = 1;
+const RATE = 2;
 
 /**
  * A damped spring of a frequency and damping ratio as a soft constraint, stable for any time step h (Catto, "Soft Constraints", GDC

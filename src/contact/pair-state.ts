@@ -3,7 +3,7 @@ import { Slab } from '../math/doubles.js';
 import { ACCEPTED, ACTIVE, FIXED, FRESH, NEAR, ROCKS, SENSOR, SHOWN, SLEEPING, STRAINS, USED } from './bits.js';
 
 /** Long before the first step. */
-const NEVER = -1e6;
+const LONG_AGO = -1e6;
 
 /** The records of pairs. */
 const slab = /* @__PURE__ */ new Slab();
@@ -30,7 +30,7 @@ export abstract class PairState {
   /** @internal for so many steps on end it bore far more than the bodies weigh, see `strainFor` */
   strain = 0;
   /** @internal the last step in which it did for long */
-  strained = NEVER;
+  strained = LONG_AGO;
 
   /**
    * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
@@ -114,7 +114,7 @@ export abstract class PairState {
   /** @internal neither strained, long since, if ever, nor rocking */
   calm(): void {
     this.strainFor(0);
-    this.strained = NEVER;
+    this.strained = LONG_AGO;
     this.unmark(ROCKS);
   }
 }

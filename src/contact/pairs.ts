@@ -18,7 +18,7 @@ function before(a: Report, b: Report): boolean {
 }
 
 /** In place of a step in which the broadphase reported a pair: it never did. */
-export const NEVER = -1;
+export const NOT_REPORTED = -1;
 
 /** Two shapes that the broadphase reported for the first time. Used again and again. */
 interface Report {
@@ -53,7 +53,7 @@ export class Pairs {
    * otherwise.
    * @internal
    */
-  sightings = new Int32Array(64).fill(NEVER);
+  sightings = new Int32Array(64).fill(NOT_REPORTED);
   /** How many arbiters were made: their numbers begin with 1. */
   private made = 0;
   /** @internal the first of those that are free; each knows the next, as a list would grow when many pairs end */
@@ -87,7 +87,7 @@ export class Pairs {
     this.pool = pair.next;
     pair.next = null;
     pair.reuse(shapeA, shapeB);
-    this.sightings[pair.number] = NEVER;
+    this.sightings[pair.number] = NOT_REPORTED;
     return pair;
   }
 
@@ -95,7 +95,7 @@ export class Pairs {
     this.made += 1;
     if (this.made === this.sightings.length) {
       const { sightings } = this;
-      this.sightings = new Int32Array(2 * this.made).fill(NEVER);
+      this.sightings = new Int32Array(2 * this.made).fill(NOT_REPORTED);
       this.sightings.set(sightings);
     }
     const pair = new Arbiter(shapeA, shapeB, this.made);
@@ -242,7 +242,7 @@ export class Pairs {
 
   private drop(pair: Arbiter): void {
     this.table.remove(pair);
-    this.sightings[pair.number] = NEVER;
+    this.sightings[pair.number] = NOT_REPORTED;
   }
 
   /** @internal */
@@ -278,7 +278,7 @@ export class Pairs {
       this.sorted.items[i]!.unmark(AWAKE);
     }
     this.table.clear();
-    this.sightings.fill(NEVER);
+    this.sightings.fill(NOT_REPORTED);
     this.sorted.clear();
     this.arriving.clear();
   }

@@ -87,10 +87,10 @@ export abstract class BaseShape {
   radius = 0;
   /** @internal */
   handle: BroadphaseHandle | null = null;
-  /** @internal */
-  groundStamp = -1;
-  /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near, and the step they were found in */
+  /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near */
   grounds: Arbiter | null = null;
+  /** @internal the step in which they were found */
+  groundStamp = -1;
   /** Grows with creation order, unique in the program. The lower id of a pair is `shapeA`. */
   readonly id: number = nextId;
   /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */

@@ -9,7 +9,7 @@ import type { Scratch } from './scratch.js';
 
 /** Where the record of a contact begins, of `stride` numbers. */
 export function recordAt(index: number, stride: number): number {
-  return (index & d.PAIR) * stride + (index & 1);
+  return (index & d.EVEN) * stride + (index & 1);
 }
 
 /** The batch of a contact that is told by twice its index, plus 1 if it is of one point. */
@@ -77,8 +77,8 @@ export class BounceList {
   bias = new Float64Array(16);
   /** m/s. With what speed a point that bounced was to leave. */
   leaves = new Float64Array(16);
-  /** Which bounced in the sub-step, see `bounce.ts`. */
-  hit = new Uint8Array(16);
+  /** Whether it bounced in the sub-step, or is to, see `bounce.ts`. */
+  state = new Uint8Array(16);
   /** Places in the list of the contacts that bounce in a round, by their first points. */
   bouncing = new Int32Array(16);
   /** Of the pair, to be written where a point is added: in each sub-step its arbiter would be waited for. */
@@ -115,7 +115,7 @@ export class BounceList {
     this.bias = widened(this.bias, new Float64Array(size));
     this.leaves = new Float64Array(size);
     this.bouncing = new Int32Array(size);
-    this.hit = new Uint8Array(size);
+    this.state = new Uint8Array(size);
     this.elasticity = widened(this.elasticity, new Float64Array(size));
   }
 }

@@ -137,10 +137,10 @@ function interact(world: World, pair: Arbiter): void {
     return;
   }
   if (a.asleep && a.kind === DYNAMIC) {
-    world.hit.add(a);
+    world.toWake.add(a);
   }
   if (b.asleep && b.kind === DYNAMIC) {
-    world.hit.add(b);
+    world.toWake.add(b);
   }
   noteGround(world, pair);
   if (begins && world.events.isHitHeard(pair)) {
@@ -191,11 +191,11 @@ function part(world: World, pair: Arbiter): void {
 }
 
 function wakeHit(world: World): void {
-  const hit = world.hit;
-  for (let i = 0; i < hit.count; i += 1) {
-    wakeBody(world, hit.items[i]!, false);
+  const { toWake } = world;
+  for (let i = 0; i < toWake.count; i += 1) {
+    wakeBody(world, toWake.items[i]!, false);
   }
-  hit.clear();
+  toWake.clear();
   world.pairs.merge();
   world.events.noteWoken(world);
 }

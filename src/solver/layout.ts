@@ -18,7 +18,7 @@ export const INV_INERTIA = 4;
 /** Cosine − 1 and sine of the turn since the start of the step, in `velocity`, where the contacts look anyway. */
 export const COS_LESS_ONE = 5;
 export const SIN = 6;
-/** How near it is to strained contacts, in `velocity`, see `markHard`. */
+/** How near it is to strained contacts, in `velocity`, see `markHard`; before that, in `bounce.ts`, the round in which it bounces, negative. */
 export const MARK = 7;
 /** Marks that all and no contacts are above. */
 export const ALL_HARD = 0;
@@ -57,12 +57,13 @@ export const SEEN = 16;
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
  * solver needs of r: n · (R(θ) r) = RT·cos θ + RN·sin θ.
  *
- * Records lie two by two, their numbers by turns, as kernels that solve two at a time want them: that of contact k begins at (k & PAIR) · stride + (k & 1), and
+ * Records lie two by two, their numbers by turns, as kernels that solve two at a time want them: that of contact k begins at (k & EVEN) · stride + (k & 1), and
  * from a number of it to the next it is two.
  *
  * Two points lie on a line along t, or nearly so; friction at either does the same. So there is one friction for both, at a point between them, with both their loads.
  */
-export const PAIR = -2;
+/** A mask: of two neighbours the even one. */
+export const EVEN = -2;
 export const NX = 0;
 export const NY = 2;
 /** Share of the overlap that a position iteration removes. */
@@ -154,7 +155,7 @@ export const HARD_STRIDE = 4;
 /** kg⁻¹. Stands for an infinite inverse mass, but may be multiplied by zero. */
 export const IMMOVABLE = 1e30;
 /** m. A separation that no motion of a step can close: switches a point off. */
-export const NEVER = 1e9;
+export const OUT_OF_REACH = 1e9;
 /** m/s. A bias that no impulse can meet by pushing: keeps a point out of a sub-step. */
 export const OFF = 1e9;
 /** rad. Up to this turn a short series for sine and cosine is exact to the last digit that matters. */

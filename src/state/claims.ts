@@ -1,6 +1,6 @@
 import type { Arbiter } from '../contact/arbiter.js';
 import { DEAD } from '../contact/bits.js';
-import { isBefore, NEVER, type Pairs } from '../contact/pairs.js';
+import { isBefore, NOT_REPORTED, type Pairs } from '../contact/pairs.js';
 import type { Shape } from '../shape/shape.js';
 
 // The pairs of a world that is restored: those that are there are brought back, what is missing is made, and what is left over goes.
@@ -27,7 +27,7 @@ export function beginClaims(pairs: Pairs): void {
     }
     list.length = 0;
   }
-  pairs.sightings.fill(NEVER);
+  pairs.sightings.fill(NOT_REPORTED);
   sorted.clear();
   pairs.arriving.clear();
 }
@@ -35,7 +35,7 @@ export function beginClaims(pairs: Pairs): void {
 /** A pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
 export function claim(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
   let pair = find(pairs, shapeA, shapeB);
-  if (pair !== null && pairs.sightings[pair.number] === NEVER) {
+  if (pair !== null && pairs.sightings[pair.number] === NOT_REPORTED) {
     unclaimed -= 1;
     pair.revive();
   } else {
@@ -76,7 +76,7 @@ export function endClaims(pairs: Pairs): void {
   // Mostly those that were awake, which lie in memory as they are walked through.
   for (let i = 0; i < earlier.count && unclaimed > 0; i += 1) {
     const pair = earlier.items[i]!;
-    if (!pair.is(DEAD) && sightings[pair.number] === NEVER) {
+    if (!pair.is(DEAD) && sightings[pair.number] === NOT_REPORTED) {
       unclaimed -= 1;
       pairs.retire(pair);
     }
@@ -84,10 +84,10 @@ export function endClaims(pairs: Pairs): void {
   earlier.clear();
   const { arbiters } = table;
   for (let i = 0; unclaimed > 0; i += 1) {
-    for (let pair = arbiters[i]!; pair !== null && sightings[pair.number] === NEVER; pair = arbiters[i]!) {
+    for (let pair = arbiters[i]!; pair !== null && sightings[pair.number] === NOT_REPORTED; pair = arbiters[i]!) {
       unclaimed -= 1;
       pairs.retire(pair);
     }
   }
-  sightings.fill(NEVER);
+  sightings.fill(NOT_REPORTED);
 }

@@ -136,7 +136,7 @@ const DAMAGES: readonly [damage: (scene: Scene) => unknown, message: RegExp][] =
   [({ ball }) => Object.assign(ball.body!, { ignoring: 2 }), /must count 1 that ignore, got 2/],
   [({ rod }) => rod.impulse.fill(NaN), /impulse must be a finite number, got NaN/],
   [({ rod }) => Object.assign(rod, { lower: 100 }), /lower bound must not be above/],
-  [({ world, ball }) => world.hit.add(ball.body!), /what was hit must be woken within the step/],
+  [({ world, ball }) => world.toWake.add(ball.body!), /what was hit must be woken within the step/],
 ];
 
 describe('validate', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D } from '../../src/index.js';
 import type { SolverData } from '../../src/solver/data.js';
-import { finishAnchored, warmStartAnchored } from '../../src/solver/joints/anchored-joints.js';
+import { finishAnchored } from '../../src/solver/joints/anchored-joints.js';
 import {
   finishBlock,
   lineariseBlock,
@@ -10,7 +10,7 @@ import {
   warmStartBlock,
 } from '../../src/solver/joints/block-joints.js';
 import { ANCHORED, LINE, ROW } from '../../src/solver/joints/joint-layout.js';
-import { linearise, pushRun, solveVelocityRun } from '../../src/solver/joints/joint-sweeps.js';
+import { pushRun, solveVelocityRun } from '../../src/solver/joints/joint-sweeps.js';
 import { finishRows, warmStartRows } from '../../src/solver/joints/row-joints.js';
 import { add, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
@@ -111,19 +111,9 @@ describe.each([
   const push = (isBack: boolean): Loop => {
     return (all, start, end) => pushRun(all, kernel, start, end, isBack);
   };
-  const ofRun: Loop = (all, start, end) => {
-    const runs = [{ kernel, start, end, isStrained: false }];
-    linearise(all, { ...all.joints.groups[0]!, runs } as never);
-  };
-  // All else of lines the general kernel does.
-  const own: [string, Loop, Loop][] =
-    kernel === LINE
-      ? []
-      : [
-          ['begin a sub-step', general.warmStart, kernel === ROW ? warmStartRows : warmStartAnchored],
-          ['are made linear', general.linearise, ofRun],
-          ['end a sub-step', general.finish, kernel === ROW ? finishRows : finishAnchored],
-        ];
+  const own: [string, Loop, Loop][] = [];
+  if (kernel === ROW) own.push(['begin a sub-step', general.warmStart, warmStartRows]);
+  if (kernel !== LINE) own.push(['end a sub-step', general.finish, kernel === ROW ? finishRows : finishAnchored]);
 
   it('have their kernel', () => {
     const kernels = new Set(data.joints.joints.map((joint) => joint.kernel));

@@ -15,7 +15,7 @@ import { isTied } from '../ties.js';
 import { solveVelocityOne } from './one-point.js';
 import { solveVelocityTwo } from './two-point.js';
 
-/** In `hit`: the point bounced in this sub-step, … */
+/** In `state`: the point bounced in this sub-step, … */
 const BOUNCED = 1;
 /** … or is to bounce with all that the sweeps solve, as it bears a load that these must start from. */
 const LOADED = 2;
@@ -85,14 +85,14 @@ function planSpeed({ bias }: BounceList, k: number, h: number): void {
  */
 export function planBounces(data: SolverData, h: number): void {
   const { bounces: list } = data;
-  list.hit.fill(0);
+  list.state.fill(0);
   let count = planRound(data, h, 0);
   for (let round = 1; round <= BOUNCE_ROUNDS && count > 0; round += 1) {
     solveRound(data, h, count, round);
     count = planRound(data, h, round);
   }
   for (let k = 0; k < list.count; k += 1) {
-    if (list.hit[k] === BOUNCED && hangs(list, k)) {
+    if (list.state[k] === BOUNCED && hangs(list, k)) {
       keepLeaving(data, k);
     } else if (list.bias[k]! > 0) {
       dropImpulses(list, k);
@@ -106,7 +106,7 @@ export function planBounces(data: SolverData, h: number): void {
  */
 function planRound(data: SolverData, h: number, round: number): number {
   const { bounces: list, velocity: v } = data;
-  const { bodies, bouncing, bias, hit, elasticity, shift } = list;
+  const { bodies, bouncing, bias, state, elasticity, shift } = list;
   let count = 0;
   for (let k = 0; k < list.count; k += 1) {
     if (round > 0 && v[bodies[2 * k]! + d.MARK] !== -round && v[bodies[2 * k + 1]! + d.MARK] !== -round) {
@@ -117,7 +117,7 @@ function planRound(data: SolverData, h: number, round: number): number {
     findSpeed(data, k);
     const leaves = restitution * plan.comes;
     bias[k] = leaves > BOUNCE_THRESHOLD ? leaves : 0;
-    hit[k] = hit[k]! & BOUNCED;
+    state[k] = state[k]! & BOUNCED;
     if (leaves < -BOUNCE_THRESHOLD) {
       plan.elasticity = restitution;
       planBounce(data, k, h, round);
@@ -148,15 +148,15 @@ function setBiases({ bounces: list }: SolverData, first: number): void {
     const bounces = bouncesNow(list, k);
     r[record + list.shift[k]! + d.BIAS1] = bounces ? list.bias[k]! + r[record + d.SURFACE_N]! : d.OFF;
     if (bounces) {
-      list.hit[k] = BOUNCED;
+      list.state[k] = BOUNCED;
       list.leaves[k] = -list.bias[k]!;
     }
     list.bias[k] = 0;
   }
 }
 
-function bouncesNow({ bias, hit }: BounceList, k: number): boolean {
-  return bias[k]! < 0 && hit[k] !== LOADED;
+function bouncesNow({ bias, state }: BounceList, k: number): boolean {
+  return bias[k]! < 0 && state[k] !== LOADED;
 }
 
 /**
@@ -330,7 +330,7 @@ function planBounce(data: SolverData, k: number, h: number, round: number): void
   } else if (round === 0) {
     planSpeed(list, k, h);
     list.bias[k] = list.bias[k]! - plan.gain;
-    list.hit[k] = LOADED;
+    list.state[k] = LOADED;
   }
 }
 
@@ -399,7 +399,7 @@ export function releaseBounces(data: SolverData): void {
         findImpactDepth(shapeA, shapeB);
         r[at] = r[at]! + impactDepth[0]!;
       } else {
-        r[at] = d.NEVER;
+        r[at] = d.OUT_OF_REACH;
       }
     }
   }

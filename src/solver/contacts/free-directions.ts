@@ -1,4 +1,4 @@
-import { FLUSH_TOLERANCE } from '../../config.js';
+import { FACE_SLIT, FLUSH_TOLERANCE } from '../../config.js';
 import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Polygon } from '../../shape/polygon.js';
 
@@ -10,8 +10,6 @@ export const RIGHT = 0;
 export const WRONG = 1;
 export const BURIED = 2;
 
-/** Of a right angle. Wedges that leave less between them leave nothing. */
-const SLIT = 0.3;
 /** Of a right angle: rounding. */
 const ROUNDING = 1e-9;
 
@@ -109,19 +107,19 @@ export class FreeDirections {
         const begins = w[k + FROM]!;
         const ends = w[k + TO]!;
         const holds = begins > ends;
-        if (ends > to && (holds || !isFilled || begins <= to + SLIT)) {
+        if (ends > to && (holds || !isFilled || begins <= to + FACE_SLIT)) {
           to = ends;
           before = k;
           grows = true;
         }
-        if (begins < from && (holds || !isFilled || ends >= from - SLIT)) {
+        if (begins < from && (holds || !isFilled || ends >= from - FACE_SLIT)) {
           from = begins;
           after = k;
           grows = true;
         }
       }
     }
-    if (isFilled ? to >= from - SLIT : from + 4 - to < SLIT) {
+    if (isFilled ? to >= from - FACE_SLIT : from + 4 - to < FACE_SLIT) {
       return BURIED;
     }
     if (!isFilled && from >= 1 - ROUNDING && to <= 3 + ROUNDING) {

@@ -134,7 +134,7 @@ function hasTwoPoints(pair: Arbiter): boolean {
  */
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
-  const at = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
+  const at = ((index & d.EVEN) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { numbers: n } = pair;
   const o = pair.at & d.OFFSET;
@@ -186,8 +186,8 @@ function packTwo(data: SolverData, index: number): void {
   r[at + d.I11] = k22 * inverse;
   r[at + d.I12] = together ? -k12 * inverse : 0;
   r[at + d.I22] = k11 * inverse;
-  r[at + d.START1] = together || s1 <= s2 ? s1 : d.NEVER;
-  r[at + d.START2] = together || s2 < s1 ? s2 : d.NEVER;
+  r[at + d.START1] = together || s1 <= s2 ? s1 : d.OUT_OF_REACH;
+  r[at + d.START2] = together || s2 < s1 ? s2 : d.OUT_OF_REACH;
 
   const scale = data.impulseScale;
   const tangent = (n[o + c.TANGENT]! + n[o + c.TANGENT + c.IMPULSES]!) * scale;
@@ -203,7 +203,7 @@ function packTwo(data: SolverData, index: number): void {
 /** The same for a contact of one point; of two points the deeper one. */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
-  const at = ((index & d.PAIR) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
+  const at = ((index & d.EVEN) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { count, numbers: n, at: o } = pair;
   const r = batch.records;

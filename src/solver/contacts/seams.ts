@@ -5,7 +5,7 @@ import { polygonContains } from '../../collide/contains.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
 import { endOfEdges } from '../../collide/polygons.js';
-import { FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../../config.js';
+import { FACE_GAP, FACE_LOOKS, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../../contact/bits.js';
 import { touch, touchAlong } from '../../contact/touch.js';
@@ -23,17 +23,11 @@ import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
 /** Normals whose cosine is no less are of one direction. */
 const SAME_DIRECTION = 1 - 1e-10;
 
-/** Cosine of the angle by which a face may differ from a contact that it is to replace. */
-const LOOKS = -0.2;
-
 /** m. What is so near to a corner of a ground is with that. */
 const CORNER = 4 * FLUSH_TOLERANCE;
 
 /** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
 const CLEAR = 2 * FLUSH_TOLERANCE;
-
-/** rad. A gap that is narrower does not open the edges that it is between. */
-const GAP = 0.2;
 
 /** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
 class Spot {
@@ -324,7 +318,7 @@ function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
   for (let i = 0; i < aroundCount; i += 1) {
     const other = around[i]!;
     if (other !== ground && other.kind === POLYGON) {
-      isFound = findFaceOf(shape, other, ground, LOOKS) || isFound;
+      isFound = findFaceOf(shape, other, ground, FACE_LOOKS) || isFound;
     }
   }
   return isFound;
@@ -385,7 +379,7 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
   const low = Math.max(middle - along.found, 0);
   const margin = Math.min(halfWidthOf(shape), length / 2);
   const way = Math.max(margin, Math.min((low + high) / 2, length - margin));
-  const gap = GAP * Math.min(way, length - way);
+  const gap = FACE_GAP * Math.min(way, length - way);
   place.x = edges[edge]! - way * ny + CLEAR * nx;
   place.y = edges[edge + 1]! + way * nx + CLEAR * ny;
   if (isInAnother(ground)) {

@@ -25,7 +25,7 @@ export function settleShocks(data: SolverData, jointSolver: JointSolver | null):
     const contact = shocks.struck[i]!;
     if (isShock(data, contact)) {
       const { bodies } = batchOf(data, contact);
-      const a = bodies[contact & -2]! & d.OFFSET;
+      const a = bodies[contact & d.EVEN]! & d.OFFSET;
       const body = canMove(data, a) ? a : bodies[contact | 1]!;
       if (settleAround(data, body, jointSolver, SHOCK_CONTACTS)) forgetAll(data);
     }
@@ -86,7 +86,7 @@ function link({ shocks, one, two, bodyCount }: SolverData): void {
 function linkAll({ first, next }: ShockList, { count, bodies }: ContactBatch, kind: number): void {
   for (let i = 0; i < 2 * count; i += 1) {
     const slot = (bodies[i]! & d.OFFSET) / d.BODY_STRIDE;
-    const end = 2 * (i & -2) + 2 * kind + (i & 1);
+    const end = 2 * (i & d.EVEN) + 2 * kind + (i & 1);
     next[end] = first[slot]!;
     first[slot] = end;
   }
@@ -159,7 +159,7 @@ function gatherContacts(data: SolverData, slot: number): void {
     if (loadOf(batch, contact) === 0) {
       continue;
     }
-    const other = batch.bodies[(contact & -2) + 1 - (end & 1)]! & d.OFFSET;
+    const other = batch.bodies[(contact & d.EVEN) + 1 - (end & 1)]! & d.OFFSET;
     const moves = canMove(data, other);
     // Of two that can move, from one of them.
     if (!moves || (end & 1) === 0) {
@@ -199,7 +199,7 @@ function loadBefore({ impulseScale }: SolverData, { numbers, at, point }: Contac
 function isShock(data: SolverData, contact: number): boolean {
   const batch = batchOf(data, contact);
   const { velocity: v, traits } = data;
-  const a = batch.bodies[contact & -2]! & d.OFFSET;
+  const a = batch.bodies[contact & d.EVEN]! & d.OFFSET;
   const b = batch.bodies[contact | 1]! & d.OFFSET;
   const mA = v[a + d.INV_MASS]!;
   const mB = v[b + d.INV_MASS]!;

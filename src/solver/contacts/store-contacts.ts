@@ -23,7 +23,7 @@ import * as d from '../layout.js';
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const batch = data.two;
   const { records: r, bodies } = batch;
-  const i = ((index & d.PAIR) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
+  const i = ((index & d.EVEN) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
   const a = bodies[2 * index]! & d.OFFSET;
   const b = bodies[2 * index + 1]!;
   const n = batch.numbers[index]!;
@@ -65,7 +65,7 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
 export function storeOne(data: SolverData, index: number, stamp: number): void {
   const batch = data.one;
   const { records: r, bodies, point } = batch;
-  const i = ((index & d.PAIR) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
+  const i = ((index & d.EVEN) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
   const n = batch.numbers[index]!;
   const o = batch.at[index]! & d.OFFSET;
   const which = point[index]! & 1;

@@ -1,13 +1,10 @@
-import { BOUNCE_THRESHOLD } from '../../config.js';
+import { BOUNCE_THRESHOLD, MOST_BEND } from '../../config.js';
 import { batchOf, recordAt, type SolverData, TURNING_STRIDE } from '../data.js';
 import * as d from '../layout.js';
 
 // Normals and arms of contacts are those with which the step began. Two bodies that turn together at a rate w, their centres d apart, would so be told to come together at w²·d·t after a time t: what contacts make of that takes from the turn, and in seconds stops a ship of welded blocks.
 // So the normal of such a contact turns with them; arms, as seen from it, stay what they were, and with them all effective masses. Then bodies that move as one neither come together there nor slide, and what it gives to both is given at one place.
 // Refused: arms that turn under a normal that stays (what presses on a wheel would turn it, and masses are those of other arms); a point half-way between where either body has carried it, which of a large and a small one is far from the small one, and throws it off.
-
-/** rad. What turns farther in a step meets something else before it ends. */
-const MOST_BEND = 0.5;
 
 /** Keeps the normal of a contact, both separations, what its surfaces move by, and how far its points are from the pivots of circles. */
 export function keepNormal(data: SolverData, contact: number): void {
@@ -46,7 +43,7 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const { records: r, bodies, stride } = batchOf(data, contact);
   const at = recordAt(contact >> 1, stride);
   const other = stride === d.TWO_STRIDE ? at + d.SECOND : at;
-  const a = bodies[contact & -2]! & d.OFFSET;
+  const a = bodies[contact & d.EVEN]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
   const nx = kept[k]!;
   const ny = kept[k + 1]!;

@@ -23,7 +23,7 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
   const { velocity: v, motion: q } = data;
   const inverseH = 1 / h;
   for (let k = from; k < to; k += 1) {
-    const i = ((k & d.PAIR) * d.TWO_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * d.TWO_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;
@@ -88,7 +88,7 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
   const tolerance = CALM_ACCELERATION * h;
   let changed = false;
   for (let k = from; k < to; k += 1) {
-    const i = ((k & d.PAIR) * d.TWO_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * d.TWO_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;
@@ -194,7 +194,7 @@ export function solvePositionTwo(data: SolverData, from: number, to: number): bo
   const q = data.motion;
   let pushed = false;
   for (let k = from; k < to; k += 1) {
-    const i = ((k & d.PAIR) * d.TWO_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * d.TWO_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const nx = r[i + d.NX]!;

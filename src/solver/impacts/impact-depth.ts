@@ -21,7 +21,7 @@ export function findRequired(a: Shape, b: Shape, one: Mover, two: Mover, depth: 
   required.turn = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
   const mayBeMissed = required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
   const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
-  required.depth = (isJointed(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, impactDepth[0]!, thinner);
+  required.depth = (isEitherInTrain(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, impactDepth[0]!, thinner);
 }
 
 /**
@@ -29,7 +29,7 @@ export function findRequired(a: Shape, b: Shape, one: Mover, two: Mover, depth: 
  * corners that turn. Two circles cannot slide over each other without being found first.
  */
 export function requireLess(a: Shape, b: Shape, one: Mover, two: Mover): void {
-  if (!mayBeForeseen(a, b) && !isJointed(a, b)) {
+  if (!mayBeForeseen(a, b) && !isEitherInTrain(a, b)) {
     const graze = a.kind === CIRCLE && b.kind === CIRCLE ? TOUCH_DEPTH : FORESIGHT_DEPTH;
     required.depth = Math.min(required.depth, graze + dip(a, one) + dip(b, two));
   }
@@ -55,7 +55,7 @@ export function areElastic(a: Shape, b: Shape): boolean {
   return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
 }
 
-/** What only hangs on static bodies, as a flipper does, is not: it stays on its way when it is put back. */
-export function isJointed(a: Shape, b: Shape): boolean {
+/** One of both is tied to another body that may move: put back alone it would open joints. What only hangs on static bodies, as a flipper does, stays on its way when it is put back. */
+export function isEitherInTrain(a: Shape, b: Shape): boolean {
   return isInTrain(a.owner!) || isInTrain(b.owner!);
 }

@@ -58,7 +58,7 @@ function link(side: number, { kind, slot }: RigidBody): void {
   }
 }
 
-/** Lists, as `pairs`, one and all others of its dynamic body with the same partner or, if that is none that gives way, with any such. */
+/** Lists, as `pairs`, a pair and all others of its dynamic body that are with the same partner or, if that partner does not give way, with any other that does not. */
 function gather(first: number): void {
   pairs.clear();
   const { bodyA, bodyB } = met.items[first]!;

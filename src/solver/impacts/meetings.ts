@@ -23,7 +23,7 @@ import { materials } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { mayInteract } from '../interaction.js';
-import { areElastic, findRequired, isJointed, mayBeRefused, required, requireLess } from './impact-depth.js';
+import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requireLess } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
@@ -376,6 +376,6 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
   const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * required.depth;
   sweep.target = Math.min(-required.depth, sweep.distance.value - more);
   const isDeep = findNext(sweep) || (required.turn >= IMPACT_TURN && middleMeets(a, b, time));
-  meeting.time = time > from && !isJointed(a, b) ? time : sweep.time;
+  meeting.time = time > from && !isEitherInTrain(a, b) ? time : sweep.time;
   return isDeep;
 }

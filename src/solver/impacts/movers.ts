@@ -1,6 +1,6 @@
 import type { RigidBody } from '../../body.js';
 import { DYNAMIC, STATIC } from '../../body-kind.js';
-import { SAME_TIME, SPECULATIVE_MARGIN } from '../../config.js';
+import { BOUNCE_LEFT, BOUNCE_SUDDEN, SAME_TIME, SPECULATIVE_MARGIN } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
 import type { Travel } from '../../geometry/sweep.js';
@@ -16,11 +16,6 @@ import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */
 const TURN = 2 * Math.PI;
-
-/** Times what forces add to a velocity in a step: a bounce adds more … */
-const SUDDEN = 2;
-/** … and of what it adds, more than this share is left when it is over. */
-const TURNED_BACK = 0.01;
 
 /**
  * A body on its way through a step, from time 0 to 1: one that is foreseen, or one that was just solved, seen from its end. Its numbers are fractions before they are set: where the
@@ -169,14 +164,15 @@ export class Mover {
     const gain = gainX * gainX + gainY * gainY;
     const isHeld = jointSolver !== null && isTied(body);
     const left = (isHeld ? jointSolver.shareOfChange(this, movers.duration, substeps) : this.at) - 1;
-    const wasGiven = square > SUDDEN * SUDDEN * gain && wasPushed(body);
+    const wasGiven = square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain && wasPushed(body);
     if (isHeld && (wasGiven || isInTrain(body))) {
       // As much of what forces added as there is: what hangs at rest got it back.
       const share = gain > 0 ? Math.min(Math.max((dx * gainX + dy * gainY) / gain, 0), 1) : 0;
       body.vx += (this.at - 1) * share * gainX;
       body.vy += (this.at - 1) * share * gainY;
     } else {
-      const turned = square > SUDDEN * SUDDEN * gain && body.vx * dx + body.vy * dy > TURNED_BACK * square;
+      const turned =
+        square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain && body.vx * dx + body.vy * dy > BOUNCE_LEFT * square;
       const bounced = !isHeld && (turned || wasGiven);
       body.vx += left * (bounced ? gainX : dx);
       body.vy += left * (bounced ? gainY : dy);

@@ -1,10 +1,8 @@
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
-import { beginSpring, correct, noteError } from './block-joints.js';
-import { applyRows, clear, findLength, length, writeMatrix } from './block-rows.js';
+import { applyRows } from './block-rows.js';
 import { cutOrBreak } from './breaking.js';
 import * as j from './joint-layout.js';
-import { measure } from './joint-pose.js';
 
 /**
  * Welds, and points that are soft or may break: block joints whose first two rows keep two anchors together, and so have unit columns, and whose third, of a weld, keeps an angle. Straight-line;
@@ -12,32 +10,9 @@ import { measure } from './joint-pose.js';
  */
 
 /** How many numbers a row of the Jacobian has, and which of them are those of what turns A and B. */
-const ROW = 6;
-const TURN_A = 2;
-const TURN_B = 5;
-
-/** Starts a sub-step, as `warmStartBlock`. */
-export function warmStartAnchored(data: SolverData, start: number, end: number): void {
-  const { records: r, joints } = data.joints;
-  for (let m = start; m < end; m += 1) {
-    const joint = joints[m]!;
-    const { layout, constraint, at } = joint;
-    const { rows, impulse, jacobian, push, bias } = layout;
-    measure(data, joint, jacobian, false, true);
-    writeMatrix(data, joint, jacobian);
-    clear(r, at + push, rows);
-    if (constraint.isElastic) {
-      beginSpring(data, joint);
-    } else {
-      r[at + bias + rows - 1] = 0;
-    }
-    if (r[at + j.PUSH] !== 0) {
-      findLength(r, at + layout.error, rows);
-      noteError(data, m);
-    }
-    applyRows(data, joint, jacobian, impulse, 1, false);
-  }
-}
+const ROW_SIZE = 6;
+const ANGULAR_A = 2;
+const ANGULAR_B = 5;
 
 /** One sweep, from the first to the last, or back: over velocities as `solveVelocityBlock` or, if `moving`, over the motion of the sub-step as `pushBlock`. */
 export function sweepAnchored(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
@@ -60,10 +35,10 @@ export function sweepAnchored(data: SolverData, start: number, end: number, isBa
     const e = (i + (moving ? error : bias)) & d.OFFSET;
     const softness = moving ? -1 : -r[i + j.SOFTNESS]!;
     const kept = moving ? 1 : 1 - r[i + j.FEEDBACK]!;
-    const ax = r[p + TURN_A]!;
-    const bx = r[p + TURN_B]!;
-    const ay = r[p + ROW + TURN_A]!;
-    const by = r[p + ROW + TURN_B]!;
+    const ax = r[p + ANGULAR_A]!;
+    const bx = r[p + ANGULAR_B]!;
+    const ay = r[p + ROW_SIZE + ANGULAR_A]!;
+    const by = r[p + ROW_SIZE + ANGULAR_B]!;
     const vax = v[a + d.VX]!;
     const vay = v[a + d.VY]!;
     const wA = v[a + d.W]!;
@@ -116,27 +91,6 @@ export function sweepAnchored(data: SolverData, start: number, end: number, isBa
   }
 }
 
-/** Starts a position iteration, as `lineariseBlock`. */
-export function lineariseAnchored(data: SolverData, start: number, end: number): void {
-  const { records: r, joints } = data.joints;
-  for (let m = start; m < end; m += 1) {
-    const joint = joints[m]!;
-    const { rows, turned, error: errors } = joint.layout;
-    const i = joint.at & d.OFFSET;
-    if (r[i + j.PUSH] === 0) {
-      continue;
-    }
-    measure(data, joint, turned, true, true);
-    findLength(r, i + errors, rows);
-    const error = length[0]!;
-    if (error > r[i + j.MAX_ERROR]!) {
-      data.joints.break(joint);
-      continue;
-    }
-    correct(data, joint, error);
-  }
-}
-
 /** Ends a sub-step, as `finishBlock`. */
 export function finishAnchored(data: SolverData, start: number, end: number): void {
   const { records: r, joints, share } = data.joints;
@@ -147,10 +101,10 @@ export function finishAnchored(data: SolverData, start: number, end: number): vo
     const i = joint.at & d.OFFSET;
     const p = (i + jacobian) & d.OFFSET;
     const g = (i + given) & d.OFFSET;
-    const ax = r[p + TURN_A]!;
-    const bx = r[p + TURN_B]!;
-    const ay = r[p + ROW + TURN_A]!;
-    const by = r[p + ROW + TURN_B]!;
+    const ax = r[p + ANGULAR_A]!;
+    const bx = r[p + ANGULAR_B]!;
+    const ay = r[p + ROW_SIZE + ANGULAR_A]!;
+    const by = r[p + ROW_SIZE + ANGULAR_B]!;
     const carry = share[0]! * r[i + j.CARRY]!;
     const heldX = r[i + impulse]!;
     const heldY = r[i + impulse + 1]!;

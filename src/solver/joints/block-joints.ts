@@ -47,7 +47,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   const { rows } = layout;
   const { isElastic } = constraint;
   if (isFirst || !isCustom(constraint)) {
-    measure(data, joint, layout.jacobian, false, isElastic);
+    measure(data, joint, false);
   } else if (isElastic) {
     foresee(data, joint);
   }
@@ -243,11 +243,10 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
 export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
-  const { turned } = layout;
   if (r[at + j.PUSH] === 0) {
     return;
   }
-  measure(data, joint, turned, true, true);
+  measure(data, joint, true);
   if (r[at + j.PUSH] === 0) {
     return;
   }
@@ -261,7 +260,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
 }
 
 /** K for corrections; and of an error of that length what is to be corrected, less its linear part. */
-export function correct(data: SolverData, joint: Joint, error: number): void {
+function correct(data: SolverData, joint: Joint, error: number): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   const { rows, turned, work } = layout;
@@ -324,7 +323,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   applyRows(data, joint, turned, work, 1, true);
 }
 
-/** The error now, by its linear part, to `left` if that is less. */
+/** Raises `left` to the error now, as its linear part has it, if that is larger. */
 export function measureBlock(data: SolverData, joint: Joint): void {
   const { records: r, left } = data.joints;
   const { at, layout } = joint;

@@ -1,23 +1,21 @@
 import type { RigidBody } from '../../body.js';
 import { STATIC } from '../../body-kind.js';
 import { CONTACT_SLOP } from '../../config.js';
+import { HINGE_GAPE } from '../../config-joints.js';
 import type { Constraint } from '../../constraint/constraint.js';
 import type { PointConstraint } from '../../constraint/point.js';
 
 // A pendulum, a door, a flipper: what hangs on one point of something static can only turn about that, also when it is struck. As a free body it would come away from its hinge,
 // and lose a quarter of its energy as it is put back.
 
-/** Share of the way from hinge to origin by which a hinge may gape: on its way through a step a body goes straight on. */
-const GAPE = 0.1;
-
 /** m. Where something is, relative to the origin of a body; or N·s, an impulse. */
-interface Pair {
+interface Spot {
   x: number;
   y: number;
 }
 
 /** Finds the only point of a body that is held, by what is static and gives way to nothing, and writes where it is to `at`. Motors and angles do not count. @returns what holds it, or `null`. */
-export function findHinge(body: RigidBody, at: Pair): PointConstraint | null {
+export function findHinge(body: RigidBody, at: Spot): PointConstraint | null {
   let point: PointConstraint | null = null;
   for (let i = 0; i < body.constraints.length; i += 1) {
     const constraint = body.constraints[i]!;
@@ -36,7 +34,7 @@ export function findHinge(body: RigidBody, at: Pair): PointConstraint | null {
 export function noteReaction(
   { members, anchors, given }: PointConstraint,
   body: RigidBody,
-  { x, y }: Readonly<Pair>,
+  { x, y }: Readonly<Spot>,
 ): void {
   for (let k = 0; k < 2; k += 1) {
     const { cos, sin } = members[k]!;
@@ -59,7 +57,7 @@ function isFirm({ type, stiff, maxForce, breakUnderForce, breakUnderError }: Con
 }
 
 /** Whether a point holds a body to something static, and is closed. */
-function isOn({ bodyA, bodyB, anchors }: PointConstraint, body: RigidBody, at: Pair): boolean {
+function isOn({ bodyA, bodyB, anchors }: PointConstraint, body: RigidBody, at: Spot): boolean {
   const own = bodyA === body ? 0 : 2;
   const other = bodyA === body ? bodyB : bodyA;
   const held = 2 - own;
@@ -68,6 +66,6 @@ function isOn({ bodyA, bodyB, anchors }: PointConstraint, body: RigidBody, at: P
   at.y = sin * anchors[own]! + cos * anchors[own + 1]!;
   const x = other.x + other.cos * anchors[held]! - other.sin * anchors[held + 1]! - body.x - at.x;
   const y = other.y + other.sin * anchors[held]! + other.cos * anchors[held + 1]! - body.y - at.y;
-  const most = CONTACT_SLOP + GAPE * Math.sqrt(at.x * at.x + at.y * at.y);
+  const most = CONTACT_SLOP + HINGE_GAPE * Math.sqrt(at.x * at.x + at.y * at.y);
   return other.kind === STATIC && x * x + y * y <= most * most;
 }

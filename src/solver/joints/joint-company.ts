@@ -1,3 +1,4 @@
+import { MOST_GUESTS } from '../../config-joints.js';
 import { grown } from '../../math/doubles.js';
 import type { World } from '../../world.js';
 import { type ContactBatch, recordAt, type SolverData } from '../data.js';
@@ -7,16 +8,18 @@ import { markBodies } from './joint-numbers.js';
 
 // With what joints that hang together exchange energy: all bodies that touch theirs or are tied to these, and so on.
 
-/** Where there are more it is not looked at what joints make of energy: in a heap it would be the whole heap, for each of those in it. */
-const MOST_GUESTS = 100;
+// Scratch, by slot, for all worlds.
 
-/** By slot, for all worlds: which other body stands for those it is with, and the next one of these; of those that stand for others the first, and how many there are. Scratch. */
+/** Union–find: a body of the same company, itself of the one that stands for it. */
 let parent = new Int32Array(0);
+/** The next body of the same company. */
 let next = new Int32Array(0);
+/** Of one that stands for a company: the first body of that, and how many there are. */
 let first = new Int32Array(0);
 let size = new Int32Array(0);
-/** Something drives it; it is held by something that is not dynamic. */
+/** Something drives it. */
 let driven = new Uint8Array(0);
+/** It is held by something that is not dynamic. */
 let held = new Uint8Array(0);
 
 /** Finds which awake bodies are with which, as contacts and joints of this step are. */

@@ -65,9 +65,9 @@ export interface Run {
 export class Group {
   end: number;
   readonly runs: Run[] = [];
-  /** Offsets of the bodies that move, each once … */
+  /** Offsets of the bodies that move, each once. */
   readonly bodies = new List<number>();
-  /** … and whether a joint holds something else, too. */
+  /** A joint holds something that does not move, too. */
   isAnchored = false;
   /** m, rad. The part of the worst error for which it is swept over once more. */
   tolerance = 0;
@@ -77,26 +77,26 @@ export class Group {
   settling = 0;
   /** Some of its joints are custom constraints. */
   hasCustoms = false;
-  /** Joints hold it to what does not move at two places or more: they may not all be met … */
+  /** Joints hold it to what does not move at two places or more: they may not all be met. */
   isBetween = false;
-  /** … and for so many steps there was an error that no sweep removed; … */
+  /** For so many steps there was an error that no sweep removed. */
   stuck = 0;
-  /** … in this step its bodies are told how they moved, see `joint-motion.ts`; … */
+  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `joint-motion.ts`. */
   isUnmet = false;
-  /** … for an error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
+  /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
   isTorn = false;
   /** For so many steps its velocities told of far more motion than there was. */
   untrue = 0;
   /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
   span = 0;
-  /** How often it is in this sub-step, spread over the iterations … */
+  /** How often it is swept over in this sub-step, spread over the iterations. */
   sweeps = 1;
-  /** … and which of its joints, but in the last sweep. */
+  /** Which of its joints these sweeps are over, but for the last one, which is over all. */
   from = 0;
   to = 0;
-  /** One of the bodies is in contact … */
+  /** One of the bodies is in contact. */
   touched = false;
-  /** … but so few that it stands on something, rather than lies in a heap; known of mechanisms. */
+  /** So few of them are in contact that it stands on something, rather than lies in a heap; known of mechanisms. */
   stands = false;
   /** A frame that stands on something, and whose joints were open as the step began: see `joint-momentum.ts`. */
   isBent = false;
@@ -106,45 +106,45 @@ export class Group {
   mayBreak = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
-  /** Its joints may pull against each other: see `joint-stress.ts`; … */
+  /** Its joints may pull against each other: see `joint-stress.ts`. */
   isOverheld = false;
-  /** … there are more than are needed, so that what each of them gives is not determined: these are never solved to their end. */
+  /** There are more joints than are needed, so that what each of them gives is not determined: they are never solved to their end. */
   isIndeterminate = false;
-  /** They may make energy all the same, if sub-steps are too long for them … */
+  /** Its joints may make energy, if sub-steps are too long for them. */
   mayGain = false;
-  /** … and are looked at in this step for what they make: see `joint-energy.ts`. */
+  /** It is looked at in this step for the energy its joints make: see `joint-energy.ts`. */
   isWatched = false;
   /** Of what is watched and touches something: neither that nor what it is with touches or hangs on something that is not dynamic. */
   isAfloat = false;
-  /** Offsets of the bodies that lie on its own, or on those, then. */
+  /** Of what is watched and touches something: offsets of the bodies that lie on its own, or on those. */
   readonly guests = new List<number>();
-  /** J. Of its bodies, as the step begins … */
+  /** J. Of its bodies, as the step begins. */
   energy = 0.5;
-  /** … and what its joints made in the steps so far, of which nothing was taken back yet; below 0 what was lost a short while ago. */
+  /** J. What its joints made in the steps so far, and was not taken back yet; below 0 what was lost a short while ago. */
   excess = 0;
-  /** The square of the largest error at the start of the sub-step … */
+  /** The square of the largest error at the start of the sub-step. */
   error = 0;
-  /** … and of the largest that the first position iteration found. */
+  /** The square of the largest error that the first position iteration found. */
   pushed = 0;
   /** The heaviest of the bodies, and how they hang together, are yet to be looked at. */
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */
   burdened = false;
-  /** They leave little to move, and if they stand on something … */
+  /** Its joints leave little to move: if it stands on something, or is held, they are solved to their end, see `joint-gradients.ts`. */
   isMechanism = false;
-  /** … or hang on something still they are solved to their end, see `joint-gradients.ts`; … */
+  /** It hangs on something that does not move. */
   isHeld = false;
-  /** … if they are only very few once they touched nothing for so many steps; … */
+  /** For so many steps it touched nothing, FIRM_STEPS at most: very few joints are solved to their end after as many. */
   untouched = FIRM_STEPS;
-  /** … and in this sub-step they are. */
+  /** In this sub-step they are solved to their end. */
   isFirm = false;
-  /** Some body has three joints of it or more … */
+  /** Some body has three of its joints or more. */
   branches = false;
-  /** … and is a hub, so that all are swept over to and fro: see `joint-hubs.ts`. */
+  /** Some body is a hub, so that all joints are swept over to and fro: see `joint-hubs.ts`. */
   toAndFro = false;
-  /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once … */
+  /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once. */
   isBeside = false;
-  /** … of the first of them, the other one, which comes next. */
+  /** Of the first of two that lie side by side, the other one, which comes next. */
   beside: Group | null = null;
 
   /** Without joints, the first of which will be at `start`. */
@@ -179,9 +179,9 @@ export class JointData implements Keeper {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   substeps = 1;
-  /** In this step what touches something may be swept over once less. */
+  /** In this step what touches something may be swept over once less, see `EASE_STEPS`. */
   eases = false;
-  /** … and it is looked at what groups are, see `WEIGH_STEPS`. */
+  /** In this step it is looked at what groups are, see `WEIGH_STEPS`. */
   weighs = false;
   /** Some joint is a custom constraint. */
   hasCustoms = false;

@@ -27,7 +27,7 @@ export const SNAPPED = 10;
 export const SNAPS = 11;
 /** m, rad. A larger error is corrected by no more at once: see `reachLess`; below 0, so much of it is left open: see `correctShare`. */
 export const REACH = 12;
-export const HEAD = 13;
+const HEAD = 13;
 
 /**
  * Rigid point joints: what they keep from step to step, without such a head, as they are two rows with unit columns, so that their arms say all: anchors in the
@@ -46,11 +46,9 @@ export const KEPT_SUM_WA = 8;
 export const KEPT_SUM_WB = 9;
 /** Which of the records for a step is its own. */
 export const KEPT_SLOT = 10;
-/** Where the origins are of those of its bodies that are immovable, else 0: their arms are from that of the world. */
+/** Where the origins are of those of its bodies that are immovable, else 0, of A and then of B: their arms are from that of the world. */
 export const KEPT_ORIGIN_AX = 11;
 export const KEPT_ORIGIN_AY = 12;
-export const KEPT_ORIGIN_BX = 13;
-export const KEPT_ORIGIN_BY = 14;
 export const KEPT_STRIDE = 15;
 
 /**

@@ -131,7 +131,7 @@ function isChain({ joints }: JointData, { start, end, runs, branches }: Group): 
   return end - start >= FEWEST_BESIDE && isOneRun && !branches && !joints[start]!.isPaired;
 }
 
-/** Of as many joints, and what moves by its own will does not hang on two that would lie side by side. */
+/** Of as many joints, and no kinematic body hangs on two that would lie side by side. */
 function mayLieBeside({ joints }: JointData, { start, end }: Group, next: Group): boolean {
   return (
     next.end - next.start === end - start &&

@@ -9,7 +9,7 @@ import { addJoint, allot } from './joint-list.js';
 import { angleBeside } from './pinned.js';
 
 /**
- * Neighbours in a ring share a body, and the processor would wait for one before it can begin the next. With 2 nets gape half as far again.
+ * Joints at the same distance from what cannot move are listed every third one, three times over: neighbours share a body, and the processor would wait for one before it can begin the next. If it were every second one nets would gape half as far again.
  */
 const RING_STEP = 3;
 

@@ -150,10 +150,11 @@ function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
 }
 
 /** Error and Jacobian for the placement with which the sub-step begins or, if `moving`, that reached within it. */
-export function measure(data: SolverData, joint: Joint, jacobian: number, moving: boolean, withError: boolean): void {
+export function measure(data: SolverData, joint: Joint, moving: boolean): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, members, error } = layout;
+  const jacobian = moving ? layout.turned : layout.jacobian;
   clear(r, at + error, rows);
   if (isCustom(constraint) || joint.twins.length > 0) clear(r, at + jacobian, 3 * rows * members);
   if (isCustom(constraint)) {
@@ -161,7 +162,7 @@ export function measure(data: SolverData, joint: Joint, jacobian: number, moving
   } else {
     findPoses(data, joint, moving);
   }
-  constraint.measure(data.joints.pose, r, at + error, at + jacobian, withError);
+  constraint.measure(data.joints.pose, r, at + error, at + jacobian, moving || constraint.isElastic);
   if (isCustom(constraint) && constraint.failed) {
     data.joints.silence(joint);
     return;

@@ -1,11 +1,11 @@
 import type { SolverData } from '../data.js';
-import { lineariseAnchored, sweepAnchored } from './anchored-joints.js';
+import { sweepAnchored } from './anchored-joints.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './block-joints.js';
 import type { Group, Run } from './joint-data.js';
 import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
 import { sweepLines } from './line-joints.js';
 import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
-import { lineariseRows, sweepRows } from './row-joints.js';
+import { sweepRows } from './row-joints.js';
 import { pushTurns, solveVelocityTurns } from './turn-joints.js';
 
 // Sweeps over the runs of a group, each by its kernel.
@@ -106,14 +106,8 @@ export function linearise(data: SolverData, { runs }: Group): void {
   const { joints } = data.joints;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
-    if (kernel === ROW) {
-      lineariseRows(data, start, end);
-    } else if (kernel === ANCHORED) {
-      lineariseAnchored(data, start, end);
-    } else if (kernel === LINE || kernel === BLOCK) {
-      for (let k = start; k < end; k += 1) {
-        lineariseBlock(data, joints[k]!);
-      }
+    for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
+      lineariseBlock(data, joints[k]!);
     }
   }
 }

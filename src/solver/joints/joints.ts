@@ -10,7 +10,7 @@ import {
 import type { World } from '../../world.js';
 import type { SolverData } from '../data.js';
 import { breakOff } from '../ties.js';
-import { finishAnchored, warmStartAnchored } from './anchored-joints.js';
+import { finishAnchored } from './anchored-joints.js';
 import {
   finishBlock,
   lineariseBlock,
@@ -48,9 +48,6 @@ import {
 } from './point-joints.js';
 import { finishRows, warmStartRows } from './row-joints.js';
 import { beginTurns, finishTurns, packTurn, warmStartTurns } from './turn-joints.js';
-
-/** Whether custom constraints have something left for another position iteration. */
-const left = { found: false };
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
@@ -227,8 +224,6 @@ function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: bo
     warmStartPoints(data, start, end);
   } else if (kernel === TURN) {
     warmStartTurns(data, start, end);
-  } else if (kernel === ANCHORED) {
-    warmStartAnchored(data, start, end);
   } else if (kernel === ROW) {
     warmStartRows(data, start, end);
   } else {
@@ -282,27 +277,27 @@ function solveFirmly(data: SolverData, group: Group): void {
   }
 }
 
-/** Custom constraints, whose callbacks are called once in each iteration. In odd iterations groups that are swept over to and fro begin with their last. */
-function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joint: Joint) => void): void {
+/** Custom constraints, whose callbacks are called once in each iteration. In odd iterations groups that are swept over to and fro begin with their last. @returns whether it was for one of them. */
+function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joint: Joint) => unknown): boolean {
   const { groups, joints } = data.joints;
+  let found = false;
   for (let g = 0; g < groups.length; g += 1) {
     const { runs, toAndFro } = groups[g]!;
     const isBack = toAndFro && i % 2 === 1;
     for (let n = 0; n < runs.length; n += 1) {
       const { kernel, start, end } = runs[isBack ? runs.length - 1 - n : n]!;
       for (let k = start; k < end && kernel === CUSTOM; k += 1) {
-        solve(data, joints[isBack ? start + end - 1 - k : k]!);
+        found = solve(data, joints[isBack ? start + end - 1 - k : k]!) === true || found;
       }
     }
   }
+  return found;
 }
 
 /** Position iteration `i` of `count`; where there are fewer sweeps than iterations the first iterations have them. @returns whether there is something left for another. */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups } = data.joints;
-  left.found = false;
-  if (data.joints.hasCustoms) sweepCustoms(data, i, pushCustom);
-  let isLeft = left.found;
+  let isLeft = data.joints.hasCustoms && sweepCustoms(data, i, pushCustom);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     if (i === 0 && group.beside !== null) {
@@ -369,10 +364,11 @@ function isOfPoints({ runs, start, end }: Group): boolean {
   return runs.length === 1 && runs[0]!.kernel === POINT && end - start > 1;
 }
 
-function pushCustom(data: SolverData, joint: Joint): void {
+/** @returns whether something may be left for another iteration. */
+function pushCustom(data: SolverData, joint: Joint): boolean {
   lineariseBlock(data, joint);
   pushBlock(data, joint);
-  left.found ||= data.joints.records[joint.at + PUSH] !== 0;
+  return data.joints.records[joint.at + PUSH] !== 0;
 }
 
 /** Sets what share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them. */

@@ -6,7 +6,7 @@ import { atan2 } from '../../math/trig.js';
 // Two bodies that two rigid points hold together cannot move against each other, as if they were welded. Solved as two points both would ask for the same along the line between them, and the closer they lie the more sweeps they
 // would take across it: a door on two hinges 4 cm apart sprang by 5 mm, and stayed turned the wrong way round. So the first one is a point, and the other one keeps the angle at which both meet.
 
-/** rad. Rotation of its second body less that of its first at which a point meets together with one of some others that holds the same bodies, NaN if there is none. */
+/** rad. How far `bodyB` is turned against `bodyA` where this point and one of the others between the same two bodies are both met; NaN if there is no such other. */
 export function angleBeside(point: PointConstraint, others: ReadonlySet<Constraint>): number {
   const { bodyA, bodyB } = point;
   const { constraints } = bodyA.constraints.length < bodyB.constraints.length ? bodyA : bodyB;

@@ -19,7 +19,7 @@ export function warmStartPoints(data: SolverData, from: number, to: number, step
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
-    const i = ((k & d.PAIR) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const xA = r[i + j.ANCHOR_AX]!;
@@ -97,7 +97,7 @@ export function solveVelocityPoints(data: SolverData, from: number, to: number, 
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
-    const i = ((k & d.PAIR) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const ax = r[i + j.ARM_AX]!;
@@ -142,7 +142,7 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
-    const i = ((k & d.PAIR) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const qax = q[a + d.QX]!;
@@ -240,7 +240,7 @@ export function pushPointsLinearly(data: SolverData, from: number, to: number, s
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
-    const i = ((k & d.PAIR) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const ax = r[i + j.PLACED_AX]!;
@@ -283,7 +283,7 @@ export function measurePoints(data: SolverData, from: number, to: number, step: 
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
-    const i = ((k & d.PAIR) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const wA = q[a + d.QW]!;
@@ -306,7 +306,7 @@ export function finishPoints(data: SolverData, from: number, to: number, step: n
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
     }
-    const i = ((k & d.PAIR) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const carry = share * r[i + j.POINT_CARRY]!;

@@ -1,7 +1,7 @@
 import { BOUND_SLOP, ROW_TURN } from '../../config-joints.js';
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
-import { beginSpring, correct, isSlack, noteError } from './block-joints.js';
+import { beginSpring, isSlack, noteError } from './block-joints.js';
 import { applyRows, length, writeMatrix } from './block-rows.js';
 import { tear } from './breaking.js';
 import * as j from './joint-layout.js';
@@ -17,7 +17,7 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
     const { layout, constraint } = joint;
     const { impulse, push, bias, error, jacobian } = layout;
     const i = joint.at & d.OFFSET;
-    measure(data, joint, jacobian, false, constraint.isElastic);
+    measure(data, joint, false);
     writeMatrix(data, joint, jacobian);
     r[i + push] = 0;
     const distance = r[i + error]!;
@@ -33,26 +33,6 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
       noteError(data, m);
     }
     applyRows(data, joint, jacobian, impulse, 1, false);
-  }
-}
-
-/** Starts a position iteration, as `lineariseBlock`. */
-export function lineariseRows(data: SolverData, start: number, end: number): void {
-  const { records: r, joints } = data.joints;
-  for (let m = start; m < end; m += 1) {
-    const joint = joints[m]!;
-    const { layout } = joint;
-    const i = joint.at & d.OFFSET;
-    if (r[i + j.PUSH] === 0) {
-      continue;
-    }
-    measure(data, joint, layout.turned, true, true);
-    const error = isSlack(r, joint, layout.error) ? 0 : Math.abs(r[i + layout.error]!);
-    if (error > r[i + j.MAX_ERROR]!) {
-      data.joints.break(joint);
-      continue;
-    }
-    correct(data, joint, error);
   }
 }
 
