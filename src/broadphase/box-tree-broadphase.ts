@@ -10,7 +10,7 @@ import {
   letsMeet,
   UNFILTERED,
 } from './broadphase.js';
-import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC } from './layout.js';
+import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC, STRANGER } from './layout.js';
 import { PackedTree } from './packed-tree.js';
 
 /** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
@@ -239,19 +239,22 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     bounds: RectLike,
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject?: unknown,
+    like?: BroadphaseHandle<T>,
   ): void {
     checkRect('BoxTreeBroadphase.sample', bounds);
     callable('BoxTreeBroadphase.sample', 'callback', callback);
-    this.report(bounds, true, callback, thisObject);
+    const kin = like === undefined ? STRANGER : this.owned('BoxTreeBroadphase.sample', like, 'like').kin;
+    this.report(bounds, true, kin, callback, thisObject);
   }
 
   sampleStatic(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void {
-    this.report(bounds, false, callback, undefined);
+    this.report(bounds, false, STRANGER, callback, undefined);
   }
 
   private report(
     bounds: RectLike,
     alsoMoving: boolean,
+    kin: number,
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject: unknown,
   ): void {
@@ -263,8 +266,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.samples[this.depth] ??= [];
     const found = this.samples[this.depth]!;
     const { moving, still, boxes } = this;
-    const movingCount = alsoMoving ? moving.query(bounds, found, 0) : 0;
-    const count = still.query(bounds, found, movingCount);
+    const movingCount = alsoMoving ? moving.query(bounds, found, 0, kin) : 0;
+    const count = still.query(bounds, found, movingCount, kin);
     this.depth += 1;
     try {
       for (let i = 0; i < count; i += 1) {
@@ -279,9 +282,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
   }
 
-  castRay(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void {
+  cast(start: RectLike, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void {
     // Read before any visit, which may write to them.
-    const from = [origin[0]!, origin[1]!];
+    const from = [start[0]!, start[1]!, start[2]!, start[3]!];
     const along = [direction[0]!, direction[1]!];
     this.still.cast(from, along, this.moving.cast(from, along, limit, visit), visit);
   }
@@ -449,10 +452,10 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     return handle.isStatic ? this.still : this.moving;
   }
 
-  private owned(where: string, handle: BroadphaseHandle<T>): TreeHandle<T> {
+  private owned(where: string, handle: BroadphaseHandle<T>, name = 'handle'): TreeHandle<T> {
     const own = handle as TreeHandle<T>;
     if (!(own instanceof TreeHandle) || this.handleOf(own.number) !== own) {
-      throw new TypeError(`${where}: handle must be one of this broadphase, and not removed`);
+      throw new TypeError(`${where}: ${name} must be one of this broadphase, and not removed`);
     }
     return own;
   }

@@ -60,11 +60,12 @@ export interface Broadphase<T = unknown> {
     isKnown?: (note: number) => boolean,
   ): void;
 
-  /** Reports each handle that overlaps `bounds` once, static or not. */
+  /** Reports each handle that overlaps `bounds` once, static or not. Those of the group of `like`, if given, need not be reported. */
   sample(
     bounds: RectLike,
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject?: unknown,
+    like?: BroadphaseHandle<T>,
   ): void;
 
   /** Needed if pairs are left out for their filters: that of a handle has changed. */
@@ -74,10 +75,10 @@ export interface Broadphase<T = unknown> {
   sampleStatic?(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void;
 
   /**
-   * Not needed, but makes ray casts fast: visits each handle whose bounds the ray origin + direction · f, 0 ≤ f ≤ `limit`, may meet, nearer ones
-   * as early as is cheap. `visit` returns up to where the ray matters from then on. Called by the engine; checks nothing.
+   * Not needed, but makes ray and shape casts fast: visits each handle whose bounds may meet the bounds `start` + direction · f, 0 ≤ f ≤ `limit`, nearer ones
+   * as early as is cheap. `visit` returns up to where the way matters from then on. Called by the engine; checks nothing.
    */
-  castRay?(origin: Vec2Like, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
+  cast?(start: RectLike, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
 }
 
 /** Refuses what no broadphase can insert: bounds as `checkRect` does, a filter that has not both numbers. */

@@ -111,21 +111,19 @@ export class PackedTree<T> extends TreeShape<T> {
   }
 
   /**
-   * Visits what the leaves hold whose boxes the ray o + d · f, 0 ≤ f ≤ limit, meets, and some that it just misses; of two subtrees the one that
-   * lies nearer along the ray comes first. `visit` returns the new limit, which is returned in the end.
+   * Visits what the leaves hold whose boxes meet a box that goes on by d · f, 0 ≤ f ≤ limit, and some that it just misses; of two subtrees the one that
+   * lies nearer along the way comes first. A ray is a box without width and height. `visit` returns the new limit, which is returned in the end.
    *
-   * Along x the ray is between the sides of a box from f = (near − o) / d to (far − o) / d; it meets the box where it is so along both axes
-   * at once (slabs; Kay & Kajiya 1986). With d = 0 that is from −∞ to ∞, or to −∞ or from ∞ if it passes by; and NaN for a side that it
-   * lies in, for which no comparison holds: so what is asked is whether the ray misses. The answers are combined as numbers, as branches that
+   * Along x both overlap from f = (near − head) / d to (far − tail) / d; they meet where it is so along both axes at once (slabs; Kay & Kajiya 1986).
+   * With d = 0 that is from −∞ to ∞, or to −∞ or from ∞ if one passes the other by; and NaN for sides that lie in each other, for which no comparison
+   * holds: so what is asked is whether they miss each other. The answers are combined as numbers, as branches that
    * go either way half of the time would cost more than all the rest; it is the children that are asked, so that a walk goes straight down to one that is met.
    */
-  cast(origin: ArrayLike<number>, direction: ArrayLike<number>, limit: number, visit: (item: T) => number): number {
+  cast(start: ArrayLike<number>, direction: ArrayLike<number>, limit: number, visit: (item: T) => number): number {
     let node = this.root;
     if (node === NONE) {
       return limit;
     }
-    const ox = origin[0]!;
-    const oy = origin[1]!;
     const dx = direction[0]!;
     const dy = direction[1]!;
     const outX = 1 / dx;
@@ -137,6 +135,11 @@ export class PackedTree<T> extends TreeShape<T> {
     const nearY = outY < 0 ? 3 : 1;
     const farX = 2 - nearX;
     const farY = 4 - nearY;
+    // What goes ahead of what is cast, and what comes last.
+    const headX = start[farX]!;
+    const headY = start[farY]!;
+    const tailX = start[nearX]!;
+    const tailY = start[nearY]!;
     const { boxes, left, right } = this;
     const stack = this.takeStack();
     let end = limit;
@@ -149,15 +152,15 @@ export class PackedTree<T> extends TreeShape<T> {
         const b = right[node]!;
         const i = BOX * a;
         const j = BOX * b;
-        const inAX = (boxes[i + nearX]! - ox) * inX;
-        const inAY = (boxes[i + nearY]! - oy) * inY;
-        const outAX = (boxes[i + farX]! - ox) * outX;
-        const outAY = (boxes[i + farY]! - oy) * outY;
+        const inAX = (boxes[i + nearX]! - headX) * inX;
+        const inAY = (boxes[i + nearY]! - headY) * inY;
+        const outAX = (boxes[i + farX]! - tailX) * outX;
+        const outAY = (boxes[i + farY]! - tailY) * outY;
         const missesA = +(inAX > outAY) | +(inAY > outAX) | +(inAX > end) | +(inAY > end) | +(outAX < 0) | +(outAY < 0);
-        const inBX = (boxes[j + nearX]! - ox) * inX;
-        const inBY = (boxes[j + nearY]! - oy) * inY;
-        const outBX = (boxes[j + farX]! - ox) * outX;
-        const outBY = (boxes[j + farY]! - oy) * outY;
+        const inBX = (boxes[j + nearX]! - headX) * inX;
+        const inBY = (boxes[j + nearY]! - headY) * inY;
+        const outBX = (boxes[j + farX]! - tailX) * outX;
+        const outBY = (boxes[j + farY]! - tailY) * outY;
         const missesB = +(inBX > outBY) | +(inBY > outBX) | +(inBX > end) | +(inBY > end) | +(outBX < 0) | +(outBY < 0);
         if ((missesA | missesB) === 0) {
           const x = boxes[i]! + boxes[i + 2]! - boxes[j]! - boxes[j + 2]!;
@@ -182,7 +185,7 @@ export class PackedTree<T> extends TreeShape<T> {
         }
         top -= 1;
         node = stack[top]!;
-      } while ((boxes[BOX * node + nearX]! - ox) * inX > end || (boxes[BOX * node + nearY]! - oy) * inY > end);
+      } while ((boxes[BOX * node + nearX]! - headX) * inX > end || (boxes[BOX * node + nearY]! - headY) * inY > end);
     }
   }
 

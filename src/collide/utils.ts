@@ -1,4 +1,3 @@
-import { CAST_TOLERANCE } from '../config.js';
 import { Sweep, timeOfImpact } from '../geometry/sweep.js';
 import type { NumberSink, Ray, Vec2Like } from '../math/vectors.js';
 import { bodyOf, presently } from '../shape/presently.js';
@@ -103,7 +102,7 @@ export class CollisionUtils {
     sink(where, 'normal', normal, 2);
     sweep.a.start(shapeA, a, a);
     sweep.b.start(shapeB, b, a);
-    const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, deltaTime);
+    const time = timeOfImpact(sweep, deltaTime);
     const found = sweep.distance;
     sweep.a.shape = null;
     sweep.b.shape = null;

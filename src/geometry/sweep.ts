@@ -1,4 +1,4 @@
-import { STILL_LOOKS } from '../config.js';
+import { CAST_TOLERANCE, STILL_LOOKS } from '../config.js';
 import { cosSin } from '../math/trig.js';
 import { Distance, measureDistance } from './distance.js';
 import { EDGE_STRIDE } from './layout.js';
@@ -100,7 +100,7 @@ export class Sweep {
   readonly a = new Travel();
   readonly b = new Travel();
   readonly distance = new Distance();
-  /** What is looked for, as `timeOfImpact` is told: from function to function numbers go through fields, as arguments and results would be boxed. */
+  /** What is looked for, see `findImpact`: from function to function numbers go through fields, as arguments and results would be boxed. */
   target = 0.5;
   tolerance = 0.5;
   most = 0.5;
@@ -192,22 +192,22 @@ function latestRoot(gap: number, rate: number, curvature: number): number {
   return curvature > 0 ? (root - rate) / curvature : Infinity;
 }
 
-/**
- * The first time from `from` on at which two travelling shapes are no farther apart than `target` (negative: overlap by that much) and
- * `tolerance`, or −1 if that does not come before `most`. Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive
- * 3D Environments, 2003), with steps by a bound of second order for the axis of the signed distance, so that it closes in on an impact
- * quadratically however fast the shapes turn. What takes long is also looked at along axes that turn with either shape: across one that stands still
- * the far end of a long thing comes at once. Leaves the sweep as it is at that time.
- */
-export function timeOfImpact(sweep: Sweep, target: number, tolerance: number, from: number, most: number): number {
-  sweep.target = target;
-  sweep.tolerance = tolerance;
-  sweep.time = from;
+/** When two travelling shapes first touch, from time 0 on, or −1 if they do not before `most`. */
+export function timeOfImpact(sweep: Sweep, most: number): number {
+  sweep.target = 0;
+  sweep.tolerance = CAST_TOLERANCE;
+  sweep.time = 0;
   sweep.most = most;
   return findImpact(sweep) ? sweep.time : -1;
 }
 
-/** The same of what the fields of the sweep say; the time is left there too. @returns whether that comes. */
+/**
+ * Goes on from the time of the sweep to the first at which two travelling shapes are no farther apart than `target` (negative: overlap by that much) and
+ * `tolerance`. @returns whether that comes before `most`. Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive
+ * 3D Environments, 2003), with steps by a bound of second order for the axis of the signed distance, so that it closes in on an impact
+ * quadratically however fast the shapes turn. What takes long is also looked at along axes that turn with either shape: across one that stands still
+ * the far end of a long thing comes at once. Leaves the sweep as it is at that time.
+ */
 export function findImpact(sweep: Sweep): boolean {
   bound.turning = 0;
   look(sweep, true);

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { RayTest, rayShape } from '../collide/rays.js';
-import { CAST_TOLERANCE, SPECULATIVE_MARGIN } from '../config.js';
+import { SPECULATIVE_MARGIN } from '../config.js';
 import { crosses, crossing } from '../geometry/crossing.js';
 import type { Distance } from '../geometry/distance.js';
 import { Sweep, type Travel, timeOfImpact } from '../geometry/sweep.js';
@@ -78,17 +78,33 @@ class RayWalk {
   walk(world: World, visit: (shape: Shape) => number): void {
     const { x, y } = this;
     const { dx, dy, most } = this.test;
-    const { broadphase } = world;
-    if (broadphase.castRay !== undefined && !isUnderWay(world)) {
-      refreshPlaces(world);
-      broadphase.castRay([x, y], [dx, dy], most, (handle: BroadphaseHandle) => visit(handle.data as Shape));
-      return;
-    }
-    // A broadphase that knows no rays, or does not know where shapes are on their way, is asked for everything within the bounds of the ray.
-    const endX = dx === 0 ? x : x + dx * most;
-    const endY = dy === 0 ? y : y + dy * most;
-    near(world, [Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY)]).forEach(visit);
+    visitOnWay(world, [x, y, x, y], dx, dy, most, visit);
   }
+}
+
+/** Visits the shapes whose bounds meet `start` on its way by (dx, dy) · f, 0 ≤ f ≤ `most`; `visit` returns up to where it still matters. */
+function visitOnWay(
+  world: World,
+  start: RectLike,
+  dx: number,
+  dy: number,
+  most: number,
+  visit: (shape: Shape) => number,
+): void {
+  const { broadphase } = world;
+  if (broadphase.cast !== undefined && !isUnderWay(world)) {
+    refreshPlaces(world);
+    broadphase.cast(start, [dx, dy], most, (handle: BroadphaseHandle) => visit(handle.data as Shape));
+    return;
+  }
+  // A broadphase that knows no casts, or does not know where shapes are on their way, is asked for everything within the bounds of the way.
+  const x = dx === 0 ? 0 : dx * most;
+  const y = dy === 0 ? 0 : dy * most;
+  const minX = start[0]! + Math.min(x, 0);
+  const minY = start[1]! + Math.min(y, 0);
+  const maxX = start[2]! + Math.max(x, 0);
+  const maxY = start[3]! + Math.max(y, 0);
+  near(world, [minX, minY, maxX, maxY]).forEach(visit);
 }
 
 /** The nearest hit that is accepted; of equal ones that of the older shape, whatever the order in which they are found. */
@@ -140,22 +156,24 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   spareSweep = null;
   sweep.a.start(shape, body, body);
   const start = startBounds(shape);
+  const { vx, vy } = sweep.a;
   let best: CastResult | null = null;
   let limit = deltaTime;
-  const candidates = near(world, sweptBounds(start, sweep.a, deltaTime));
-  for (let i = 0; i < candidates.length; i += 1) {
-    const other = candidates[i]!;
+  visitOnWay(world, start, vx, vy, deltaTime, (other) => {
     const { owner } = other;
     if (owner === body || !(isUnderWay(world) || mayMeet(start, sweep.a, other, limit))) {
-      continue;
+      return limit;
     }
     sweep.b.stand(other, owner!, body);
-    const time = timeOfImpact(sweep, 0, CAST_TOLERANCE, 0, limit);
-    if (time > 0 && (accept === null || accept(resultOf(sweep.distance, body, other, time)))) {
+    // Not only up to the limit, on which a time would depend to the last bit, and so on the order of the visits.
+    const time = timeOfImpact(sweep, deltaTime);
+    const isNearer = time < limit || (time === limit && best !== null && other.id < best.shape.id);
+    if (time > 0 && isNearer && (accept === null || accept(resultOf(sweep.distance, body, other, time)))) {
       best = resultOf(sweep.distance, body, other, time);
       limit = time;
     }
-  }
+    return limit;
+  });
   sweep.a.shape = null;
   sweep.b.shape = null;
   spareSweep = sweep;
@@ -191,16 +209,4 @@ function startBounds(shape: Shape): ArrayLike<number> {
   }
   const reach = shape.reach();
   return [body.x - reach, body.y - reach, body.x + reach, body.y + reach];
-}
-
-/** Bounds of the way of such bounds. */
-function sweptBounds(start: RectLike, { vx, vy }: Travel, deltaTime: number): number[] {
-  const x = vx * deltaTime;
-  const y = vy * deltaTime;
-  return [
-    start[0]! + Math.min(x, 0),
-    start[1]! + Math.min(y, 0),
-    start[2]! + Math.max(x, 0),
-    start[3]! + Math.max(y, 0),
-  ];
 }

@@ -309,7 +309,7 @@ function complaint(stage: Stage, callable: Callable, owner: string, { label, nam
 }
 
 /** Called by the engine alone, and documented to check nothing; or in need of a canvas, which the tests of the debug drawing have. */
-const LEFT_OUT = /^BoxTreeBroadphase\.(?:castRay|sampleStatic)$|^(?:Canvas|WebGL)DebugDevice\.|DebugDevice\.drawLines$/;
+const LEFT_OUT = /^BoxTreeBroadphase\.(?:cast|sampleStatic)$|^(?:Canvas|WebGL)DebugDevice\.|DebugDevice\.drawLines$/;
 
 /** All classes; functions as ''. */
 const owners = ['', ...Object.keys(modules).filter((name) => /^[A-Z]/.test(name))];

@@ -312,7 +312,7 @@ describe('packed tree, asked by rays', () => {
       const tree = new PackedTree<number>(0);
       tree.insert(0, box);
       tree.insert(1, [-9, -9, -8, -8]);
-      tree.cast([ox, oy], [dx, dy], factor, (item) => {
+      tree.cast([ox, oy, ox, oy], [dx, dy], factor, (item) => {
         met += item === 0 ? 1 : 0;
         return factor;
       });
@@ -329,11 +329,11 @@ describe('packed tree, asked by rays', () => {
           tree.insert(0, box);
           tree.insert(1, [50, 50, 51, 51]);
           const met = { x: 0, y: 0 };
-          tree.cast([x, -7 * way], [zero, way], Infinity, () => {
+          tree.cast([x, -7 * way, x, -7 * way], [zero, way], Infinity, () => {
             met.x += 1;
             return Infinity;
           });
-          tree.cast([-7 * way, x], [way, zero], Infinity, () => {
+          tree.cast([-7 * way, x, -7 * way, x], [way, zero], Infinity, () => {
             met.y += 1;
             return Infinity;
           });

@@ -159,6 +159,18 @@ describe.each(BROADPHASES)('%s', (name, create) => {
     expect(perform(true)).toEqual(['reported']);
   });
 
+  it('may leave out what is of the group of a handle, and nothing else', () => {
+    const broadphase = create();
+    const group = {};
+    const [first] = Array.from({ length: 9 }, (_, i) => broadphase.insert(i, [i, 0, i + 2, 1], i % 2 === 0, group));
+    broadphase.insert(9, [0, 0, 9, 9], false);
+    broadphase.insert(10, [0, 0, 9, 9], true);
+    const found: unknown[] = [];
+    broadphase.sample([0, 0, 20, 1], ({ data }) => found.push(data), undefined, first);
+    expect(found).toEqual(expect.arrayContaining([9, 10]));
+    if (name === 'BoxTreeBroadphase') expect(found).toHaveLength(2);
+  });
+
   it('refuses bad bounds and foreign handles', () => {
     const broadphase = create();
     expect(() => broadphase.insert(0, [0, NaN, 1, 1], false)).toThrow(/insert: bounds\[1\] must be a number, not NaN/);

@@ -226,7 +226,7 @@ describe('edges: rays through a box tree broadphase', () => {
       const broadphase = phys2D.createBoxTreeBroadphase();
       broadphase.insert(0, [0, 0, 1, 1], true);
       const met: unknown[] = [];
-      broadphase.castRay!([x, -5], [0, 1], 9, (handle) => met.push(handle.data) * 9);
+      broadphase.cast!([x, -5, x, -5], [0, 1], 9, (handle) => met.push(handle.data) * 9);
       expect(met).toEqual([0]);
     });
   }
@@ -236,14 +236,14 @@ describe('edges: rays through a box tree broadphase', () => {
     for (let i = 0; i < 4; i += 1) {
       broadphase.insert(i, [i, 0, i + 0.5, 1], i % 2 === 0);
     }
-    const [origin, direction] = [
-      [-1, 0.5],
+    const [start, direction] = [
+      [-1, 0.5, -1, 0.5],
       [1, 0],
     ];
     const met: unknown[] = [];
-    broadphase.castRay!(origin!, direction!, 9, (handle) => {
+    broadphase.cast!(start!, direction!, 9, (handle) => {
       met.push(handle.data);
-      origin!.fill(50);
+      start!.fill(50);
       direction!.fill(-1);
       return 9;
     });

@@ -51,19 +51,21 @@ function staticOf(broadphase: Broadphase, bounds: Rect): number[] {
   return found.sort((a, b) => a - b);
 }
 
-/** Every handle on the ray is visited, none twice, up to where the visits end it. */
-function checkCast(model: Model, ray: Ray, ends: boolean): void {
+/** Every handle on the ray, or on the way of a box that begins there, is visited, none twice, up to where the visits end it. */
+function checkCast(model: Model, ray: Ray, ends: boolean, [width, height]: readonly [number, number] = [0, 0]): void {
   const met = new Set<BroadphaseHandle>();
   let limit = ray.maxFactor;
-  model.broadphase.castRay!(ray.origin, ray.direction, limit, (handle) => {
+  const [x, y] = [ray.origin[0]!, ray.origin[1]!];
+  const meets = ([minX, minY, maxX, maxY]: Rect): number => meeting([minX - width, minY - height, maxX, maxY], ray);
+  model.broadphase.cast!([x, y, x + width, y + height], ray.direction, limit, (handle) => {
     expect(met.has(handle)).toBe(false);
     met.add(handle);
-    const at = meeting(model.entries.get(Number(handle.data))!.bounds, ray);
+    const at = meets(model.entries.get(Number(handle.data))!.bounds);
     limit = ends ? Math.min(limit, at) : limit;
     return limit;
   });
   for (const { handle, bounds } of model.entries.values()) {
-    const at = meeting(bounds, ray);
+    const at = meets(bounds);
     expect(at < limit || (at === limit && at < Infinity && !ends) ? met.has(handle) : true).toBe(true);
   }
 }
@@ -81,7 +83,7 @@ function checkBroadphase(model: Model, random: RandomBoxes, ray: Ray): void {
     if (broadphase.sampleStatic !== undefined) {
       expect(staticOf(broadphase, probe)).toEqual(still);
     }
-    if (broadphase.castRay !== undefined) {
+    if (broadphase.cast !== undefined) {
       checkCast(model, ray, true);
       checkCast(model, ray, false);
     }
@@ -138,8 +140,8 @@ function playBroadphase(create: () => Broadphase, extreme: boolean): void {
   }
 }
 
-/** Rays along an axis, which often lie in the side of a box. */
-function playParallelRays(create: () => Broadphase): void {
+/** Rays and boxes along an axis, of which sides often lie in the side of a box, and some across. */
+function playParallelCasts(create: () => Broadphase): void {
   for (let seed = 1; seed <= PROGRAMS; seed += 1) {
     const random = new RandomBoxes(seed, false);
     const model = new Model(create());
@@ -151,8 +153,12 @@ function playParallelRays(create: () => Broadphase): void {
         [-2, 0],
         [-0, 1],
         [0, -0.5],
+        [0.25, 1],
+        [-2, 0.5],
       ]);
-      checkCast(model, { origin: [x, y], direction, maxFactor: random.pick([4, 16, Infinity]) }, random.chance(0.5));
+      const size = random.chance(0.5) ? ([0, 0] as const) : ([random.below(20) / 4, random.below(20) / 4] as const);
+      const ray = { origin: [x, y], direction, maxFactor: random.pick([4, 16, Infinity]) };
+      checkCast(model, ray, random.chance(0.5), size);
     });
   }
 }
@@ -272,9 +278,9 @@ describe.each(BROADPHASES)('random programs: %s', (_, create) => {
   });
 });
 
-describe('random programs: rays through a box tree broadphase', () => {
-  it('meet what they touch along an axis', () => {
-    playParallelRays(() => phys2D.createBoxTreeBroadphase());
+describe('random programs: casts through a box tree broadphase', () => {
+  it('meet what they touch, along an axis and across', () => {
+    playParallelCasts(() => phys2D.createBoxTreeBroadphase());
   });
 });
 

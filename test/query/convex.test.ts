@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type CastResult, phys2D, type Shape } from '../../src/index.js';
+import { type Broadphase, type CastResult, phys2D, type Shape, type Vec2, type World } from '../../src/index.js';
 import { add, box, near, plainBody, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
 import { type Form, gapAlong, signedDistance } from '../geometry/reference.js';
@@ -208,5 +208,54 @@ describe('a shape that turns many times on its way', () => {
     expect(world.convexCast(shape, 20 / speed)).toBeNull();
     body.setPosition([20, 0]);
     expect(world.convexCast(shape, 20 / speed)).toBeNull();
+  });
+});
+
+describe('a long cast across', () => {
+  /** Discs on a grid, the last of which the cast meets, and two that it meets at one time. */
+  const worldOf = (broadphase: Broadphase): World => {
+    const world = phys2D.createWorld({ broadphase, gravity: [0, 0] });
+    for (let i = 0; i < 2500; i += 1) {
+      const [x, y] = [4 * (i % 50), 4 * Math.floor(i / 50)];
+      if (x !== y) add(world, phys2D.createRigidBody({ type: 'static', position: [x, y], shapes: [disc()] }));
+    }
+    for (const position of [
+      [161, 159],
+      [159, 161],
+    ] as Vec2[]) {
+      add(world, phys2D.createRigidBody({ type: 'static', position, shapes: [disc()] }));
+    }
+    return world;
+  };
+  const disc = (): Shape => phys2D.createCircleShape({ radius: 1 });
+  const probe = phys2D.createRigidBody({
+    position: [0, 0],
+    velocity: [10, 10],
+    shapes: [phys2D.createCircleShape({ radius: 0.5 })],
+  });
+
+  it('is asked of what is near its way, not of all around it', () => {
+    const broadphase = phys2D.createBoxTreeBroadphase();
+    const world = worldOf(broadphase);
+    let visits = 0;
+    const { cast } = broadphase;
+    broadphase.cast = (start, direction, limit, visit) =>
+      cast!.call(broadphase, start, direction, limit, (handle) => {
+        visits += 1;
+        return visit(handle);
+      });
+    expect(world.convexCast(probe.shapes[0]!, 30)).not.toBeNull();
+    expect(visits).toBeGreaterThan(0);
+    expect(visits).toBeLessThan(250);
+  });
+
+  it('meets the older one of two at once, whatever the broadphase', () => {
+    const hits = [phys2D.createBoxTreeBroadphase(), phys2D.createSweepAndPruneBroadphase()].map((broadphase) => {
+      const world = worldOf(broadphase);
+      const { shape, ...rest } = world.convexCast(probe.shapes[0]!, 30)!;
+      expect(shape.body!.getPosition()).toEqual([161, 159]);
+      return rest;
+    });
+    expect(hits[1]).toEqual(hits[0]);
   });
 });

@@ -27,7 +27,7 @@ import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requ
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
-import { growBounds, isBeyondEdge, mayMeet, sweepBounds, widenBounds } from './swept-bounds.js';
+import { growBounds, isBeyondEdge, mayMeet, squareAround, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 const middle = /* @__PURE__ */ new Middle();
@@ -74,6 +74,7 @@ export function listWays(movers: Movers, count: number): void {
     for (let k = 0; k < shapes.length; k += 1) {
       sweepBounds(mover, shapes[k]!, bounds);
       ways.add(shapes[k]!, i, bounds);
+      ways.senses ||= shapes[k]!.sensor && movers.ahead === 0;
     }
   }
 }
@@ -130,7 +131,7 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
     const shape = shapes[i]!;
     if (isUnforeseen(movers, shape)) continue;
     sweepBounds(mover, shape, bounds);
-    const size = findNearby(world, bounds, !areAllMovers && meetsMovers(mover), count);
+    const size = findNearby(world, bounds, !areAllMovers && meetsMovers(mover), count, shape);
     for (let k = 0; k < size; k += 1) {
       const other = movers.nearby.shapes[k]!;
       if (kind === DYNAMIC || !isPassed(world, mover, shape, other)) {
@@ -183,23 +184,29 @@ function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): 
   return isBeyondEdge(mover, shape, around);
 }
 
-/** A mover with all ways that were listed; one of both sweeps. */
+/** A mover with all ways that were listed; one of both sweeps. What is kinematic is found by what is not: of its own kind it only senses. */
 function meetWays(world: World, index: number, depth: number): void {
   const { movers } = world;
   const { ways } = movers;
   const mover = movers.all[index]!;
+  const isKinematic = mover.body.kind === KINEMATIC;
+  if (isKinematic && !ways.senses) return;
   const isListed = meetsMovers(mover);
-  const { shapes } = mover.body;
+  const { shapes, radius } = mover.body;
+  squareAround(mover.x, mover.y, Math.abs(mover.dx) + Math.abs(mover.dy) + radius, bounds);
+  if (shapes.length > 1 && ways.find(bounds, index) === 0) return;
   for (let i = 0; i < shapes.length; i += 1) {
     if (isUnforeseen(movers, shapes[i]!)) continue;
     sweepBounds(mover, shapes[i]!, bounds);
-    const size = ways.find(bounds);
+    const size = ways.find(bounds, index);
     for (let k = 0; k < size; k += 1) {
       const way = ways.found[k]!;
-      const other = ways.movers[way]!;
-      const isOnce = other < index || !isListed;
-      const isFar = movers.ahead > 0 && isBeyondEdge(movers.all[other]!, ways.shapes[way]!, bounds);
-      if (isOnce && !isFar && (mover.looks || movers.all[other]!.looks)) {
+      const place = ways.movers[way]!;
+      const other = movers.all[place]!;
+      const isToKinematic = other.body.kind === KINEMATIC;
+      const isOnce = isKinematic ? isToKinematic && place < index : isToKinematic || place < index || !isListed;
+      const isFar = movers.ahead > 0 && isBeyondEdge(other, ways.shapes[way]!, bounds);
+      if (isOnce && !isFar && (mover.looks || other.looks)) {
         note(world, ways.shapes[way]!, shapes[i]!, depth);
       }
     }

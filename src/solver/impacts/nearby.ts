@@ -29,14 +29,20 @@ export class Nearby {
 
 /**
  * Lists the shapes that have something to do with `bounds`, by their ids, as broadphases differ in the order in which they find them: all,
- * or the static and sleeping ones; but for the first `passed` movers. @returns how many.
+ * or the static and sleeping ones; but for the first `passed` movers and, of all, those of the body of a shape. @returns how many.
  */
-export function findNearby({ broadphase, movers }: World, bounds: Float64Array, all: boolean, passed = 0): number {
+export function findNearby(
+  { broadphase, movers }: World,
+  bounds: Float64Array,
+  all: boolean,
+  passed = 0,
+  own: Shape | null = null,
+): number {
   const { nearby } = movers;
   nearby.count = 0;
   nearby.passed = passed;
   if (all) {
-    broadphase.sample(bounds, nearby.gather);
+    broadphase.sample(bounds, nearby.gather, undefined, own?.handle ?? undefined);
   } else if (broadphase.sampleStatic === undefined) {
     broadphase.sample(bounds, nearby.gatherStatic);
   } else {

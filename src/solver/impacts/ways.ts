@@ -33,12 +33,15 @@ export class Ways {
   private below = new Int32Array(0);
   private top = 0;
   private isBuilt = false;
+  /** One of them is a sensor that is crossed. */
+  senses = false;
   private readonly stack: number[] = [];
   private readonly comesBefore = (a: number, b: number): boolean => this.codes[a]! < this.codes[b]!;
 
   clear(): void {
     this.count = 0;
     this.isBuilt = false;
+    this.senses = false;
   }
 
   /** Adds a shape with its bounds. */
@@ -63,15 +66,15 @@ export class Ways {
     this.below = new Int32Array(2 * room + 64);
   }
 
-  /** Looks for those whose bounds overlap others, when all are added. @returns how many were found. */
-  find(bounds: Float64Array): number {
+  /** Looks for those whose bounds overlap others, when all are added, but those of a mover. @returns how many were found. */
+  find(bounds: Float64Array, not = -1): number {
     if (this.count === 0) {
       return 0;
     }
     if (!this.isBuilt) {
       this.build();
     }
-    const { tree, below, stack, found } = this;
+    const { tree, below, stack, found, movers } = this;
     const minX = bounds[0]!;
     const minY = bounds[1]!;
     const maxX = bounds[2]!;
@@ -89,7 +92,7 @@ export class Ways {
           if (next >= 0) {
             stack[height] = next;
             height += 1;
-          } else {
+          } else if (movers[~next] !== not) {
             found[size] = ~next;
             size += 1;
           }
