@@ -103,18 +103,28 @@ function holdsAngle({ constraint }: Joint): boolean {
   );
 }
 
-function hasBeams(joints: readonly Joint[], { start, end }: Group): boolean {
+function hasBeams(joints: readonly Joint[], group: Group): boolean {
+  return hasSome(joints, group, holdsAngle);
+}
+
+function hasSome(joints: readonly Joint[], { start, end }: Group, test: (joint: Joint) => boolean): boolean {
   for (let k = start; k < end; k += 1) {
-    if (holdsAngle(joints[k]!)) {
+    if (test(joints[k]!)) {
       return true;
     }
   }
   return false;
 }
 
-/** Whether joints are few and rigid, some hold an angle, and none may break, which sweeps that try out impulses would do. */
+/** Limits an angle: the arm of a heavy hammer stands on its limit as firmly as on a weld. */
+function limits({ constraint }: Joint): boolean {
+  return constraint.type === 'ANGLE';
+}
+
+/** Whether joints are few and rigid, some hold an angle, or limit it where a body is far heavier than another, and none may break, which sweeps that try out impulses would do. */
 function isFrame(joints: readonly Joint[], group: Group): boolean {
-  let isFirm = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS && hasBeams(joints, group);
+  const isFew = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS;
+  let isFirm = isFew && (hasBeams(joints, group) || (group.burdened && hasSome(joints, group, limits)));
   for (let k = group.start; k < group.end && isFirm; k += 1) {
     isFirm = !joints[k]!.constraint.breakUnderForce;
   }
