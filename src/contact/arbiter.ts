@@ -94,7 +94,7 @@ export class Arbiter extends PairState {
     return this.shapeB.owner ?? this.shapeB.former!;
   }
 
-  /** Up to two points; of two the second is at the end of shape B. Skip those that are not `active`. */
+  /** Up to two points; of two the second lies farther along (−ny, nx), the normal turned by a right angle. Skip those that are not `active`. */
   get contacts(): Contact[] {
     this.seenPoints ??= { list: [], points: [new Contact(this, 0), new Contact(this, 1)] };
     const { list, points } = this.seenPoints;
