@@ -26,7 +26,7 @@ export class PackedTree<T> extends TreeShape<T> {
     return this.top;
   }
 
-  /** Adds a leaf with the box `[asked]`, grown by the margin on all sides, a number for whoever looks no further, and one of its kin. @returns the node. */
+  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides, a number for whoever looks no further, and one of its kin. @returns the node. */
   insert(item: T, bounds: ArrayLike<number>, tag = NONE, kin = NONE): number {
     const leaf = this.allocate();
     this.items[leaf] = item;

@@ -165,8 +165,9 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
       return limit;
     }
     sweep.b.stand(other, owner!, body);
-    // Not only up to the limit, on which a time would depend to the last bit, and so on the order of the visits.
-    const time = timeOfImpact(sweep, deltaTime);
+    // If it comes by the limit, once more without one: on that a time would depend to the last bit, and so on the order of the visits.
+    let time = timeOfImpact(sweep, Math.min(deltaTime, limit * LIMIT_SLACK));
+    if (time > 0 && best !== null) time = timeOfImpact(sweep, deltaTime);
     const isNearer = time < limit || (time === limit && best !== null && other.id < best.shape.id);
     if (time > 0 && isNearer && (accept === null || accept(resultOf(sweep.distance, body, other, time)))) {
       best = resultOf(sweep.distance, body, other, time);
@@ -179,6 +180,9 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   spareSweep = sweep;
   return best;
 }
+
+/** More than rounding. */
+const LIMIT_SLACK = 1 + 1e-6;
 
 /** For the next cast; one that is made within the callback of another takes a new one. */
 let spareSweep: Sweep | null = null;

@@ -5,6 +5,7 @@ import { CONTACT_SLOP, STRAIN_SPEED } from '../../config.js';
 import {
   ALONE_ERROR,
   FIRM_FEET,
+  FIRM_FEW,
   FRAME_BENT,
   FRAME_JOINTS,
   HEAVY,
@@ -116,15 +117,23 @@ function hasSome(joints: readonly Joint[], { start, end }: Group, test: (joint: 
   return false;
 }
 
-/** Limits an angle: the arm of a heavy hammer stands on its limit as firmly as on a weld. */
-function limits({ constraint }: Joint): boolean {
+function isAngle({ constraint }: Joint): boolean {
   return constraint.type === 'ANGLE';
 }
 
-/** Whether joints are few and rigid, some hold an angle, or limit it where a body is far heavier than another, and none may break, which sweeps that try out impulses would do. */
+/** Whether they are the joints of a hammer: the handle of a heavy one stands on its limit as firmly as on a weld. */
+function limitsFew(joints: readonly Joint[], group: Group): boolean {
+  const { burdened, start, end } = group;
+  return burdened && end - start <= FIRM_FEW && hasSome(joints, group, isAngle);
+}
+
+/**
+ * Whether joints are few and rigid, some hold an angle, and none may break, which sweeps that try out impulses would do. Where a body is far heavier than another very few may limit an angle instead: more, as of cranes and
+ * chains, would take ten times as long, and some would rest later.
+ */
 function isFrame(joints: readonly Joint[], group: Group): boolean {
   const isFew = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS;
-  let isFirm = isFew && (hasBeams(joints, group) || (group.burdened && hasSome(joints, group, limits)));
+  let isFirm = isFew && (hasBeams(joints, group) || limitsFew(joints, group));
   for (let k = group.start; k < group.end && isFirm; k += 1) {
     isFirm = !joints[k]!.constraint.breakUnderForce;
   }
