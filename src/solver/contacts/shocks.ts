@@ -45,7 +45,10 @@ function settleFrames(data: SolverData, jointSolver: JointSolver): void {
   }
   for (let i = 0; i < groups.length; i += 1) {
     const body = someBodyOfFrame(data, groups[i]!);
-    if (body > 0 && settleAround(data, body, jointSolver, 1)) jointSolver.steadyFrame(data, groups[i]!);
+    if (body > 0 && settleAround(data, body, jointSolver, 1)) {
+      jointSolver.steadyFrame(data, groups[i]!);
+      goOn(data);
+    }
   }
 }
 
@@ -228,6 +231,22 @@ function solve(data: SolverData, jointSolver: JointSolver | null): void {
       // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would in that.
       changed = solveVelocity(data, k, k + 1, 1) || changed;
     }
+  }
+}
+
+/** What the contacts that were just solved bear is no shock in the sub-steps that follow: else it would be forgotten in every second one, for ever. */
+function goOn(data: SolverData): void {
+  const { shocks, impulseScale } = data;
+  for (let i = 0; i < shocks.contactCount && impulseScale > 0; i += 1) {
+    const contact = shocks.contacts[i]!;
+    const { records: r, stride, numbers, at, point } = batchOf(data, contact);
+    const k = contact >> 1;
+    const n = numbers[k]!;
+    const from = recordAt(k, stride);
+    const isOne = (contact & 1) === 1;
+    const to = at[k]! + c.NORMAL + (isOne ? c.IMPULSES * (point[k]! & 1) : 0);
+    n[to] = r[from + d.NORMAL1]! / impulseScale;
+    if (!isOne) n[to + c.IMPULSES] = r[from + d.NORMAL2]! / impulseScale;
   }
 }
 
