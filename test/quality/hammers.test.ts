@@ -9,10 +9,9 @@ const SECONDS = 12;
 function drop(seed: number, ratio: number): World {
   const { within } = dice(seed);
   const world = phys2D.createWorld({ gravity: [0, 10] });
-  const material = phys2D.createMaterial({ staticFriction: 0.6, dynamicFriction: 0.6 });
-  const heavy = (density: number) => phys2D.createMaterial({ staticFriction: 0.6, dynamicFriction: 0.6, density });
-  const box = (width: number, height: number, of = material) =>
-    phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, height), material: of });
+  const dense = (density: number) => phys2D.createMaterial({ staticFriction: 0.6, dynamicFriction: 0.6, density });
+  const box = (width: number, height: number, material = dense(1)) =>
+    phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, height), material });
   world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [0, 0.5], shapes: [box(800, 1)] }));
   const [width, height, length, thickness, radius] = [
     within(0.5, 1.2),
@@ -32,14 +31,14 @@ function drop(seed: number, ratio: number): World {
     position: [0, y],
     velocity: [within(-2, 2), 0],
     angularVelocity: within(-2, 2),
-    shapes: [box(width, height, heavy(4))],
+    shapes: [box(width, height, dense(4))],
   });
   const arm = phys2D.createRigidBody({ position: at(length / 2), rotation: angle, shapes: [box(length, thickness)] });
   const density = (ratio * length * thickness) / (Math.PI * radius * radius);
   const ball = phys2D.createRigidBody({
     position: at(length + radius + 0.02),
     rotation: angle,
-    shapes: [phys2D.createCircleShape({ radius, material: heavy(density) })],
+    shapes: [phys2D.createCircleShape({ radius, material: dense(density) })],
   });
   for (const body of [hand, arm, ball]) world.addRigidBody(body);
   const tie = (

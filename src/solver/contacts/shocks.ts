@@ -185,14 +185,18 @@ function loadOf({ records, stride }: ContactBatch, contact: number): number {
   return records[i + d.NORMAL1]! + (stride === d.TWO_STRIDE ? records[i + d.NORMAL2]! : 0);
 }
 
-/** N·s. That with which the step began. */
-function loadBefore({ impulseScale }: SolverData, { numbers, at, point }: ContactBatch, contact: number): number {
+/** Where the pair has the normal impulse of the contact, or of its first point. */
+function keptAt({ at, point }: ContactBatch, contact: number): number {
   const k = contact >> 1;
-  const n = numbers[k]!;
-  const first = at[k]! + c.NORMAL;
-  return (contact & 1) === 1
-    ? n[first + c.IMPULSES * (point[k]! & 1)]! * impulseScale
-    : n[first]! * impulseScale + n[first + c.IMPULSES]! * impulseScale;
+  return at[k]! + c.NORMAL + ((contact & 1) === 1 ? c.IMPULSES * (point[k]! & 1) : 0);
+}
+
+/** N·s. That with which the step began, or that it bore when a frame was solved since. */
+function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: number): number {
+  const n = batch.numbers[contact >> 1]!;
+  const first = keptAt(batch, contact);
+  const isOne = (contact & 1) === 1;
+  return isOne ? n[first]! * impulseScale : n[first]! * impulseScale + n[first + c.IMPULSES]! * impulseScale;
 }
 
 /**
@@ -239,14 +243,13 @@ function goOn(data: SolverData): void {
   const { shocks, impulseScale } = data;
   for (let i = 0; i < shocks.contactCount && impulseScale > 0; i += 1) {
     const contact = shocks.contacts[i]!;
-    const { records: r, stride, numbers, at, point } = batchOf(data, contact);
-    const k = contact >> 1;
-    const n = numbers[k]!;
-    const from = recordAt(k, stride);
-    const isOne = (contact & 1) === 1;
-    const to = at[k]! + c.NORMAL + (isOne ? c.IMPULSES * (point[k]! & 1) : 0);
+    const batch = batchOf(data, contact);
+    const { records: r, stride, numbers } = batch;
+    const n = numbers[contact >> 1]!;
+    const from = recordAt(contact >> 1, stride);
+    const to = keptAt(batch, contact);
     n[to] = r[from + d.NORMAL1]! / impulseScale;
-    if (!isOne) n[to + c.IMPULSES] = r[from + d.NORMAL2]! / impulseScale;
+    if (stride === d.TWO_STRIDE) n[to + c.IMPULSES] = r[from + d.NORMAL2]! / impulseScale;
   }
 }
 

@@ -16,7 +16,7 @@ import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js'
 import type { Mover } from './movers.js';
 import { findNearby } from './nearby.js';
 import { beginSensing, strike } from './strike.js';
-import { squareAround } from './swept-bounds.js';
+import { squareOfWay } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 /** The meetings that come at once: scratch. */
@@ -195,9 +195,10 @@ function stopShort(world: World, mover: Mover, under: Shape): void {
 }
 
 /** When a body meets the first static, sleeping or kinematic shape on its way, but for one and those of another body; 1 if it meets none. */
-function findEnd(world: World, { body, x, y, dx, dy }: Mover, under: Shape, not: RigidBody | null): number {
+function findEnd(world: World, mover: Mover, under: Shape, not: RigidBody | null): number {
   const { ways, nearby } = world.movers;
-  squareAround(x, y, Math.abs(dx) + Math.abs(dy) + body.radius, bounds);
+  const { body } = mover;
+  squareOfWay(mover, bounds);
   let end = 1;
   for (let i = findNearby(world, bounds, false) - 1; i >= 0; i -= 1) {
     end = Math.min(end, timeToMeet(world, body, nearby.shapes[i]!, under));

@@ -27,7 +27,7 @@ import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requ
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { findNearby } from './nearby.js';
-import { growBounds, isBeyondEdge, mayMeet, squareAround, sweepBounds, widenBounds } from './swept-bounds.js';
+import { growBounds, isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 const middle = /* @__PURE__ */ new Middle();
@@ -74,7 +74,6 @@ export function listWays(movers: Movers, count: number): void {
     for (let k = 0; k < shapes.length; k += 1) {
       sweepBounds(mover, shapes[k]!, bounds);
       ways.add(shapes[k]!, i, bounds);
-      ways.senses ||= shapes[k]!.sensor && movers.ahead === 0;
     }
   }
 }
@@ -190,11 +189,13 @@ function meetWays(world: World, index: number, depth: number): void {
   const { ways } = movers;
   const mover = movers.all[index]!;
   const isKinematic = mover.body.kind === KINEMATIC;
-  if (isKinematic && !ways.senses) return;
+  if (isKinematic && (movers.ahead > 0 || !ways.hasSensors)) return;
   const isListed = meetsMovers(mover);
-  const { shapes, radius } = mover.body;
-  squareAround(mover.x, mover.y, Math.abs(mover.dx) + Math.abs(mover.dy) + radius, bounds);
-  if (shapes.length > 1 && ways.find(bounds, index) === 0) return;
+  const { shapes } = mover.body;
+  if (shapes.length > 1) {
+    squareOfWay(mover, bounds);
+    if (ways.find(bounds, index) === 0) return;
+  }
   for (let i = 0; i < shapes.length; i += 1) {
     if (isUnforeseen(movers, shapes[i]!)) continue;
     sweepBounds(mover, shapes[i]!, bounds);

@@ -53,6 +53,11 @@ export function squareAround(x: number, y: number, reach: number, out: Float64Ar
   out[3] = y + reach;
 }
 
+/** Writes a square that holds all places of a body on the rest of its way, however it turns. */
+export function squareOfWay({ body, x, y, dx, dy }: Mover, out: Float64Array): void {
+  squareAround(x, y, Math.abs(dx) + Math.abs(dy) + body.radius, out);
+}
+
 /** Writes the bounds of all places that a shape without a mover can have in this step. */
 export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): void {
   const { lastDx, lastDy, lastTurn, radius } = shape.owner!;

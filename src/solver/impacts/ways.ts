@@ -33,15 +33,15 @@ export class Ways {
   private below = new Int32Array(0);
   private top = 0;
   private isBuilt = false;
-  /** One of them is a sensor that is crossed. */
-  senses = false;
+  /** One of them is a sensor. */
+  hasSensors = false;
   private readonly stack: number[] = [];
   private readonly comesBefore = (a: number, b: number): boolean => this.codes[a]! < this.codes[b]!;
 
   clear(): void {
     this.count = 0;
     this.isBuilt = false;
-    this.senses = false;
+    this.hasSensors = false;
   }
 
   /** Adds a shape with its bounds. */
@@ -53,6 +53,7 @@ export class Ways {
     }
     this.shapes[count] = shape;
     this.movers[count] = mover;
+    this.hasSensors ||= shape.sensor;
     for (let i = 0; i < BOX; i += 1) {
       this.boxes[at + i] = bounds[i]!;
     }
