@@ -89,6 +89,32 @@ describe('the motor of a slider crank', () => {
   );
 });
 
+describe('brakes that are too weak to stop what hangs on a rope of twenty links', () => {
+  /** How often the joints of the rope were swept over in a sub-step, on the average over 4 s, while it swings. */
+  function sweepsOf(maxForce: number): number {
+    const world = heavy({ allowSleeping: false });
+    let before = staticBody();
+    add(world, before);
+    for (let i = 0; i < 20; i += 1) {
+      const link = boxBody(1, 0.2, { position: [i + 0.5, 0] });
+      add(world, link);
+      pinAt(world, before, link, [i, 0]);
+      tie(world, phys2D.createMotorConstraint({ bodyA: before, bodyB: link, rate: 0, maxForce }));
+      before = link;
+    }
+    let sum = 0;
+    for (let i = 0; i < 240; i += 1) {
+      steps(world, 1);
+      sum += world.solver.joints.groups[0]!.sweeps;
+    }
+    return sum / 240;
+  }
+
+  it('ask for hardly more sweeps than no brakes do', () => {
+    expect(sweepsOf(0.05)).toBeLessThan(sweepsOf(0) + 1);
+  });
+});
+
 describe('a scissor lift, pushed together by three tenths in three seconds', () => {
   /** Bars of 1 kg across each other, stage upon stage, the lowest on a hinge and a slide of a frame whose origin is at the hinge, the top under a load. @returns the load and the slide. */
   function lift(

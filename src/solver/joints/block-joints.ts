@@ -57,7 +57,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
     r.copyWithin(at + layout.bias, at + layout.error, at + layout.error + rows);
     if (!isCustom(constraint)) {
       multiplyRows(data, joint, layout.jacobian, false);
-      noteLag(data, at, layout.impulse, r[at + layout.work]! + r[at + layout.bias]!);
+      noteLag(data, at, layout.impulse, r[at + layout.work]! + r[at + layout.bias]!, r[at + layout.matrix]!);
     }
   } else if (isElastic) {
     beginSpring(data, joint);

@@ -118,10 +118,19 @@ export function visit({ traits }: SolverData, offset: number, mark: number): boo
   return isFirst;
 }
 
-/** By what speed a motor misses its rate, if it gives less than it may; its impulse is at that offset of its record. */
-export function noteLag({ joints: { records: r, lag } }: SolverData, i: number, impulse: number, speed: number): void {
+/**
+ * By what speed a motor misses its rate, if it gives less than it may, and did so still if it closed that by itself: a weak one that only brakes need not be swept to what it cannot give. Its impulse is at that
+ * offset of its record, `mass` what it turns.
+ */
+export function noteLag(
+  { joints: { records: r, lag } }: SolverData,
+  i: number,
+  impulse: number,
+  speed: number,
+  mass: number,
+): void {
   const miss = Math.abs(speed);
-  if (miss > lag[0]! && Math.abs(r[i + impulse]!) < r[i + LIMIT]!) {
+  if (miss > lag[0]! && Math.abs(r[i + impulse]!) < r[i + LIMIT]! && mass * miss < r[i + LIMIT]!) {
     lag[0] = miss;
   }
 }

@@ -125,7 +125,7 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
       aim(data, k, i);
     } else {
       drive(r, i, h);
-      noteLag(data, i, j.TURN_IMPULSE, ratio * v[b + d.W]! - v[a + d.W]! + r[i + j.TURN_BIAS]!);
+      noteLag(data, i, j.TURN_IMPULSE, ratio * v[b + d.W]! - v[a + d.W]! + r[i + j.TURN_BIAS]!, r[i + j.TURN_MASS]!);
     }
     const lambda = r[i + j.TURN_IMPULSE]!;
     v[a + d.W] = v[a + d.W]! - v[a + d.INV_INERTIA]! * lambda;
