@@ -28,6 +28,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'tolerance',
       'error',
       'pushed',
+      'isFar',
       'touched',
       'isBeside',
       'branches',

@@ -239,24 +239,25 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
   }
 }
 
-/** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. */
-export function lineariseBlock(data: SolverData, joint: Joint): void {
+/** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. @returns the error that is. */
+export function lineariseBlock(data: SolverData, joint: Joint): number {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   if (r[at + j.PUSH] === 0) {
-    return;
+    return 0;
   }
   measure(data, joint, true);
   if (r[at + j.PUSH] === 0) {
-    return;
+    return 0;
   }
   findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
-    return;
+    return 0;
   }
   correct(data, joint, error);
+  return error;
 }
 
 /** K for corrections; and of an error of that length what is to be corrected, less its linear part. */

@@ -135,14 +135,21 @@ function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
       writePose(constraint.members[k]!, to, at);
       continue;
     }
-    const share = moving ? 1 : 0;
-    const turn = share * q[b + d.QW]!;
+    if (!moving) {
+      to[at + X] = pose[b + X]!;
+      to[at + Y] = pose[b + Y]!;
+      to[at + COS] = pose[b + COS]!;
+      to[at + SIN] = pose[b + SIN]!;
+      to[at + ANGLE] = pose[b + ANGLE]!;
+      continue;
+    }
+    const turn = q[b + d.QW]!;
     around[0] = turn;
     turnAround();
     const c = around[1]!;
     const s = around[2]!;
-    to[at + X] = pose[b + X]! + share * q[b + d.QX]!;
-    to[at + Y] = pose[b + Y]! + share * q[b + d.QY]!;
+    to[at + X] = pose[b + X]! + q[b + d.QX]!;
+    to[at + Y] = pose[b + Y]! + q[b + d.QY]!;
     to[at + COS] = pose[b + COS]! * c - pose[b + SIN]! * s;
     to[at + SIN] = pose[b + SIN]! * c + pose[b + COS]! * s;
     to[at + ANGLE] = pose[b + ANGLE]! + turn;

@@ -102,12 +102,16 @@ export function pushTurnedRun(data: SolverData, kernel: number, start: number, e
   return kernel === POINT ? pushTurnedPoints(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
 }
 
-export function linearise(data: SolverData, { runs }: Group): void {
+/** Starts a position iteration of what is no point or turn. @returns the largest error of these. */
+export function linearise(data: SolverData, { runs }: Group): number {
   const { joints } = data.joints;
+  let most = 0;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
-      lineariseBlock(data, joints[k]!);
+      const error = lineariseBlock(data, joints[k]!);
+      most = error > most ? error : most;
     }
   }
+  return most;
 }

@@ -4,6 +4,7 @@ import {
   FIRM_STEPS,
   JOINT_FAR,
   JOINT_PUSHES,
+  LINEAR_ERROR,
   SWEPT_ONCE,
   WEIGH_STEPS,
 } from '../../config-joints.js';
@@ -329,7 +330,9 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
   const { worst } = data.joints;
-  linearise(data, group);
+  if (before === 0 || group.isFar || group.touched || group.settling > 0) {
+    group.isFar = linearise(data, group) > LINEAR_ERROR;
+  }
   const isBegun = before === 0 && group.isBeside;
   if (group.isFirm) beginGradients(data, group, true);
   if (isBegun && group.pushed === 0) {
