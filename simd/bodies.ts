@@ -1,4 +1,4 @@
-// The loops over bodies: what `src/solver/body-loops.ts` and `advancePlain` of `joint-pose.ts` do, operation by operation, so that the results are the same to the bit; x and y at once. Those that turn bodies return the
+// The loops over bodies: what `src/solver/body-loops.ts` and `advancePlain` of `src/solver/joints/kernels/pose.ts` do, operation by operation, so that the results are the same to the bit; x and y at once. Those that turn bodies return the
 // index of the first that they leave to the loops in TypeScript, as its turn is not small.
 import { MAX_SPEED, REST_DAMPING, REST_SPEED } from '../src/config';
 import { ANGLE, COS, X } from '../src/constraint/layout';

@@ -1,4 +1,4 @@
-// Rigid point joints, two at a time: what `src/solver/joints/point-loops.ts` does, operation by operation, so that the results are the same to the bit. No two that share a body lie side by side; where
+// Rigid point joints, two at a time: what `src/solver/joints/kernels/point-loops.ts` does, operation by operation, so that the results are the same to the bit. No two that share a body lie side by side; where
 // the second is missing, its record has anchors of 0, and what is done in its place touches no body. From one record to another, both even; each returns twice the index of the first that is not done, and 1 if an error
 // was worth another iteration: what is rare, such as a turn that is not small, is left to the loops in TypeScript.
 import { MIN_INVERSE_MASS } from '../src/config';

@@ -1,5 +1,5 @@
 import { allotPlain, Kernels } from './kernels.js';
-import type { PointKernels } from './solver/joints/point-joints.js';
+import type { PointKernels } from './solver/joints/kernels/points.js';
 import { type Loops, plain } from './solver/loops.js';
 import type { Room } from './solver/scratch.js';
 import { CODE } from './solver/simd-code.js';

@@ -2,7 +2,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import type { Kernels } from '../kernels.js';
 import { grown, widened } from '../math/doubles.js';
 import type { JointData } from './joints/joint-data.js';
-import type { PointKernels } from './joints/point-joints.js';
+import type { PointKernels } from './joints/kernels/points.js';
 import * as d from './layout.js';
 import type { Loops } from './loops.js';
 import type { Scratch } from './scratch.js';

@@ -4,7 +4,7 @@ import { REST_RATE, SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } 
 import type { Constraint } from '../constraint/constraint.js';
 import { SLEEP } from '../listeners.js';
 import type { World } from '../world.js';
-import { acts } from './joints/joint-order.js';
+import { acts } from './joints/order/order.js';
 import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
 
 /** Where the islands of a step are worked out: arrays by index in `liveDynamics`, kept from step to step. */

@@ -1,5 +1,5 @@
 import { POINT_STRIDE } from './joints/joint-layout.js';
-import type { PointKernels } from './joints/point-joints.js';
+import type { PointKernels } from './joints/kernels/points.js';
 import { BODY_STRIDE, ONE_STRIDE, TWO_STRIDE } from './layout.js';
 import type { Loops } from './loops.js';
 

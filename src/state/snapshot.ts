@@ -3,7 +3,7 @@ import { Constraint } from '../constraint/constraint.js';
 import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
 import { Group } from '../solver/joints/joint-data.js';
-import { orderJoints } from '../solver/joints/joint-order.js';
+import { orderJoints } from '../solver/joints/order/order.js';
 import { broadphaseBounds } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
 import { instance, typeError } from '../validate.js';

@@ -1,17 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D } from '../../src/index.js';
 import type { SolverData } from '../../src/solver/data.js';
-import { finishAnchored } from '../../src/solver/joints/anchored-joints.js';
+import { ANCHORED, LINE, ROW } from '../../src/solver/joints/joint-layout.js';
+import { finishAnchored } from '../../src/solver/joints/kernels/anchored.js';
 import {
   finishBlock,
   lineariseBlock,
   pushBlock,
   solveVelocityBlock,
   warmStartBlock,
-} from '../../src/solver/joints/block-joints.js';
-import { ANCHORED, LINE, ROW } from '../../src/solver/joints/joint-layout.js';
-import { pushRun, solveVelocityRun } from '../../src/solver/joints/joint-sweeps.js';
-import { finishRows, warmStartRows } from '../../src/solver/joints/row-joints.js';
+} from '../../src/solver/joints/kernels/blocks.js';
+import { finishRows, warmStartRows } from '../../src/solver/joints/kernels/rows.js';
+import { pushRun, solveVelocityRun } from '../../src/solver/joints/kernels/sweeps.js';
 import { add, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
 

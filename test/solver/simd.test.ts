@@ -18,15 +18,15 @@ import {
   POINT_SNAPS,
   POINT_STRIDE,
 } from '../../src/solver/joints/joint-layout.js';
-import { addJoint, allot } from '../../src/solver/joints/joint-list.js';
-import { advancePoses } from '../../src/solver/joints/joint-pose.js';
 import {
   finishPoints,
   pushPoints,
   pushPointsLinearly,
   solveVelocityPoints,
   warmStartPoints,
-} from '../../src/solver/joints/point-joints.js';
+} from '../../src/solver/joints/kernels/points.js';
+import { advancePoses } from '../../src/solver/joints/kernels/pose.js';
+import { addJoint, allot } from '../../src/solver/joints/order/runs.js';
 import * as d from '../../src/solver/layout.js';
 import { type Loops, plain } from '../../src/solver/loops.js';
 import { DT, plainBody } from '../conformance/setting.js';

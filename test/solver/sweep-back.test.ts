@@ -7,7 +7,7 @@ import {
   pushRunLinearly,
   pushTurnedRun,
   solveVelocityRun,
-} from '../../src/solver/joints/joint-sweeps.js';
+} from '../../src/solver/joints/kernels/sweeps.js';
 import { add, plainBody, steps, tie, weightless } from '../conformance/setting.js';
 
 /** A hub, whose joints of each kernel share it, so that their order counts. */

@@ -46,7 +46,7 @@ export interface Joint {
   isBeside: boolean;
   /** Index of its first member in `bodies`. */
   readonly first: number;
-  /** rad. That of a point that keeps an angle, else NaN: see `pinned.ts`. */
+  /** rad. That of a point that keeps an angle, else NaN: see `order/pinned.ts`. */
   readonly angle: number;
   /** Pairs of members that are the same body. */
   readonly twins: readonly (readonly [number, number])[];
@@ -81,7 +81,7 @@ export class Group {
   isBetween = false;
   /** For so many steps there was an error that no sweep removed. */
   stuck = 0;
-  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `joint-motion.ts`. */
+  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. */
   isUnmet = false;
   /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
   isTorn = false;
@@ -98,7 +98,7 @@ export class Group {
   touched = false;
   /** So few of them are in contact that it stands on something, rather than lies in a heap; known of mechanisms. */
   stands = false;
-  /** A frame that stands on something, and whose joints were open as the step began: see `joint-momentum.ts`. */
+  /** A frame that stands on something, and whose joints were open as the step began: see `touching/momentum.ts`. */
   isBent = false;
   /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
   isDriven = false;
@@ -106,13 +106,13 @@ export class Group {
   mayBreak = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
-  /** Its joints may pull against each other: see `joint-stress.ts`. */
+  /** Its joints may pull against each other: see `energy/stress.ts`. */
   isOverheld = false;
   /** There are more joints than are needed, so that what each of them gives is not determined: they are never solved to their end. */
   isIndeterminate = false;
   /** Its joints may make energy, if sub-steps are too long for them. */
   mayGain = false;
-  /** It is looked at in this step for the energy its joints make: see `joint-energy.ts`. */
+  /** It is looked at in this step for the energy its joints make: see `energy/energy.ts`. */
   isWatched = false;
   /** Of what is watched and touches something: neither that nor what it is with touches or hangs on something that is not dynamic. */
   isAfloat = false;
@@ -132,7 +132,7 @@ export class Group {
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */
   burdened = false;
-  /** Its joints leave little to move: if it stands on something, or is held, they are solved to their end, see `joint-gradients.ts`. */
+  /** Its joints leave little to move: if it stands on something, or is held, they are solved to their end, see `plan/gradients.ts`. */
   isMechanism = false;
   /** It hangs on something that does not move. */
   isHeld = false;
@@ -142,7 +142,7 @@ export class Group {
   isFirm = false;
   /** Some body has three of its joints or more. */
   branches = false;
-  /** Some body is a hub, so that all joints are swept over to and fro: see `joint-hubs.ts`. */
+  /** Some body is a hub, so that all joints are swept over to and fro: see `plan/hubs.ts`. */
   toAndFro = false;
   /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once. */
   isBeside = false;

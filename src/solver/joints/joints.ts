@@ -10,8 +10,17 @@ import {
 } from '../../config-joints.js';
 import type { World } from '../../world.js';
 import type { SolverData } from '../data.js';
+import { findHinge, noteReaction } from '../impacts/hinge.js';
+import { shareOfChange } from '../impacts/onset.js';
 import { breakOff } from '../ties.js';
-import { finishAnchored } from './anchored-joints.js';
+import { findCompanies, findGuests } from './energy/company.js';
+import { noteEnergy, takeExcesses } from './energy/energy.js';
+import { beginSprings, enterSprings, noteVelocities } from './energy/springs.js';
+import { turnStress } from './energy/stress.js';
+import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
+import { ANCHORED, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import { listBodies, steady } from './joint-numbers.js';
+import { finishAnchored } from './kernels/anchored.js';
 import {
   finishBlock,
   lineariseBlock,
@@ -20,24 +29,7 @@ import {
   solveVelocityBlock,
   storeBlock,
   warmStartBlock,
-} from './block-joints.js';
-import { closeOpen } from './close-joints.js';
-import { findHinge, noteReaction } from './hinge.js';
-import { findCompanies, findGuests } from './joint-company.js';
-import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
-import { noteEnergy, takeExcesses } from './joint-energy.js';
-import { beginGradients, goOn, noteStart } from './joint-gradients.js';
-import { ANCHORED, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
-import { steadyFrame } from './joint-momentum.js';
-import { listBodies, steady } from './joint-numbers.js';
-import { orderJoints } from './joint-order.js';
-import { beginGroup, correctShare, lookAtKinds, plan } from './joint-plan.js';
-import { advancePoses, hidePoses, packPoses } from './joint-pose.js';
-import { forgetShocks, linkShocks } from './joint-shocks.js';
-import { beginSprings, enterSprings, noteVelocities } from './joint-springs.js';
-import { turnStress } from './joint-stress.js';
-import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './joint-sweeps.js';
-import { shareOfChange } from './onset.js';
+} from './kernels/blocks.js';
 import {
   beginPoints,
   finishPoints,
@@ -46,9 +38,17 @@ import {
   pushPoints,
   solveVelocityPoints,
   warmStartPoints,
-} from './point-joints.js';
-import { finishRows, warmStartRows } from './row-joints.js';
-import { beginTurns, finishTurns, packTurn, warmStartTurns } from './turn-joints.js';
+} from './kernels/points.js';
+import { advancePoses, hidePoses, packPoses } from './kernels/pose.js';
+import { finishRows, warmStartRows } from './kernels/rows.js';
+import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './kernels/sweeps.js';
+import { beginTurns, finishTurns, packTurn, warmStartTurns } from './kernels/turns.js';
+import { orderJoints } from './order/order.js';
+import { beginGradients, goOn, noteStart } from './plan/gradients.js';
+import { beginGroup, correctShare, lookAtKinds, plan } from './plan/plan.js';
+import { closeOpen } from './touching/close-joints.js';
+import { forgetShocks, linkShocks } from './touching/joint-shocks.js';
+import { steadyFrame } from './touching/momentum.js';
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {

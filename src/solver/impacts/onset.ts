@@ -1,4 +1,4 @@
-import type { Mover } from '../impacts/movers.js';
+import type { Mover } from './movers.js';
 
 /**
  * How much of what a step changed of the velocity of a body had come where it was put on its way. How far the body went in the step tells when that came: a motor, or a

@@ -1,18 +1,18 @@
-import type { RigidBody } from '../../body.js';
-import { DYNAMIC } from '../../body-kind.js';
-import * as g from '../../collide/layout.js';
-import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
-import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../../config-joints.js';
-import type { Arbiter } from '../../contact/arbiter.js';
-import type { Shape } from '../../shape/shape.js';
-import type { SolverData } from '../data.js';
-import { QX, QY } from '../layout.js';
-import { lineariseBlock, measureBlock, pushBlock } from './block-joints.js';
-import type { Group, Joint } from './joint-data.js';
-import { CUSTOM, POINT, TURN } from './joint-layout.js';
-import { forgetImpulse } from './joint-numbers.js';
-import { measurePoints, pushPoints } from './point-joints.js';
-import { measureTurns, pushTurns } from './turn-joints.js';
+import type { RigidBody } from '../../../body.js';
+import { DYNAMIC } from '../../../body-kind.js';
+import * as g from '../../../collide/layout.js';
+import { findLeastSeparation, leastSeparation } from '../../../collide/manifold.js';
+import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../../../config-joints.js';
+import type { Arbiter } from '../../../contact/arbiter.js';
+import type { Shape } from '../../../shape/shape.js';
+import type { SolverData } from '../../data.js';
+import { QX, QY } from '../../layout.js';
+import type { Group, Joint } from '../joint-data.js';
+import { CUSTOM, POINT, TURN } from '../joint-layout.js';
+import { forgetImpulse } from '../joint-numbers.js';
+import { lineariseBlock, measureBlock, pushBlock } from '../kernels/blocks.js';
+import { measurePoints, pushPoints } from '../kernels/points.js';
+import { measureTurns, pushTurns } from '../kernels/turns.js';
 
 /** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
 const before = new Float64Array(12);

@@ -1,8 +1,8 @@
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import { applyRows } from './block-rows.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import * as j from '../joint-layout.js';
 import { cutOrBreak } from './breaking.js';
-import * as j from './joint-layout.js';
+import { applyRows } from './jacobian.js';
 
 /**
  * Welds, and points that are soft or may break: block joints whose first two rows keep two anchors together, and so have unit columns, and whose third, of a weld, keeps an angle. Straight-line;

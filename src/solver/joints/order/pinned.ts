@@ -1,7 +1,7 @@
-import { PINS_APART, PINS_UNLIKE } from '../../config-joints.js';
-import type { Constraint } from '../../constraint/constraint.js';
-import { holdsBoth, type PointConstraint } from '../../constraint/point.js';
-import { atan2 } from '../../math/trig.js';
+import { PINS_APART, PINS_UNLIKE } from '../../../config-joints.js';
+import type { Constraint } from '../../../constraint/constraint.js';
+import { holdsBoth, type PointConstraint } from '../../../constraint/point.js';
+import { atan2 } from '../../../math/trig.js';
 
 // Two bodies that two rigid points hold together cannot move against each other, as if they were welded. Solved as two points both would ask for the same along the line between them, and the closer they lie the more sweeps they
 // would take across it: a door on two hinges 4 cm apart sprang by 5 mm, and stayed turned the wrong way round. So the first one is a point, and the other one keeps the angle at which both meet.

@@ -1,12 +1,12 @@
-import type { RigidBody } from '../../body.js';
-import { DYNAMIC, KINEMATIC } from '../../body-kind.js';
-import type { Constraint } from '../../constraint/constraint.js';
-import type { PointConstraint } from '../../constraint/point.js';
-import type { World } from '../../world.js';
-import { Group, type JointData } from './joint-data.js';
-import { ANCHORED, BLOCK, BlockLayout, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
-import { addJoint, allot } from './joint-list.js';
+import type { RigidBody } from '../../../body.js';
+import { DYNAMIC, KINEMATIC } from '../../../body-kind.js';
+import type { Constraint } from '../../../constraint/constraint.js';
+import type { PointConstraint } from '../../../constraint/point.js';
+import type { World } from '../../../world.js';
+import { Group, type JointData } from '../joint-data.js';
+import { ANCHORED, BLOCK, BlockLayout, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout.js';
 import { angleBeside } from './pinned.js';
+import { addJoint, allot } from './runs.js';
 
 /**
  * Joints at the same distance from what cannot move are listed every third one, three times over: neighbours share a body, and the processor would wait for one before it can begin the next. If it were every second one nets would gape half as far again.

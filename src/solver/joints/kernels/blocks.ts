@@ -1,16 +1,16 @@
-import { MIN_INVERSE_MASS } from '../../config.js';
-import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../../config-joints.js';
-import { isCustom } from '../../constraint/constraint.js';
-import type { CustomConstraint } from '../../constraint/custom.js';
-import { backward, forward } from '../../math/solve.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import { applyRows, clear, findLength, length, multiplyRows, writeMatrix } from './block-rows.js';
+import { MIN_INVERSE_MASS } from '../../../config.js';
+import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../../../config-joints.js';
+import { isCustom } from '../../../constraint/constraint.js';
+import type { CustomConstraint } from '../../../constraint/custom.js';
+import { backward, forward } from '../../../math/solve.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Joint } from '../joint-data.js';
+import * as j from '../joint-layout.js';
+import { noteLag } from '../joint-numbers.js';
 import { breakByWhole, cutOrBreak } from './breaking.js';
-import type { Joint } from './joint-data.js';
-import * as j from './joint-layout.js';
-import { noteLag } from './joint-numbers.js';
-import { measure, showPoses } from './joint-pose.js';
+import { applyRows, clear, findLength, length, multiplyRows, writeMatrix } from './jacobian.js';
+import { measure, showPoses } from './pose.js';
 
 /**
  * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
@@ -80,7 +80,7 @@ export function beginSpring(data: SolverData, joint: Joint): void {
   const { at, layout, constraint } = joint;
   writeElasticBias(data, joint);
   if (constraint.stored < 0 && isGiving(data, joint)) {
-    // It only damps: see `joint-springs.ts`.
+    // It only damps: see `energy/springs.ts`.
     clear(r, at + layout.bias, layout.rows);
     clear(r, at + layout.impulse, layout.rows);
   }

@@ -1,13 +1,13 @@
-import { BOUND_SLOP, ROW_TURN } from '../../config-joints.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import { beginSpring, isSlack, noteError } from './block-joints.js';
-import { applyRows, length, writeMatrix } from './block-rows.js';
+import { BOUND_SLOP, ROW_TURN } from '../../../config-joints.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import * as j from '../joint-layout.js';
+import { beginSpring, isSlack, noteError } from './blocks.js';
 import { tear } from './breaking.js';
-import * as j from './joint-layout.js';
-import { measure } from './joint-pose.js';
+import { applyRows, length, writeMatrix } from './jacobian.js';
+import { measure } from './pose.js';
 
-/** Block joints for one row between two bodies, straight-line: distances, and the angles that `turn-joints.ts` does not solve. What they have in common with all others is done there. */
+/** Block joints for one row between two bodies, straight-line: distances, and the angles that `turns.ts` does not solve. What they have in common with all others is done there. */
 
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartRows(data: SolverData, start: number, end: number): void {

@@ -1,14 +1,14 @@
-import { MIN_INVERSE_MASS } from '../../config.js';
-import { BOUND_SLOP, JOINT_MOMENTUM, JOINT_TOLERANCE } from '../../config-joints.js';
-import type { AngleConstraint } from '../../constraint/angle.js';
-import { ANGLE } from '../../constraint/layout.js';
-import type { MotorConstraint } from '../../constraint/motor.js';
-import type { PointConstraint } from '../../constraint/point.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import { type Joint, packHead } from './joint-data.js';
-import * as j from './joint-layout.js';
-import { noteLag } from './joint-numbers.js';
+import { MIN_INVERSE_MASS } from '../../../config.js';
+import { BOUND_SLOP, JOINT_MOMENTUM, JOINT_TOLERANCE } from '../../../config-joints.js';
+import type { AngleConstraint } from '../../../constraint/angle.js';
+import { ANGLE } from '../../../constraint/layout.js';
+import type { MotorConstraint } from '../../../constraint/motor.js';
+import type { PointConstraint } from '../../../constraint/point.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import { type Joint, packHead } from '../joint-data.js';
+import * as j from '../joint-layout.js';
+import { noteLag } from '../joint-numbers.js';
 
 /**
  * Angles and motors that do not break, and points that keep an angle. The method and the record are those of a block joint, but of the one row (0, 0, −1, 0, 0, ratio) only the turns count;

@@ -1,10 +1,10 @@
-import { BREAK_STEPS } from '../../config-joints.js';
-import type { SolverData } from '../data.js';
-import { applyRows, findLength, length } from './block-rows.js';
-import type { Joint } from './joint-data.js';
-import * as j from './joint-layout.js';
+import { BREAK_STEPS } from '../../../config-joints.js';
+import type { SolverData } from '../../data.js';
+import type { Joint } from '../joint-data.js';
+import * as j from '../joint-layout.js';
+import { applyRows, findLength, length } from './jacobian.js';
 
-// Joints break under what they give: in a velocity iteration, or by what they gave as a whole. Under their errors they do in `block-joints.ts`.
+// Joints break under what they give: in a velocity iteration, or by what they gave as a whole. Under their errors they do in `blocks.ts`.
 
 /** Cuts the impulse to its limit, or breaks the joint if that of the step is too large. @returns whether it broke. */
 export function cutOrBreak(data: SolverData, joint: Joint): boolean {

@@ -1,16 +1,16 @@
-import type { RigidBody } from '../../body.js';
-import { MAX_SPEED } from '../../config.js';
-import { WHIRL } from '../../config-joints.js';
-import { type Constraint, isCustom } from '../../constraint/constraint.js';
-import { ANGLE, COS, POSE, SIN, X, Y } from '../../constraint/layout.js';
-import { cosSin } from '../../math/trig.js';
-import type { World } from '../../world.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import { inPieces } from '../pieces.js';
-import { clear } from './block-rows.js';
-import type { Joint } from './joint-data.js';
-import { forgetImpulse } from './joint-numbers.js';
+import type { RigidBody } from '../../../body.js';
+import { MAX_SPEED } from '../../../config.js';
+import { WHIRL } from '../../../config-joints.js';
+import { type Constraint, isCustom } from '../../../constraint/constraint.js';
+import { ANGLE, COS, POSE, SIN, X, Y } from '../../../constraint/layout.js';
+import { cosSin } from '../../../math/trig.js';
+import type { World } from '../../../world.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import { inPieces } from '../../pieces.js';
+import type { Joint } from '../joint-data.js';
+import { forgetImpulse } from '../joint-numbers.js';
+import { clear } from './jacobian.js';
 
 /** Angle, cosine, sine: scratch. */
 const around = new Float64Array(3);

@@ -1,9 +1,9 @@
-import type { SolverData } from '../data.js';
-import { BODY_STRIDE } from '../layout.js';
-import { hasCallbacks } from './joint-data.js';
-import { startAgain } from './joint-numbers.js';
+import type { SolverData } from '../../data.js';
+import { BODY_STRIDE } from '../../layout.js';
+import { hasCallbacks } from '../joint-data.js';
+import { startAgain } from '../joint-numbers.js';
 
-// What joints have to do with `shocks.ts`.
+// What joints have to do with `contacts/shocks.ts`.
 
 /** Tells of each body which group of joints it hangs on. Custom constraints hold whatever they like: by themselves they do not count. */
 export function linkShocks(data: SolverData): void {

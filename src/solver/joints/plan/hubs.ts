@@ -1,9 +1,9 @@
-import { HUB_SHARE } from '../../config-joints.js';
-import { backward, forward } from '../../math/solve.js';
-import { recordAt, type SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Group, Joint, Run } from './joint-data.js';
-import * as j from './joint-layout.js';
+import { HUB_SHARE } from '../../../config-joints.js';
+import { backward, forward } from '../../../math/solve.js';
+import { recordAt, type SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group, Joint, Run } from '../joint-data.js';
+import * as j from '../joint-layout.js';
 
 // A group is swept over from its first joint to its last, each sub-step starts with the impulses of the last one, and of corrections momentum is made. So what a sweep leaves of an
 // error comes back in the next sub-steps, and where it goes round among joints on one body, as among the spokes of a wheel, it grows with each turn, however many sweeps there are and

@@ -1,8 +1,8 @@
-import { GRADIENT_LOST, GRADIENT_SHARE, JOINT_STILL } from '../../config-joints.js';
-import { grown, widened } from '../../math/doubles.js';
-import { recordAt, type SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Group, Joint } from './joint-data.js';
+import { GRADIENT_LOST, GRADIENT_SHARE, JOINT_STILL } from '../../../config-joints.js';
+import { grown, widened } from '../../../math/doubles.js';
+import { recordAt, type SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group, Joint } from '../joint-data.js';
 import {
   ARM_AX,
   ARM_AY,
@@ -17,8 +17,8 @@ import {
   TURN_RATIO,
   TURN_UPPER,
   TURN_VALUE,
-} from './joint-layout.js';
-import { impulseAt, pushAt } from './joint-numbers.js';
+} from '../joint-layout.js';
+import { impulseAt, pushAt } from '../joint-numbers.js';
 
 // Joints that hang together, solved to their end: conjugate gradients, of which each is what a sweep changes (Hestenes and Stiefel 1952; Golub and Ye, "Inexact Preconditioned Conjugate Gradient Method", 1999). What the last sweep did
 // is taken out of it, and it is followed as far as leaves the least energy, so that the energy of the error never grows: ten sweeps do what hundreds would.

@@ -1,10 +1,10 @@
-import { MOST_GUESTS } from '../../config-joints.js';
-import { grown } from '../../math/doubles.js';
-import type { World } from '../../world.js';
-import { type ContactBatch, recordAt, type SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Group } from './joint-data.js';
-import { markBodies } from './joint-numbers.js';
+import { MOST_GUESTS } from '../../../config-joints.js';
+import { grown } from '../../../math/doubles.js';
+import type { World } from '../../../world.js';
+import { type ContactBatch, recordAt, type SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group } from '../joint-data.js';
+import { markBodies } from '../joint-numbers.js';
 
 // With what joints that hang together exchange energy: all bodies that touch theirs or are tied to these, and so on.
 

@@ -1,7 +1,7 @@
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import * as j from '../joint-layout.js';
 import { cutOrBreak } from './breaking.js';
-import * as j from './joint-layout.js';
 
 /** The sweeps of block joints for lines, two rows between two bodies, straight-line. All else is done there. */
 

@@ -1,8 +1,8 @@
-import { MIN_INVERSE_MASS } from '../../config.js';
-import { DEPENDENT, factor } from '../../math/solve.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Joint } from './joint-data.js';
+import { MIN_INVERSE_MASS } from '../../../config.js';
+import { DEPENDENT, factor } from '../../../math/solve.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Joint } from '../joint-data.js';
 
 // The rows of the Jacobian J of a joint whose numbers are written out: products with it.
 

@@ -24,14 +24,12 @@ import {
   STUCK_STEPS,
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
-} from '../../config-joints.js';
-import { recordAt, type SolverData } from '../data.js';
-import { INV_MASS } from '../layout.js';
-import { findLength, length } from './block-rows.js';
-import type { Group, Joint } from './joint-data.js';
-import { mayMakeEnergy } from './joint-energy.js';
-import { findMovers } from './joint-gradients.js';
-import { hasHub } from './joint-hubs.js';
+} from '../../../config-joints.js';
+import { recordAt, type SolverData } from '../../data.js';
+import { INV_MASS } from '../../layout.js';
+import { mayMakeEnergy } from '../energy/energy.js';
+import { lookAtStress } from '../energy/stress.js';
+import type { Group, Joint } from '../joint-data.js';
 import {
   CUSTOM,
   ERROR_X,
@@ -43,11 +41,13 @@ import {
   TURN_LOWER,
   TURN_UPPER,
   TURN_VALUE,
-} from './joint-layout.js';
-import { isBlocked, steadyTouched } from './joint-momentum.js';
-import { heldRows, steady } from './joint-numbers.js';
-import { lookAtStress } from './joint-stress.js';
-import { findStrained } from './point-joints.js';
+} from '../joint-layout.js';
+import { heldRows, steady } from '../joint-numbers.js';
+import { findLength, length } from '../kernels/jacobian.js';
+import { findStrained } from '../kernels/points.js';
+import { isBlocked, steadyTouched } from '../touching/momentum.js';
+import { findMovers } from './gradients.js';
+import { hasHub } from './hubs.js';
 
 // What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
 

@@ -1,11 +1,11 @@
-import { SPRING_DEBT, SPRING_GAIN } from '../../config-joints.js';
-import { grown } from '../../math/doubles.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import { weighError } from './block-joints.js';
-import type { Joint } from './joint-data.js';
-import { BLOCK, ROW, TURN, TURN_RATIO } from './joint-layout.js';
-import { impulseAt } from './joint-numbers.js';
+import { SPRING_DEBT, SPRING_GAIN } from '../../../config-joints.js';
+import { grown } from '../../../math/doubles.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Joint } from '../joint-data.js';
+import { BLOCK, ROW, TURN, TURN_RATIO } from '../joint-layout.js';
+import { impulseAt } from '../joint-numbers.js';
+import { weighError } from '../kernels/blocks.js';
 
 // The books of springs. One that has its frequency whatever the masses is harder in one pose of its bodies than in another, and bodies that hang on each other could draw energy from it in
 // every turn. So a spring gives what it was given: beyond that it only damps. And what it gives no rigid joint has made.

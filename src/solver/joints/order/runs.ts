@@ -1,11 +1,11 @@
-import type { RigidBody } from '../../body.js';
-import { DYNAMIC, KINEMATIC } from '../../body-kind.js';
-import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEEPS } from '../../config-joints.js';
-import type { Constraint } from '../../constraint/constraint.js';
-import { POSE } from '../../constraint/layout.js';
-import { WINDOW } from '../layout.js';
-import { type Group, type Joint, type JointData, keepsNumbers, type Run } from './joint-data.js';
-import { type BlockLayout, CUSTOM, KEPT_STRIDE, POINT, TURN, TURN_STRIDE } from './joint-layout.js';
+import type { RigidBody } from '../../../body.js';
+import { DYNAMIC, KINEMATIC } from '../../../body-kind.js';
+import { FEW_JOINTS, JOINT_SWEEP_ERROR, JOINT_SWEEP_ERROR_OF_FEW, NEW_JOINT_SWEEPS } from '../../../config-joints.js';
+import type { Constraint } from '../../../constraint/constraint.js';
+import { POSE } from '../../../constraint/layout.js';
+import { WINDOW } from '../../layout.js';
+import { type Group, type Joint, type JointData, keepsNumbers, type Run } from '../joint-data.js';
+import { type BlockLayout, CUSTOM, KEPT_STRIDE, POINT, TURN, TURN_STRIDE } from '../joint-layout.js';
 
 // Lists joints: which lie side by side in runs, and where each has its numbers. What a world without constraints does without.
 

@@ -6,13 +6,13 @@ import {
   EXCESS_WILD,
   HEAVY,
   TOUCHED_EXCESS,
-} from '../../config-joints.js';
-import type { List } from '../../math/list.js';
-import { recordAt, type SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Group, Joint } from './joint-data.js';
-import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from './joint-layout.js';
-import { goAsMoved } from './joint-motion.js';
+} from '../../../config-joints.js';
+import type { List } from '../../../math/list.js';
+import { recordAt, type SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group, Joint } from '../joint-data.js';
+import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from '../joint-layout.js';
+import { goAsMoved } from './motion.js';
 
 // Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
 // together whirls by itself, whatever it is made of.

@@ -1,7 +1,7 @@
-import { STUCK_APART, STUCK_STANDS, UNTRUE_ERROR, UNTRUE_SHARE, UNTRUE_STEPS } from '../../config-joints.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Group } from './joint-data.js';
+import { STUCK_APART, STUCK_STANDS, UNTRUE_ERROR, UNTRUE_SHARE, UNTRUE_STEPS } from '../../../config-joints.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group } from '../joint-data.js';
 
 // Whether what hangs together moves as its velocities tell.
 

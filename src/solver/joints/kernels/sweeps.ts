@@ -1,12 +1,12 @@
-import type { SolverData } from '../data.js';
-import { sweepAnchored } from './anchored-joints.js';
-import { lineariseBlock, pushBlock, solveVelocityBlock } from './block-joints.js';
-import type { Group, Run } from './joint-data.js';
-import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from './joint-layout.js';
-import { sweepLines } from './line-joints.js';
-import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './point-joints.js';
-import { sweepRows } from './row-joints.js';
-import { pushTurns, solveVelocityTurns } from './turn-joints.js';
+import type { SolverData } from '../../data.js';
+import type { Group, Run } from '../joint-data.js';
+import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout.js';
+import { sweepAnchored } from './anchored.js';
+import { lineariseBlock, pushBlock, solveVelocityBlock } from './blocks.js';
+import { sweepLines } from './lines.js';
+import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './points.js';
+import { sweepRows } from './rows.js';
+import { pushTurns, solveVelocityTurns } from './turns.js';
 
 // Sweeps over the runs of a group, each by its kernel.
 

@@ -1,7 +1,7 @@
-import type { RigidBody } from '../../body.js';
-import { DYNAMIC } from '../../body-kind.js';
-import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
-import { CONTACT_SLOP, STRAIN_SPEED } from '../../config.js';
+import type { RigidBody } from '../../../body.js';
+import { DYNAMIC } from '../../../body-kind.js';
+import { findLeastSeparation, leastSeparation } from '../../../collide/manifold.js';
+import { CONTACT_SLOP, STRAIN_SPEED } from '../../../config.js';
 import {
   ALONE_ERROR,
   FIRM_FEET,
@@ -12,13 +12,13 @@ import {
   ROPE_JOINTS,
   TOUCHED_MOMENTUM,
   TOUCHED_QUIET,
-} from '../../config-joints.js';
-import type { Arbiter } from '../../contact/arbiter.js';
-import type { SolverData } from '../data.js';
-import { BODY_STRIDE, INV_MASS, MEMBER, SEEN, TOUCHED } from '../layout.js';
-import type { Group, Joint } from './joint-data.js';
-import { CUSTOM, TURN } from './joint-layout.js';
-import { carryAt, impulseAt, markBodies, numbersOf, steady, visit } from './joint-numbers.js';
+} from '../../../config-joints.js';
+import type { Arbiter } from '../../../contact/arbiter.js';
+import type { SolverData } from '../../data.js';
+import { BODY_STRIDE, INV_MASS, MEMBER, SEEN, TOUCHED } from '../../layout.js';
+import type { Group, Joint } from '../joint-data.js';
+import { CUSTOM, TURN } from '../joint-layout.js';
+import { carryAt, impulseAt, markBodies, numbersOf, steady, visit } from '../joint-numbers.js';
 
 // What joints keep of the momentum of their corrections.
 

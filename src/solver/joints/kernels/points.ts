@@ -1,9 +1,9 @@
-import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../../config-joints.js';
-import type { PointConstraint } from '../../constraint/point.js';
-import { recordAt, type SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Joint } from './joint-data.js';
-import * as j from './joint-layout.js';
+import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../../../config-joints.js';
+import type { PointConstraint } from '../../../constraint/point.js';
+import { recordAt, type SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Joint } from '../joint-data.js';
+import * as j from '../joint-layout.js';
 import * as plain from './point-loops.js';
 
 /**

@@ -1,10 +1,10 @@
-import { MIN_INVERSE_MASS } from '../../config.js';
-import { JOINT_SNAP, JOINT_TOLERANCE, SINGULAR } from '../../config-joints.js';
-import { COS, SIN, X, Y } from '../../constraint/layout.js';
-import { cosSin } from '../../math/trig.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import * as j from './joint-layout.js';
+import { MIN_INVERSE_MASS } from '../../../config.js';
+import { JOINT_SNAP, JOINT_TOLERANCE, SINGULAR } from '../../../config-joints.js';
+import { COS, SIN, X, Y } from '../../../constraint/layout.js';
+import { cosSin } from '../../../math/trig.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import * as j from '../joint-layout.js';
 
 // The loops over rigid point joints, from one of their records to another, which is left out: over each, or every second one, or back. The way is a whole number of steps.
 

@@ -1,12 +1,12 @@
-import type { RigidBody } from '../../body.js';
-import { DYNAMIC } from '../../body-kind.js';
-import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../../config-joints.js';
-import type { Constraint } from '../../constraint/constraint.js';
-import type { World } from '../../world.js';
-import type { SolverData } from '../data.js';
-import * as d from '../layout.js';
-import type { Group, Joint } from './joint-data.js';
-import { heldRows, impulseAt, markBodies, numbersOf, visit } from './joint-numbers.js';
+import type { RigidBody } from '../../../body.js';
+import { DYNAMIC } from '../../../body-kind.js';
+import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../../../config-joints.js';
+import type { Constraint } from '../../../constraint/constraint.js';
+import type { World } from '../../../world.js';
+import type { SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group, Joint } from '../joint-data.js';
+import { heldRows, impulseAt, markBodies, numbersOf, visit } from '../joint-numbers.js';
 
 // Where there are more welds or points than hold the bodies together, as in frames and wheels, in nets, and between two bodies that are hinged twice, they may pull against each other, which moves nothing: no sweep sees such a
 // stress, and it stays. As the bodies turn what joints give would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
