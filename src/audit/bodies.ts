@@ -10,7 +10,7 @@ import type { Shape } from '../shape/shape.js';
 import type { Audit } from './audit.js';
 
 /** How far from 1 the length of a unit vector may be that was computed from finite numbers of any size. */
-const UNIT_TOLERANCE = 1e-9;
+export const UNIT_TOLERANCE = 1e-9;
 
 /** The handles of our own broadphases. */
 interface Bounded extends BroadphaseHandle {

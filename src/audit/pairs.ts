@@ -5,6 +5,7 @@ import { AWAKE, DEAD, LISTED } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import type { Shape } from '../shape/shape.js';
 import type { Audit } from './audit.js';
+import { UNIT_TOLERANCE } from './bodies.js';
 
 /** Arbiters, the table of pairs, the list of awake ones, and the pools. */
 export function auditPairs(audit: Audit): void {
@@ -69,7 +70,7 @@ function auditContacts(audit: Audit, pair: Arbiter): void {
     return;
   }
   const length = n[o + g.NX]! * n[o + g.NX]! + n[o + g.NY]! * n[o + g.NY]!;
-  audit.demand(count === 0 || Math.abs(length - 1) < 1e-9, pair, 'normal must be a unit vector');
+  audit.demand(count === 0 || Math.abs(length - 1) < UNIT_TOLERANCE, pair, 'normal must be a unit vector');
   for (let i = 0; i < count; i += 1) {
     audit.finite(pair, `x of contact ${i}`, n[o + g.X0 + g.POINT * i]!);
     audit.finite(pair, `y of contact ${i}`, n[o + g.Y0 + g.POINT * i]!);

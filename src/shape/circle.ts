@@ -7,6 +7,9 @@ import { options, positive, vector, within } from '../validate.js';
 import { BaseShape, type ShapeParams } from './shape.js';
 import { CIRCLE } from './shape-kind.js';
 
+/** How far the determinant of a turn may be from 1 by rounding. */
+const ROUNDING = 1e-15;
+
 /** Options of `createCircleShape`. */
 export interface CircleParams extends ShapeParams {
   /** m, > 0, at most 1e75. */
@@ -135,8 +138,8 @@ export class Circle extends BaseShape {
   protected override mapGeometry(m: ArrayLike<number>): boolean {
     const { originX, originY } = this;
     const area = m[0]! * m[3]! - m[2]! * m[1]!;
-    // Of a turn it is 1, up to rounding, which would add up.
-    const radius = this.radius * (Math.abs(area - 1) < 1e-15 ? 1 : Math.sqrt(area));
+    // Of a turn it is 1: what rounding makes of it would add up.
+    const radius = this.radius * (Math.abs(area - 1) < ROUNDING ? 1 : Math.sqrt(area));
     const x = m[0]! * originX + m[2]! * originY + m[4]!;
     const y = m[1]! * originX + m[3]! * originY + m[5]!;
     if (!(radius > 0 && radius <= MAX_SIZE && Math.abs(x) <= MAX_SIZE && Math.abs(y) <= MAX_SIZE)) {

@@ -2,6 +2,9 @@
 // Theory and Applications", 1985). Without friction it never does. Both solutions keep that share and the cone of friction, and so do all between them, as both are linear; and energy is a convex function along the way:
 // it is as before at one place, where as much is left of friction as there can be.
 
+/** Energies that differ by no larger a share are taken for the same: sums of many bodies are rounded. */
+const ROUNDING = 1e-9;
+
 /** The velocities of the bodies of an impact, and what they weigh: three numbers a body. Used again and again. */
 export class Ledger {
   /** `[m, m, inertia]` of each body, 0 for what cannot move. */
@@ -33,7 +36,7 @@ export class Ledger {
       was += weights[k]! * before[k]! * before[k]!;
       is += weights[k]! * after[k]! * after[k]!;
     }
-    return is > was * (1 + 1e-9);
+    return is > was * (1 + ROUNDING);
   }
 
   /** Goes so much of the way from `without` to `after`, with friction, as ends with the energy of `before`: `without` has what comes out. @returns that share of the way. */
