@@ -40,14 +40,15 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
 export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;
-  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, total } = joints[start]!.layout;
-  for (let m = start; m < end; m += 1) {
-    const joint = joints[isBack ? start + end - 1 - m : m]!;
-    const i = joint.at & d.OFFSET;
+  const { size, impulse, push, bias, error, jacobian, turned, matrix, low, high, total } = joints[start]!.layout;
+  const step = isBack ? -1 : 1;
+  let m = isBack ? end - 1 : start;
+  let i = joints[m]!.at & d.OFFSET;
+  let n = joints[m]!.first & d.OFFSET;
+  for (; m >= start && m < end; m += step, i = (i + step * size) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
     if (moving && r[i + j.PUSH] === 0) {
       continue;
     }
-    const n = joint.first & d.OFFSET;
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
@@ -66,17 +67,18 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
     const vbx = v[b + d.VX]!;
     const vby = v[b + d.VY]!;
     const wB = v[b + d.W]!;
-    const c = ax * vax + ay * vay + aw * wA + bx * vbx + by * vby + bw * wB + r[i + (moving ? error : bias)]!;
+    // In pairs: one sum after the other takes twice as long.
+    const c = ax * vax + ay * vay + (bx * vbx + by * vby) + (aw * wA + bw * wB + r[i + (moving ? error : bias)]!);
     const old = r[o]!;
     const least = r[i + low]!;
     const most = r[i + high]!;
-    let next = old - softness * r[i + matrix]! * c - feedback * old;
+    let next = old - feedback * old - softness * r[i + matrix]! * c;
     next = next < least ? least : next > most ? most : next;
     if (!moving && r[i + j.CHECKED] !== 0) {
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;
       if (sum > breaking || sum < -breaking) {
-        tear(data, joint);
+        tear(data, joints[m]!);
         continue;
       }
       const limit = r[i + j.LIMIT]!;
