@@ -109,12 +109,6 @@ export const JOINT_SWEEP_MARGIN = 5;
 /** m. If a position sweep found a larger error than this, the sweeps after it take exact errors and arms of what turned since: a whirling chain would tear, as what is linear in the turn then is not enough. */
 export const JOINT_FAR = 0.016;
 
-/**
- * m, rad. Where all errors of distances, lines, welds and the like are smaller as a position iteration begins, and nothing is touched, those that follow take them as linear, too: what is not is 0.1 mm at arms of 8 cm. With 0.008
- * a heavy ball on four light links that may break makes a third of the energy of its fall.
- */
-export const LINEAR_ERROR = 0.004;
-
 /** rad. What turned by more. With 0.005 a chain that whirls at 300 m/s gains energy; with 0 a net of 100 × 100 takes a fifth longer. */
 export const JOINT_FAR_TURN = 0.001;
 

@@ -28,7 +28,6 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'tolerance',
       'error',
       'pushed',
-      'isFar',
       'touched',
       'isBeside',
       'branches',

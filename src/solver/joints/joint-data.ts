@@ -126,8 +126,6 @@ export class Group {
   error = 0;
   /** The square of the largest error that the first position iteration found. */
   pushed = 0;
-  /** One of its rows and blocks had an error, as a position iteration began, that another one has to look at anew. */
-  isFar = false;
   /** The heaviest of the bodies, and how they hang together, are yet to be looked at. */
   isNew = true;
   /** One body is far heavier than another: sweeps are slow to close the joints between these. */

@@ -4,7 +4,6 @@ import {
   FIRM_STEPS,
   JOINT_FAR,
   JOINT_PUSHES,
-  LINEAR_ERROR,
   SWEPT_ONCE,
   WEIGH_STEPS,
 } from '../../config-joints.js';
@@ -330,9 +329,7 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
   const { worst } = data.joints;
-  if (before === 0 || group.isFar || group.touched || group.settling > 0) {
-    group.isFar = linearise(data, group) > LINEAR_ERROR;
-  }
+  linearise(data, group);
   const isBegun = before === 0 && group.isBeside;
   if (group.isFirm) beginGradients(data, group, true);
   if (isBegun && group.pushed === 0) {

@@ -239,25 +239,27 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
   }
 }
 
-/** Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. @returns the error that is. */
-export function lineariseBlock(data: SolverData, joint: Joint): number {
+/**
+ * Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. In each iteration, though it takes a third of a step: left out in the second where errors
+ * were below 4 mm, small pulleys gained up to 28 times as much energy, and where they are so small that none does hardly any are left out.
+ */
+export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   if (r[at + j.PUSH] === 0) {
-    return 0;
+    return;
   }
   measure(data, joint, true);
   if (r[at + j.PUSH] === 0) {
-    return 0;
+    return;
   }
   findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     data.joints.break(joint);
-    return 0;
+    return;
   }
   correct(data, joint, error);
-  return error;
 }
 
 /** K for corrections; and of an error of that length what is to be corrected, less its linear part. */

@@ -102,16 +102,12 @@ export function pushTurnedRun(data: SolverData, kernel: number, start: number, e
   return kernel === POINT ? pushTurnedPoints(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
 }
 
-/** Starts a position iteration of what is no point or turn. @returns the largest error of these. */
-export function linearise(data: SolverData, { runs }: Group): number {
+export function linearise(data: SolverData, { runs }: Group): void {
   const { joints } = data.joints;
-  let most = 0;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
-      const error = lineariseBlock(data, joints[k]!);
-      most = error > most ? error : most;
+      lineariseBlock(data, joints[k]!);
     }
   }
-  return most;
 }
