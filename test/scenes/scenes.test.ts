@@ -159,6 +159,7 @@ describe('scenes with joints, step by step', () => {
     const tooth = (2 * Math.PI) / TEETH;
     let passed = 0;
     let back = 0;
+    let trembles = 0;
     const watch = (): void => {
       passed = Math.max(passed, Math.floor(wheel.getRotation() / tooth));
       back = Math.max(back, passed * tooth - wheel.getRotation());
@@ -170,10 +171,17 @@ describe('scenes with joints, step by step', () => {
     expect(back).toBeLessThan(0.01);
     hangWeight(phys2D, world, wheel, -1, 10);
     run(world, 10, watch);
-    console.log(`ratchet: ${forth} teeth forth, then ${passed}; at most ${back.toFixed(5)} rad behind a tooth`);
+    run(world, 1, () => {
+      watch();
+      trembles = Math.max(trembles, Math.abs(wheel.getAngularVelocity()));
+    });
+    console.log(
+      `ratchet: ${forth} teeth forth, then ${passed}; at most ${back.toFixed(5)} rad behind a tooth, trembles at ${trembles.toFixed(5)} rad/s`,
+    );
     expect(passed).toBeGreaterThanOrEqual(forth);
     expect(back).toBeLessThan(0.01);
-    expect(wheel.getAngularVelocity()).toBeCloseTo(0, 3);
+    // By less than 4e-5 rad in a step, as its row pushes and does not by turns.
+    expect(trembles).toBeLessThan(0.002);
   });
 
   it('the chain breaks in the middle as the ball lands, and what is left hangs on', () => {
