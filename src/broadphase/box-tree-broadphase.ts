@@ -326,7 +326,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */
   private renewPairs(handle: number): void {
     const { states, moving, still } = this;
-    this.search += 1;
+    // Of 32 bits, as the marks are, and none of them the one of what was never found.
+    this.search = (this.search + 1) | 0;
+    if (this.search === NONE) this.search = 0;
     const isStatic = states[handle * STATE + STATIC] === 1;
     const tree = isStatic ? still : moving;
     const leaf = states[handle * STATE + LEAF]!;

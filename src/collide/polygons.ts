@@ -92,14 +92,15 @@ export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: numb
   n[o + g.COUNT] = 0;
   look(a, n, o);
   const stamp = a.geometryStamp + b.geometryStamp;
-  if (!keepsFace(n, o, stamp)) {
-    n[o + g.FACE] = -1;
-    if (isStillApart(a, b, n, o) || !chooseFace(a, b, n, o)) {
-      return;
-    }
-    faceChosen(n, o, stamp);
+  if (keepsFace(n, o, stamp) && clipToFace(a, b, n, o)) {
+    return;
   }
-  clipToFace(a, b, n, o);
+  n[o + g.COUNT] = 0;
+  n[o + g.FACE] = -1;
+  if (!isStillApart(a, b, n, o) && chooseFace(a, b, n, o)) {
+    faceChosen(n, o, stamp);
+    clipToFace(a, b, n, o);
+  }
 }
 
 /** Finds where B's origin is in the coordinates of A. */
@@ -111,13 +112,14 @@ function look({ owner }: Polygon, n: Float64Array, o: number): void {
   n[o + g.LOCAL_Y] = cos * dy - sin * dx;
 }
 
-function clipToFace(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
+/** @returns as `clip`. */
+function clipToFace(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   if (n[o + g.FACE] === 0) {
-    clip(a, n[o + g.EDGE_A]! | 0, b, n, o, 1);
-  } else {
-    clip(b, n[o + g.EDGE_B]! | 0, a, n, o, -1);
-    if (n[o + g.COUNT]! > 0) turnRound(n, o);
+    return clip(a, n[o + g.EDGE_A]! | 0, b, n, o, 1);
   }
+  const isRight = clip(b, n[o + g.EDGE_B]! | 0, a, n, o, -1);
+  if (n[o + g.COUNT]! > 0) turnRound(n, o);
+  return isRight;
 }
 
 /** Finds the edge that the other polygon is clipped to. @returns whether the shapes are near each other. */
@@ -202,8 +204,10 @@ function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boole
  *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
  *
  * Edges that are apart and not above each other do not face each other: no points.
+ *
+ * @returns false if they are not above each other though one is below the other's line: if the edge was not chosen for where the shapes are now, there may be a gap between them.
  */
-function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): void {
+function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): boolean {
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
   const pe = p.numbers;
@@ -225,8 +229,9 @@ function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, sid
   const w2 = nx * y2 - ny * x2;
   const d1 = nx * x1 + ny * y1 - p.offsets[i]!;
   const d2 = nx * x2 + ny * y2 - p.offsets[i]!;
-  if (d1 >= 0 && d2 >= 0 && (w1 <= v1 || w2 >= v2)) {
-    return;
+  const areBeside = w1 <= v1 || w2 >= v2;
+  if (d1 >= 0 && d2 >= 0 && areBeside) {
+    return true;
   }
   const width = w1 - w2;
   const scale = width > 0 ? 1 / width : 0;
@@ -250,6 +255,7 @@ function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, sid
   } else {
     n[o + g.EDGE_A] = j;
   }
+  return !areBeside;
 }
 
 /** Makes a manifold clipped to B's edge one of A and B: the normal turns and with it the order of the ends. */

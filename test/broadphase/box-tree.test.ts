@@ -351,3 +351,18 @@ describe('overlap of a model', () => {
     expect(overlap([0, 0, 1, 1], [1.1, 1, 2, 2])).toBe(false);
   });
 });
+
+it('pairs are told once, also after 2³¹ of them were looked for', () => {
+  const broadphase = new BoxTreeBroadphase<string>();
+  const [one, other] = [0, 0.5].map((x) => broadphase.insert(`at ${x}`, [x, 0, x + 1, 1], false));
+  (broadphase as unknown as { search: number }).search = 2 ** 31 - 3;
+  for (let i = 1; i <= 8; i += 1) {
+    broadphase.update(one!, [i, 0, i + 1, 1]);
+    broadphase.update(other!, [i + 0.5, 0, i + 1.5, 1]);
+    let count = 0;
+    broadphase.perform(() => {
+      count += 1;
+    });
+    expect(count).toBe(1);
+  }
+});

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type BroadphaseHandle, phys2D, type Rect } from '../../src/index.js';
+import { type BroadphaseHandle, phys2D, type Rect, type Shape } from '../../src/index.js';
 import { generator } from '../scenes/mixed.js';
 import { BROADPHASES, overlap, pairsOf } from './model.js';
 
@@ -106,4 +106,18 @@ describe('a world', () => {
     world.step(1 / 60);
     expect(world.dynamicArbiters).toHaveLength(1);
   });
+});
+
+it('a broadphase is told of a filter that has changed, not of one that is about to', () => {
+  const broadphase = phys2D.createBoxTreeBroadphase();
+  const told: number[][] = [];
+  broadphase.refilter = ({ data }) => told.push([(data as Shape).getGroup(), (data as Shape).getMask()]);
+  const shape = phys2D.createCircleShape({ radius: 1 });
+  phys2D.createWorld({ broadphase }).addRigidBody(phys2D.createRigidBody({ shapes: [shape] }));
+  shape.setGroup(4);
+  shape.setMask(8);
+  expect(told).toEqual([
+    [4, 0xffffffff],
+    [4, 8],
+  ]);
 });

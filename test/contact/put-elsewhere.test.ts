@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Arbiter, RigidBody } from '../../src/index.js';
-import { addFloor, boxBody, DT, heavy, plainBody, weightless } from '../conformance/setting.js';
+import { type Arbiter, phys2D, type RigidBody } from '../../src/index.js';
+import { add, addFloor, box, boxBody, DT, heavy, plainBody, steps, weightless } from '../conformance/setting.js';
 
 // What is told of a contact is that of the end of the step, wherever its bodies are put since: a handler that sent a ball through a portal made sparks of the next one fly half-way there.
 
@@ -85,4 +85,18 @@ describe('a contact whose bodies are put elsewhere after the step', () => {
     two.setPosition([0.8, 0]);
     expect(told(world.dynamicArbiters[0]!)).toEqual(before);
   });
+});
+
+it('nothing hangs beside what it stood on, with a gap between them', () => {
+  // Turned by less than it takes to look for other edges, a rod of 20 m comes to be 7 mm beside its post.
+  const post = box(0.02, 0.02);
+  const rod = box(0.004, 20);
+  const world = heavy();
+  const body = plainBody({ shapes: [rod], position: [0, -10.0095], inertia: Infinity });
+  add(world, phys2D.createRigidBody({ type: 'static', shapes: [post] }), body);
+  steps(world, 1);
+  expect(rod.arbiters[0]!.active).toBe(true);
+  body.setRotation(0.0019);
+  steps(world, 120);
+  expect(body.getPosition()[1]).toBeGreaterThan(0);
 });
