@@ -422,11 +422,19 @@ export class RigidBody extends BodyState {
   rouse(): void {
     if (this.owner !== null) {
       this.owner.wakeBody(this, false);
+      this.rouseTies(this.owner);
       return;
     }
     this.asleep = false;
     for (const constraint of this.constraints) {
       constraint.rouse();
+    }
+  }
+
+  /** @internal wakes the constraints of other worlds than that, in which it is an anchor */
+  rouseTies(world: World | null): void {
+    for (const constraint of this.constraints) {
+      if (constraint.owner !== null && constraint.owner !== world) constraint.rouse();
     }
   }
 
@@ -472,6 +480,7 @@ export class RigidBody extends BodyState {
     } else {
       this.kind = kind;
       this.touchConstraints();
+      this.rouseTies(null);
     }
     if (kind === STATIC) {
       this.vx = 0;

@@ -95,7 +95,8 @@ export function mixElasticity(a: number, b: number): number {
   return mean < 0 ? 0 : mean > 1 ? 1 : mean;
 }
 
-/** Any friction coefficient of a contact: the geometric mean. */
+/** Any friction coefficient of a contact: the geometric mean, finite even where the product is not. */
 export function mixFriction(a: number, b: number): number {
-  return Math.sqrt(a * b);
+  const product = a * b;
+  return product < Infinity ? Math.sqrt(product) : Math.sqrt(a) * Math.sqrt(b);
 }

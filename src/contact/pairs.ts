@@ -277,6 +277,9 @@ export class Pairs {
     for (let i = 0; i < this.sorted.count; i += 1) {
       this.sorted.items[i]!.unmark(AWAKE);
     }
+    for (const pair of this.table.arbiters) {
+      if (pair !== null) this.free(pair);
+    }
     this.table.clear();
     this.sightings.fill(NOT_REPORTED);
     this.sorted.clear();

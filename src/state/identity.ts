@@ -168,7 +168,10 @@ function isOther(world: World, owner: World | null | undefined): boolean {
 /** For a shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
 export function standIn(kind: number): Shape {
   const vertices = createBoxVertices(1, 1);
-  return kind === CIRCLE ? new Circle({ radius: 1 }) : new Polygon({ vertices });
+  const shape = kind === CIRCLE ? new Circle({ radius: 1 }) : new Polygon({ vertices });
+  // Handlers ask whose it was.
+  shape.former = new RigidBody({});
+  return shape;
 }
 
 /** No shape is missing, and each has a higher id than the one before. */

@@ -273,6 +273,7 @@ function place(world: World, { bodies, inside }: Scene): void {
     for (const shape of body.shapes) {
       if (shape.handle === null) {
         body.place();
+        if (body.asleep) world.movers.space.forget();
         shape.handle = world.broadphase.insert(shape, broadphaseBounds(shape), body.asleep, body, shape);
       }
       body.placeStale ||= shape.handle.isStatic !== body.asleep;

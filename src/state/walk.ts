@@ -21,12 +21,13 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
   let first = 0;
   for (let i = 0; i < bodies.length; i += 1) {
     const shapeCount = i < inside ? counts[i]! : 0;
-    walkBody(tape, scene, i, first, shapeCount);
+    walkBody(tape, world, scene, i, first, shapeCount);
     first += shapeCount;
   }
   for (; first < shapes.length; first += 1) {
     const shape = shapes[first]!;
-    walkShape(tape, scene, tape.holds && isElsewhere(world, shape) ? standIn(shape.kind) : shape);
+    const isOther = walkShape(tape, scene, tape.holds && isElsewhere(world, shape) ? standIn(shape.kind) : shape);
+    if (isOther && shape.owner !== null) shape.owner.claim(shape);
   }
   for (const constraint of constraints) {
     tape.begins();
@@ -80,7 +81,7 @@ function makeMaterial(numbers: Float64Array): Material {
 }
 
 /** A body in the world, and its shapes from `first` on; of one that is in none its shapes do not matter. */
-function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount: number): void {
+function walkBody(tape: Tape, world: World, scene: Scene, i: number, first: number, shapeCount: number): void {
   const body = scene.bodies[i]!;
   const { x, y, cos, sin } = body;
   let isOther = rows.keepBody(tape, body);
@@ -94,8 +95,8 @@ function walkBody(tape: Tape, scene: Scene, i: number, first: number, shapeCount
   body.massStale ||= isOther;
   if (isMoved) {
     body.moved();
-    // Those of other worlds, where it is an anchor.
     body.touchConstraints();
+    body.rouseTies(world);
   }
 }
 

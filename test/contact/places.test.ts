@@ -4,7 +4,7 @@ import { ARRANGE_FROM, ARRANGE_STEPS } from '../../src/config.js';
 import type { Arbiter } from '../../src/contact/arbiter.js';
 import { Places } from '../../src/contact/places.js';
 import { phys2D, type RigidBody, type World } from '../../src/index.js';
-import { add, box, DT, disc, heavy } from '../conformance/setting.js';
+import { add, box, DT, disc, heavy, plainBody } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 
 // Where the records of pairs lie in memory is nobody's business but the processor's.
@@ -108,4 +108,17 @@ describe('records of pairs', () => {
     });
     expect(hashes[0]).toEqual(hashes[1]);
   });
+});
+
+it('arbiters of a world that was cleared are used again', () => {
+  const world = heavy();
+  const numbers = Array.from({ length: 20 }, () => {
+    const [a, b] = [disc(1), disc(1)];
+    add(world, plainBody({ shapes: [a] }), plainBody({ shapes: [b], position: [0.5, 0] }));
+    world.step(DT);
+    const { number } = a.arbiters[0]!;
+    world.clear();
+    return number;
+  });
+  expect(Math.max(...numbers)).toBe(1);
 });

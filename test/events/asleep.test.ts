@@ -527,3 +527,18 @@ describe('waking', () => {
     }
   });
 });
+
+it('a collision that was rejected and sleeps ends when the mask of the static shape changes', () => {
+  const world = weightless();
+  const [ground, shape] = [disc(3), disc(0.5)];
+  const body = plainBody({ shapes: [shape] });
+  add(world, phys2D.createRigidBody({ type: 'static', shapes: [ground] }), body);
+  shape.addEventListener('preSolve', (arbiter) => arbiter.setAcceptedState(false), undefined, true);
+  const log: string[] = [];
+  for (const type of ['begin', 'end'] as const) shape.addEventListener(type, () => log.push(type));
+  steps(world, 100);
+  expect([body.sleeping, ...log]).toEqual([true, 'begin']);
+  ground.setMask(0);
+  steps(world, 1);
+  expect(log).toEqual(['begin', 'end']);
+});

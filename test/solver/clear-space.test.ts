@@ -66,6 +66,9 @@ describe('what comes to stand in the way of a body in the open', () => {
       return (x) => body.setPosition([x, 0]);
     },
     'one that a restored world has again': restored(() => undefined),
+    'one that was asked for its bounds while it was gone': restored((_, body) => {
+      body.computeWorldBounds();
+    }),
     'one that was elsewhere until a world was restored': restored((world, body) => {
       body.setPosition([-500, 0]);
       add(world, body);

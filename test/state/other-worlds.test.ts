@@ -1,7 +1,7 @@
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { validate } from '../../src/audit/index.js';
-import { phys2D } from '../../src/index.js';
-import { add, box, heavy, plainBody, staticBody, steps, tie } from '../conformance/setting.js';
+import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { add, box, heavy, near, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 
 it('goes on to the bit after a restore, whatever constraints of other worlds are between its bodies', () => {
   const [world, other] = [heavy(), heavy()];
@@ -64,4 +64,51 @@ it('contacts are told as before after a restore, where a body was put elsewhere 
   world.restore(world.snapshot());
   expect(read()).toEqual(before);
   expect(world.hash()).toBe(hash);
+});
+
+describe('what hangs on a body of another world and sleeps wakes', () => {
+  it.each<[string, (anchor: RigidBody, there: World) => void]>([
+    ['as that is put elsewhere', (anchor) => anchor.setPosition([2, 0])],
+    ['as that is set in motion', (anchor) => anchor.setVelocity([1, 0])],
+    [
+      'as a restore puts that elsewhere',
+      (anchor, there) => {
+        const before = there.snapshot();
+        there.removeRigidBody(anchor);
+        anchor.setPosition([2, 0]);
+        there.addRigidBody(anchor);
+        steps(there, 200);
+        there.restore(before);
+      },
+    ],
+  ])('%s', (_, change) => {
+    const [here, there] = [weightless(), weightless()];
+    const anchor = plainBody({ type: 'kinematic' });
+    const body = plainBody();
+    add(there, anchor);
+    add(here, body);
+    const joint = phys2D.createPointConstraint({ bodyA: anchor, bodyB: body, ignoreInteractions: true });
+    tie(here, joint);
+    for (let i = 0; i < 100; i += 1) steps(here, 1);
+    expect(body.sleeping).toBe(true);
+    change(anchor, there);
+    for (let i = 0; i < 120; i += 1) {
+      steps(there, 1);
+      steps(here, 1);
+    }
+    near(body.getPosition(), anchor.getPosition(), 0.02);
+  });
+
+  it('as a body in no world that it hangs on becomes static elsewhere', () => {
+    const world = weightless();
+    const anchor = plainBody({ position: [5, 0] });
+    const body = plainBody();
+    add(world, body);
+    tie(world, phys2D.createPointConstraint({ bodyA: anchor, bodyB: body, ignoreInteractions: true }));
+    steps(world, 100);
+    expect(body.sleeping).toBe(true);
+    anchor.setAsStatic();
+    steps(world, 120);
+    near(body.getPosition(), [5, 0], 0.01);
+  });
 });

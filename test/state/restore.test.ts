@@ -34,3 +34,39 @@ describe.each(Object.entries(GAMES))('%s', (_, build) => {
     }
   }, 300_000);
 });
+
+describe('a shape that only an event names', () => {
+  /** Two discs that touched, of which one was removed from its body. */
+  function parted() {
+    const world = phys2D.createWorld();
+    const [gone, other] = [0.5, 0.5].map((radius) => phys2D.createCircleShape({ radius }));
+    const [a, b] = [gone!, other!].map((shape, i) => {
+      const body = phys2D.createRigidBody({ shapes: [shape], position: [0.8 * i, 0] });
+      world.addRigidBody(body);
+      return body;
+    });
+    const told: unknown[] = [];
+    other!.addEventListener('end', (arbiter) => told.push(arbiter.bodyA?.getPosition(), arbiter.bodyB === b));
+    world.step(1 / 60);
+    a!.removeShape(gone!);
+    return { world, gone: gone!, told };
+  }
+
+  it('gives the body that it is on by now the mass of what it was', () => {
+    const { world, gone } = parted();
+    const snapshot = world.snapshot();
+    gone.setRadius(2);
+    const body = phys2D.createRigidBody({ shapes: [gone] });
+    expect(body.getMass()).toBeCloseTo(4 * Math.PI);
+    world.restore(snapshot);
+    expect(gone.getRadius()).toBe(0.5);
+    expect(body.getMass()).toBeCloseTo(Math.PI / 4);
+  });
+
+  it('is on a body for handlers, also after a restore of a copy, which cannot name it', () => {
+    const { world, told } = parted();
+    world.restore(world.snapshot().slice(0));
+    world.step(1 / 60);
+    expect(told).toEqual([[0, 0], true]);
+  });
+});

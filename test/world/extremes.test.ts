@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
 import { validate } from '../../src/audit/index.js';
 import { type Constraint, phys2D, type RigidBody, type World } from '../../src/index.js';
+import { add, addFloor, boxBody, heavy, steps } from '../conformance/setting.js';
 import { type Dice, dice } from '../quality/dice.js';
 
 // All that is extreme but legal at once, at random: sizes of 1 mm to 1000 km, speeds up to 1e5 m/s, masses of 1 mg to a million tons, steps of 10 µs to 1 s.
@@ -132,4 +133,20 @@ it('shapes that are too far apart to be moved stay all where they are', () => {
     [5e-4, 5e-4],
     [-5e-4, 5e-4],
   ]);
+});
+
+it('the largest friction holds, and moves no force', () => {
+  const material = phys2D.createMaterial({ staticFriction: Number.MAX_VALUE, dynamicFriction: Number.MAX_VALUE });
+  const world = heavy();
+  addFloor(world, {}, { material });
+  const body = boxBody(1, 1, { velocity: [3, 0], position: [0, -1.5], force: [1, 0] }, { material });
+  add(world, body);
+  let told = 0;
+  world.addEventListener('nonfinite', () => {
+    told += 1;
+  });
+  steps(world, 120);
+  expect(told).toBe(0);
+  expect(body.getForce()).toEqual([1, 0]);
+  expect(body.shapes[0]!.arbiters[0]!.getStaticFriction()).toBeCloseTo(Number.MAX_VALUE, -300);
 });
