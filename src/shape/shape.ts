@@ -2,7 +2,6 @@ import type { RigidBody } from '../body.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { MAX_SIZE } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { ACCEPTED } from '../contact/bits.js';
 import type { Hit } from '../contact/hit.js';
 import type { Outline } from '../geometry/outline.js';
 import { addListener, bitOf, HIT, type Listeners, NO_LISTENERS, OF_SHAPES, removeListener } from '../listeners.js';
@@ -166,13 +165,13 @@ export abstract class BaseShape {
     this.changeFilter(this.group, bits('Shape.setMask', 'mask', mask) | 0);
   }
 
-  /** What sleeps in a sensor, or where a collision was rejected, does not rest on it: it wakes, too, so that it is told that this is over. */
+  /** What sleeps in a sensor, or where a collision was rejected, wakes as what rests on it, so that it is told that this is over. */
   private changeFilter(group: number, mask: number): void {
     const isOther = group !== this.group || mask !== this.mask;
     this.setFilter(group, mask);
     this.owner?.rouse();
     for (const pair of this.arbiters) {
-      if (isOther && pair.sleeping && (pair.sensor || !pair.is(ACCEPTED))) this.owner!.owner!.wakeBoth(pair);
+      if (isOther && pair.sleeping) this.owner!.owner!.wakeBoth(pair);
     }
   }
 
