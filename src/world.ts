@@ -12,7 +12,7 @@ import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapes
 import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
-import { broadphaseBounds } from './solver/refresh.js';
+import { insertHandle } from './solver/refresh.js';
 import { quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { countIgnoring, enlivenTied, release, switchOff, switchOn, tie, untie } from './solver/ties.js';
@@ -457,8 +457,7 @@ export class World extends WorldState {
     shape.order = this.nextOrder;
     shape.entered = this.stamp;
     this.nextOrder += 1;
-    if (shape.owner!.asleep) this.movers.space.forget();
-    shape.handle = this.broadphase.insert(shape, broadphaseBounds(shape), shape.owner!.asleep, shape.owner!, shape);
+    insertHandle(this, shape);
   }
 
   /** @internal a shape is about to be detached from a body of this world */

@@ -167,16 +167,15 @@ export abstract class BaseShape {
 
   /** What sleeps in a sensor, or where a collision was rejected, wakes as what rests on it, so that it is told that this is over. */
   private changeFilter(group: number, mask: number): void {
-    const isOther = group !== this.group || mask !== this.mask;
-    this.setFilter(group, mask);
+    const isOther = this.setFilter(group, mask);
     this.owner?.rouse();
     for (const pair of this.arbiters) {
       if (isOther && pair.sleeping) this.owner!.owner!.wakeBoth(pair);
     }
   }
 
-  /** @internal sets both, of 32 bits with a sign; in a world pairs that were left out for them may interact now */
-  setFilter(group: number, mask: number): void {
+  /** @internal sets both, of 32 bits with a sign; in a world pairs that were left out for them may interact now. @returns whether they are others */
+  setFilter(group: number, mask: number): boolean {
     const isOther = group !== this.group || mask !== this.mask;
     this.group = group;
     this.mask = mask;
@@ -185,6 +184,7 @@ export abstract class BaseShape {
       world.filters += 1;
       world.broadphase.refilter?.(this.handle);
     }
+    return isOther;
   }
 
   /** What it is made of. */

@@ -11,6 +11,13 @@ export function broadphaseBounds(shape: Shape): Float64Array {
   return bounds;
 }
 
+/** Puts a shape of a body of a world, which is placed, into the broadphase. */
+export function insertHandle({ broadphase, movers }: World, shape: Shape): void {
+  const body = shape.owner!;
+  if (body.asleep) movers.space.forget();
+  shape.handle = broadphase.insert(shape, broadphaseBounds(shape), body.asleep, body, shape);
+}
+
 /** Tells the broadphase where the shapes of a body are, and whether they may move. */
 export function updateHandles({ broadphase, movers }: World, { shapes, asleep }: RigidBody): void {
   if (asleep) movers.space.forget();

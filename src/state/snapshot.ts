@@ -4,7 +4,7 @@ import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
 import { Group } from '../solver/joints/joint-data.js';
 import { orderJoints } from '../solver/joints/order/order.js';
-import { broadphaseBounds } from '../solver/refresh.js';
+import { insertHandle } from '../solver/refresh.js';
 import { countIgnoring, release } from '../solver/ties.js';
 import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
@@ -273,10 +273,9 @@ function place(world: World, { bodies, inside }: Scene): void {
     for (const shape of body.shapes) {
       if (shape.handle === null) {
         body.place();
-        if (body.asleep) world.movers.space.forget();
-        shape.handle = world.broadphase.insert(shape, broadphaseBounds(shape), body.asleep, body, shape);
+        insertHandle(world, shape);
       }
-      body.placeStale ||= shape.handle.isStatic !== body.asleep;
+      body.placeStale ||= shape.handle!.isStatic !== body.asleep;
     }
     if (body.placeStale) {
       world.stale.add(body);
