@@ -48,12 +48,13 @@ export class Material {
   constructor(params: MaterialParams = {}) {
     const where = 'createMaterial';
     const given = options(where, params, false);
-    this.elasticity = notNaN(where, 'elasticity', optional(given.elasticity, 0));
+    // Nothing depends on the sign of a zero, and JSON has none: so there is none.
+    this.elasticity = 0 + notNaN(where, 'elasticity', optional(given.elasticity, 0));
     materials.someDeaden ||= this.elasticity < 0;
-    this.staticFriction = nonNegative(where, 'staticFriction', optional(given.staticFriction, 2));
-    this.dynamicFriction = nonNegative(where, 'dynamicFriction', optional(given.dynamicFriction, 1));
-    this.rollingFriction = nonNegative(where, 'rollingFriction', optional(given.rollingFriction, 0.005));
-    this.density = nonNegative(where, 'density', optional(given.density, 1));
+    this.staticFriction = 0 + nonNegative(where, 'staticFriction', optional(given.staticFriction, 2));
+    this.dynamicFriction = 0 + nonNegative(where, 'dynamicFriction', optional(given.dynamicFriction, 1));
+    this.rollingFriction = 0 + nonNegative(where, 'rollingFriction', optional(given.rollingFriction, 0.005));
+    this.density = 0 + nonNegative(where, 'density', optional(given.density, 1));
     this.userData = given.userData === undefined ? null : given.userData;
   }
 

@@ -7,13 +7,14 @@
 import type { RigidBody } from './body.js';
 import { ANGLE, writePose, X, Y } from './body-pose.js';
 import { type NumberSink, type Vec2, vec2 } from './math/vectors.js';
+import type { Recorder } from './state/recorder.js';
 import { callable, integer, nonNegative, options, positive, typeError } from './validate.js';
 import type { World } from './world.js';
 
 /** Options of `FixedStepRunner.create`. */
 export interface FixedStepRunnerParams {
-  /** What is stepped; nobody else should step it. */
-  world: World;
+  /** What is stepped, nobody else should step it; or the `Recorder` of a world, through which it is. */
+  world: World | Recorder;
   /** Length of each step, s, > 0. Default 1/60. */
   deltaTime?: number | undefined;
   /** Most steps for one frame, integer from 1 to 1e9. Default 5. */
@@ -28,7 +29,7 @@ export interface FixedStepRunnerParams {
  * After G. Fiedler, "Fix Your Timestep!", 2004.
  */
 export class FixedStepRunner {
-  /** What it steps. */
+  /** The world that it steps. */
   readonly world: World;
   /** s. */
   readonly deltaTime: number;
@@ -38,15 +39,20 @@ export class FixedStepRunner {
   private waiting = 0;
   /** Steps yet to be made: more than none between two frames only if a handler threw. */
   private due = 0;
+  /** Through which it does. */
+  private readonly stepped: World | Recorder;
+  private advancing = false;
 
   /** @internal use `create` */
   constructor(params: FixedStepRunnerParams) {
     const where = 'FixedStepRunner.create';
-    const { world, deltaTime = 1 / 60, maxSteps = 5 } = options(where, params, true);
-    if (typeof world?.step !== 'function') {
-      throw typeError(where, 'world', 'a World', world);
+    const { world: stepped, deltaTime = 1 / 60, maxSteps = 5 } = options(where, params, true);
+    const world = 'world' in Object(stepped) ? (stepped as Recorder).world : (stepped as World);
+    if (typeof stepped?.step !== 'function' || typeof world?.refuseInside !== 'function') {
+      throw typeError(where, 'world', 'a World, or the Recorder of one', stepped);
     }
     this.world = world;
+    this.stepped = stepped;
     this.deltaTime = positive(where, 'deltaTime', deltaTime);
     this.maxSteps = integer(where, 'maxSteps', maxSteps, 1);
   }
@@ -67,7 +73,7 @@ export class FixedStepRunner {
    *
    * @param beforeStep called before each step: the place for forces and input.
    * @returns how many steps were made.
-   * @throws Error when called from a handler of the world: nothing has changed then.
+   * @throws Error when called from a handler of the world, or from `beforeStep`: nothing has changed then.
    */
   advance(elapsed: number, beforeStep?: (world: World) => void): number {
     const where = 'FixedStepRunner.advance';
@@ -76,14 +82,22 @@ export class FixedStepRunner {
       callable(where, 'beforeStep', beforeStep);
     }
     this.world.refuseInside(where);
+    if (this.advancing) {
+      throw new Error(`${where}: must not be called from beforeStep`);
+    }
     const time = this.waiting + elapsed;
     this.waiting = time % this.deltaTime;
     this.due = Math.min(this.due + Math.round((time - this.waiting) / this.deltaTime), this.maxSteps);
     let made = 0;
-    for (; this.due > 0; made += 1) {
-      beforeStep?.(this.world);
-      this.due -= 1;
-      this.world.step(this.deltaTime);
+    this.advancing = true;
+    try {
+      for (; this.due > 0; made += 1) {
+        beforeStep?.(this.world);
+        this.due -= 1;
+        this.stepped.step(this.deltaTime);
+      }
+    } finally {
+      this.advancing = false;
     }
     return made;
   }

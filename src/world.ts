@@ -70,6 +70,7 @@ export class World extends WorldState {
       this.stepping = false;
     }
     this.delivering = true;
+    this.events.readHits();
     try {
       if (this.poses !== null) {
         this.events.call(this.poses.update, this.poses, null, null, null);
@@ -345,7 +346,8 @@ export class World extends WorldState {
   /**
    * Adds a handler, which is called when the step is done, and may change anything.
    *
-   * - `begin`, `progress`, `end`, `hit`: as of shapes, see `shape.addEventListener`, for any two shapes, after their own handlers. What sleeps is not woken to tell.
+   * - `begin`, `progress`, `end`, `hit`: as of shapes, see `shape.addEventListener`, for any two shapes, after their own handlers. What sleeps is not woken to tell. Of more than 64 shapes that
+   *   lie in the middle of each other, and have no handlers, some pairs are left out.
    * - `nonfinite`: a body was frozen in the step, as its motion would not have been finite, or farther than 1e150 m. It is where it was,
    *   without velocity, force and torque, and moved nothing else. Causes are forces and masses of no measure, and custom constraints.
    *

@@ -1,4 +1,5 @@
 import { RigidBody } from '../body.js';
+import { FAR } from '../config.js';
 import {
   addListener,
   bitOf,
@@ -427,11 +428,11 @@ export abstract class BaseConstraint {
 
 /** @internal `name` is the bound to blame if they do not fit. */
 export function checkBounds(where: string, name: string, lower: number, upper: number): void {
-  if (lower === Infinity) {
-    throw rangeError(where, 'lowerBound', 'less than Infinity', lower);
+  if (lower > FAR) {
+    throw rangeError(where, 'lowerBound', `a number of at most ${FAR}`, lower);
   }
-  if (upper === -Infinity) {
-    throw rangeError(where, 'upperBound', 'more than -Infinity', upper);
+  if (upper < -FAR) {
+    throw rangeError(where, 'upperBound', `a number of at least ${-FAR}`, upper);
   }
   if (lower > upper) {
     const isLower = name === 'lowerBound';

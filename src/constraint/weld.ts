@@ -1,5 +1,6 @@
+import { FAR } from '../config.js';
 import type { Tape } from '../state/tape.js';
-import { finite, optional } from '../validate.js';
+import { optional, within } from '../validate.js';
 import { ANGLE, POSE } from './layout.js';
 import { pointRows } from './point.js';
 import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
@@ -25,7 +26,7 @@ export class WeldConstraint extends AnchoredConstraint {
   /** @internal use `createWeldConstraint` */
   constructor(params: WeldConstraintParams) {
     super('createWeldConstraint', 3, params);
-    this.phase = finite('createWeldConstraint', 'phase', optional(params.phase, 0));
+    this.phase = within('createWeldConstraint', 'phase', optional(params.phase, 0), FAR);
   }
 
   /** rad. */
@@ -35,7 +36,7 @@ export class WeldConstraint extends AnchoredConstraint {
 
   /** Sets the angle that the bodies keep, rad. */
   setPhase(phase: number): void {
-    finite('WeldConstraint.setPhase', 'phase', phase);
+    within('WeldConstraint.setPhase', 'phase', phase, FAR);
     if (phase !== this.phase) {
       this.phase = phase;
       this.rouse();

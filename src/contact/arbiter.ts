@@ -84,7 +84,7 @@ export class Arbiter extends PairState {
     return this.numbers[this.at + g.COUNT]! | 0;
   }
 
-  /** Of `shapeA`; in an `end` handler, if that has been removed from its body, the one that it was on. */
+  /** Of `shapeA`; in an `end` handler, if that has been removed from its body, the one that it was on, unless it is on another by now. */
   get bodyA(): RigidBody {
     return this.shapeA.owner ?? this.shapeA.former!;
   }

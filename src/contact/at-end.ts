@@ -19,7 +19,7 @@ const SAME = 1e-9;
 
 /** A body is about to be put elsewhere, or to leave. */
 export function holdAtEnd(arbiter: Arbiter): void {
-  if (!arbiter.active || arbiter.count === 0 || arbiter.isHeld()) {
+  if (!(arbiter.active || arbiter.sleeping) || arbiter.count === 0 || arbiter.isHeld()) {
     return;
   }
   // Held only when all is found: what is held is told.

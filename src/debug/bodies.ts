@@ -65,7 +65,12 @@ function colorsOf(body: RigidBody): ShapeColors {
   if (body.isKinematic()) {
     return KINEMATIC;
   }
-  return body.bullet ? BULLET : DYNAMIC;
+  return body.bullet && isFast(body) ? BULLET : DYNAMIC;
+}
+
+/** In its last step it went by more than half its size, or turned by more than can be overlooked: what was on its way it may have met. */
+function isFast({ lastDx, lastDy, lastTurn, radius }: RigidBody): boolean {
+  return Math.abs(lastDx) + Math.abs(lastDy) > radius / 2 || Math.abs(lastTurn) > 0.05;
 }
 
 function colorOf(colors: ShapeColors, sensor: boolean, sleeping: boolean): Color {

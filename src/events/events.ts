@@ -147,6 +147,14 @@ export class EventQueue {
     this.woken.clear();
   }
 
+  /** Reads of collisions that have begun what the step made of them, before anyone may change that. */
+  readHits(): void {
+    for (let i = 0; i < this.struck.length; i += 1) {
+      this.hits[i]!.read(this.struck[i]!);
+    }
+    this.struck.length = 0;
+  }
+
   /**
    * Calls the handlers of everything noted so far; what they cause waits for the next delivery. If a handler throws, the
    * rest is delivered all the same.
@@ -159,10 +167,6 @@ export class EventQueue {
     const lists = this.lists;
     this.lists = this.handed;
     this.handed = lists;
-    for (let i = 0; i < this.struck.length; i += 1) {
-      this.hits[i]!.read(this.struck[i]!);
-    }
-    this.struck.length = 0;
     for (const list of lists) {
       this.handOut(list);
     }

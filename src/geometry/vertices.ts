@@ -147,7 +147,7 @@ function withoutCollinear(where: string, name: string, flat: readonly number[], 
       throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * i]}, ${flat[2 * i + 1]}]`);
     }
   }
-  const winding = kept.length < 6 ? -1 : firstSecondRound(kept);
+  const winding = kept.length < 6 ? -1 : firstSecondRound(kept, count * COLLINEAR_TOLERANCE);
   if (winding !== 0) {
     const found = winding < 0 ? 'all vertices on one line' : `a second round at vertex ${winding}`;
     throw new RangeError(`${where}: ${name} must go once around a convex polygon, got ${found}`);
@@ -155,8 +155,8 @@ function withoutCollinear(where: string, name: string, flat: readonly number[], 
   return kept;
 }
 
-/** 0 for a path that goes round once; else the vertex at which the edges start their second round. */
-function firstSecondRound(flat: readonly number[]): number {
+/** 0 for a path that goes round once; else the vertex at which the edges start their second round. Edges that are upright but for so much lead neither way: each corner that was left out may have bent back a little. */
+function firstSecondRound(flat: readonly number[], slack: number): number {
   const count = flat.length / 2;
   let changes = 0;
   let previous = 0;
@@ -164,7 +164,8 @@ function firstSecondRound(flat: readonly number[]): number {
     const from = i % count;
     const to = (i + 1) % count;
     const dx = flat[2 * to]! - flat[2 * from]!;
-    const sign = dx > 0 ? 1 : dx < 0 ? -1 : previous;
+    const least = slack * Math.abs(flat[2 * to + 1]! - flat[2 * from + 1]!);
+    const sign = dx > least ? 1 : dx < -least ? -1 : previous;
     if (previous !== 0 && sign !== previous) {
       changes += 1;
       if (changes > 2) {

@@ -12,6 +12,7 @@ export class Cuts {
   private readonly y: number[];
   /** By corner, where edges and cuts from there go to: first along the outline, then in the order of their angles, to the side of the y-axis of an edge along the x-axis, and back along the outline at last. */
   private readonly ways: number[][] = [];
+  private readonly edges: [number, number][];
   private readonly cuts: [number, number][] = [];
 
   /** An outline that goes around from the x- to the y-axis, and holes that go around the other way. */
@@ -26,6 +27,7 @@ export class Cuts {
         this.ways.push([first + ((i + 1) % count), first + ((i + count - 1) % count)]);
       }
     }
+    this.edges = this.ways.map(([next], v) => [v, next!]);
   }
 
   /** Cuts until nothing bends inwards, and takes back what is not needed. */
@@ -62,21 +64,27 @@ export class Cuts {
     if (served !== undefined) {
       return served;
     }
-    const seen = others.filter((w) => this.placeOf(v, w) === gap + 1 && this.sees(v, w));
-    const parted = seen.filter((w) => this.bendAt(w, v, ways[gap]!) !== LEFT);
-    if (seen.length === 0) {
+    const within = others.filter((w) => this.placeOf(v, w) === gap + 1);
+    const firstSeen = (parts: boolean) =>
+      within
+        .filter((w) => parts !== this.isNotch(w, v, ways[gap]!))
+        // What leaves the least; of what is on one line the nearest.
+        .sort((a, b) => this.side(v, a, b))
+        .find((w) => this.sees(v, w));
+    const found = firstSeen(true) ?? firstSeen(false);
+    if (found === undefined) {
       throw new RangeError(
         `decomposeOutline: there must be room for a cut, got none at vertex [${this.x[v]}, ${this.y[v]}]`,
       );
     }
-    return (parted.length > 0 ? parted : seen).reduce((a, b) => (this.side(v, a, b) > 0 ? b : a));
+    return found;
   }
 
   /** The first of two ways from a corner, beside each other, between which the inside bends inwards there; −1 if it does nowhere. */
   private gapOf(v: number): number {
     const ways = this.ways[v]!;
     for (let k = 0; k + 1 < ways.length; k += 1) {
-      if (this.bendAt(ways[k + 1]!, v, ways[k]!) === LEFT) {
+      if (this.isNotch(ways[k + 1]!, v, ways[k]!)) {
         return k;
       }
     }
@@ -110,14 +118,14 @@ export class Cuts {
   private serves(v: number, w: number): boolean {
     const ways = this.ways[v]!;
     const place = this.placeOf(v, w);
-    return this.bendAt(ways[place]!, v, w) !== LEFT && this.bendAt(w, v, ways[place - 1]!) !== LEFT;
+    return !this.isNotch(ways[place]!, v, w) && !this.isNotch(w, v, ways[place - 1]!);
   }
 
   /** Whether a cut is not needed at one of its ends. */
   private isSpare(v: number, w: number): boolean {
     const ways = this.ways[v]!;
     const place = ways.indexOf(w);
-    return this.bendAt(ways[place + 1]!, v, ways[place - 1]!) !== LEFT;
+    return !this.isNotch(ways[place + 1]!, v, ways[place - 1]!);
   }
 
   private add(v: number, w: number): void {
@@ -131,8 +139,19 @@ export class Cuts {
     return (
       this.opensTo(v, w) &&
       this.opensTo(w, v) &&
-      this.ways.every((ways, a) => !this.isBetween(v, w, a, ways[0]!)) &&
-      this.cuts.every(([a, b]) => !this.isBetween(v, w, a, b))
+      !this.edges.some(([a, b]) => this.isNear(v, w, a, b) && this.isBetween(v, w, a, b)) &&
+      !this.cuts.some(([a, b]) => this.isNear(v, w, a, b) && this.isBetween(v, w, a, b))
+    );
+  }
+
+  /** Whether the bounds of two ways meet. First, as that is all it takes for most. */
+  private isNear(v: number, w: number, a: number, b: number): boolean {
+    const { x, y } = this;
+    return !(
+      (x[a]! < x[v]! && x[a]! < x[w]! && x[b]! < x[v]! && x[b]! < x[w]!) ||
+      (x[a]! > x[v]! && x[a]! > x[w]! && x[b]! > x[v]! && x[b]! > x[w]!) ||
+      (y[a]! < y[v]! && y[a]! < y[w]! && y[b]! < y[v]! && y[b]! < y[w]!) ||
+      (y[a]! > y[v]! && y[a]! > y[w]! && y[b]! > y[v]! && y[b]! > y[w]!)
     );
   }
 
@@ -184,15 +203,18 @@ export class Cuts {
     return parts;
   }
 
-  /** Without corners that are where one beside them is, which no polygon may have: of two, the same one stays in all parts. */
+  /** Without corners that no polygon may have: that are where one beside them is, of which the same one stays in all parts, and tips of needles. */
   private distinct(part: readonly number[]): readonly number[] {
     const { length } = part;
     const isRepeat = (v: number, i: number) =>
       [part[(i + 1) % length]!, part[(i + length - 1) % length]!].some(
         (w) => w < v && this.square(v, w) <= VERTEX_TOLERANCE * VERTEX_TOLERANCE,
       );
+    const isTip = (v: number, i: number) =>
+      length > 3 && this.bendAt(part[(i + length - 1) % length]!, v, part[(i + 1) % length]!) === LEFT;
     const repeat = part.findIndex(isRepeat);
-    return repeat < 0 ? part : this.distinct(part.filter((_, i) => i !== repeat));
+    const dropped = repeat < 0 ? part.findIndex(isTip) : repeat;
+    return dropped < 0 ? part : this.distinct(part.filter((_, i) => i !== dropped));
   }
 
   /** Whether a part is more than a line. */
@@ -206,6 +228,11 @@ export class Cuts {
   private side(a: number, b: number, c: number): number {
     const { x, y } = this;
     return orient(x[a]!, y[a]!, x[b]!, y[b]!, x[c]!, y[c]!);
+  }
+
+  /** Whether the inside bends inwards at the second of three corners. A needle does not, however thin it is: a cut to an edge that is nearly straight may leave one. */
+  private isNotch(a: number, b: number, c: number): boolean {
+    return this.bendAt(a, b, c) === LEFT && !(this.dot(b, a, c) > 0 && this.side(a, b, c) > 0);
   }
 
   private bendAt(a: number, b: number, c: number): number {

@@ -35,6 +35,9 @@ export function enliven(world: World, body: RigidBody): void {
     for (const pair of shape.arbiters) {
       if (pair.sleeping) {
         wakePair(world, pair);
+      } else if (world.stepping && pair.active && (pair.bodyA.asleep || pair.bodyB.asleep)) {
+        // Nobody reported it, as both were asleep when the step began.
+        pair.seen = world.timeStamp;
       }
     }
   }
@@ -226,7 +229,9 @@ function wakePair(world: World, pair: Arbiter): void {
     pair.seen = world.timeStamp;
     tellProgress(world, pair);
   } else {
+    const isHeld = pair.isHeld();
     pair.lastInteraction = world.timeStamp;
+    if (isHeld) pair.hold();
   }
 }
 
@@ -292,12 +297,12 @@ export function sleepPair(world: World, pair: Arbiter): void {
   tellProgress(world, pair);
 }
 
-/** Kinematic bodies that did not move in this step fall asleep, without an event. */
+/** Kinematic bodies that did not move in this step fall asleep, without an event; not those that something set in motion while it was being solved. */
 export function sleepKinematics(world: World): void {
   const live = world.liveKinematics;
   for (let i = live.length - 1; i >= 0 && world.allowSleeping; i -= 1) {
     const body = live[i]!;
-    if (body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
+    if (body.slot !== 0 && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
     }
   }

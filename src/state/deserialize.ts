@@ -212,7 +212,9 @@ class Maker {
   private constraintOf(plain: PlainConstraint, members: RigidBody[]): Constraint {
     const { phys2D } = this;
     const [bodyA, bodyB, bodyC, bodyD] = members as [RigidBody, RigidBody, RigidBody, RigidBody];
-    const [anchorA, anchorB, anchorC, anchorD] = (plain.anchors ?? []) as Vec2[];
+    const [anchorA, anchorB, anchorC, anchorD] = (
+      plain.anchors === undefined ? [] : array('anchors', plain.anchors)
+    ) as Vec2[];
     const both = { bodyA, bodyB };
     const anchored = { ...both, anchorA, anchorB };
     const bounds = { lowerBound: number(plain.lowerBound), upperBound: number(plain.upperBound) };

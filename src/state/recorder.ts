@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from '../constraint/constraint.js';
 import type { Shape } from '../shape/shape.js';
-import { boolean, integer, typeError } from '../validate.js';
+import { boolean, integer, positive, typeError } from '../validate.js';
 import type { World } from '../world.js';
 
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
@@ -44,7 +44,7 @@ export interface RecordedStep {
   /** In the order in which they were made. */
   readonly calls: readonly RecordedCall[];
   /**
-   * If one of them added something, which may be in another state by now; else `null`. From that one on a replay does not make them again, but takes
+   * If one of them added something, which may be in another state by now, or changed shapes of a body that is in no world; else `null`. From that one on a replay does not make them again, but takes
    * the world to where it was after them.
    */
   readonly added: {
@@ -64,21 +64,24 @@ export interface RecordedStep {
 /**
  * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
  * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time, and what one
- * adds it has to make anew. A step before which something is added keeps a snapshot of the world.
+ * adds it has to make anew. A step before which something is added, or shapes of a body that is in no world are changed, keeps a snapshot of the world.
  */
 export class Recorder {
   /** The world as it was when the recording began. */
   readonly snapshot: ArrayBuffer;
+  /** The world that it records. */
+  readonly world: World;
   private readonly frames: RecordedStep[] = [];
   private calls: RecordedCall[] = [];
   /** The first call since the last step that was to add something, and the hash before it; the snapshot comes with the step. */
   private adding: { first: number; before: string; after: ArrayBuffer } | null = null;
 
   /** @internal use `create` */
-  constructor(private readonly world: World) {
+  constructor(world: World) {
     if (typeof world?.snapshot !== 'function') {
       throw typeError('Recorder.create', 'world', 'a World', world);
     }
+    this.world = world;
     this.snapshot = world.snapshot();
   }
 
@@ -99,8 +102,8 @@ export class Recorder {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
     const kept = args.map(copyOf);
-    // A body, a shape or a constraint.
-    if (method.startsWith('add') && !this.world.busy) {
+    // What is added, a body, a shape or a constraint, may be another by the time of a replay, as it is in no snapshot; nor are shapes of a body that is in no world.
+    if ((method.startsWith('add') || changesOutside(this.world, object, method)) && !this.world.busy) {
       this.adding ??= { first: this.calls.length, before: this.world.hash(), after: this.snapshot };
     }
     const result = made.apply(object, args);
@@ -159,9 +162,10 @@ export function replay(world: World, recording: Recording): number {
     throw typeError('replay', 'recording', 'the recording of a Recorder', recording);
   }
   frames.forEach((frame, i) => {
-    if (!Array.isArray(frame?.calls) || !frame.calls.every((call: RecordedCall | null) => Array.isArray(call?.args))) {
+    if (!isFrame(frame)) {
       throw typeError('replay', `recording.frames[${i}]`, 'a frame of a Recorder', frame);
     }
+    positive('replay', `recording.frames[${i}].deltaTime`, frame.deltaTime);
     frame.calls.forEach(again);
   });
   world.restore(snapshot);
@@ -176,6 +180,16 @@ export function replay(world: World, recording: Recording): number {
   });
 }
 
+function isFrame(frame: RecordedStep | null): boolean {
+  const { calls, added, hash } = Object(frame) as Partial<RecordedStep>;
+  return (
+    Array.isArray(calls) &&
+    calls.every((call: RecordedCall | null) => Array.isArray(call?.args)) &&
+    (added === null || (Number.isInteger(added?.first) && added?.after instanceof ArrayBuffer)) &&
+    typeof hash === 'string'
+  );
+}
+
 function stepAgain(world: World, deltaTime: number): void {
   const { timeStamp } = world;
   try {
@@ -185,6 +199,14 @@ function stepAgain(world: World, deltaTime: number): void {
       throw error;
     }
   }
+}
+
+/** Whether shapes change of a body that is not in the world. */
+function changesOutside(world: World, object: Recorded, method: string): boolean {
+  if ('shapes' in object) {
+    return object.world !== world && (method === 'removeShape' || method === 'alignWithOrigin');
+  }
+  return 'body' in object && object.body?.world !== world;
 }
 
 /** Arrays and options, which callers may use again, with those that are in them. */

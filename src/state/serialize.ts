@@ -102,7 +102,7 @@ export interface PlainConstraint {
   userData: unknown;
 }
 
-/** A world as data that JSON can hold. To be read: `state` is what the world goes on from, and `deserialize` refuses data that were edited. To change something, change the world that it makes. */
+/** A world as data that JSON can hold. To be read: `state` is what the world goes on from, and `deserialize` refuses data that were edited, but for shapes of bodies that are in no world, which are made as told. To change something, change the world that it makes. */
 export interface PlainWorld {
   /** Tells it from other data. */
   format: 'phys2d world';

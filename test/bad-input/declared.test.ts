@@ -187,6 +187,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
     PlainWorld: { good: state.serialize(phys2D.createWorld()), bad: [...NO_OBJECT, {}] },
     "T extends 'hit' ? number : boolean": { good: undefined, bad: [] },
     'T[K] extends Overloads<infer A, infer B, unknown, unknown> ? A | B : never': { good: undefined, bad: [] },
+    'World | Recorder': { good: world, bad: [...NO_OBJECT, {}, one] },
     'World | RigidBody': { good: world, bad: [...NO_OBJECT, {}, one] },
     RecordedSetting: { good: 'substeps', bad: ['text', 'step', 5, null, {}] },
     'number | boolean': { good: 2, bad: [...BAD_NUMBERS, 0, 1.5] },

@@ -72,7 +72,7 @@ describe('colours', () => {
     ['dynamic', false, [0.5, 1, 0.5, 1], [0.7, 0.9, 0.7, 0.6], [0.5, 1, 0.5, 0.5], [0.7, 0.9, 0.7, 0.4]],
     ['static', true, [1, 0.5, 0.5, 1], [0.9, 0.7, 0.7, 0.6], [1, 0.5, 0.5, 1], [0.9, 0.7, 0.7, 0.6]],
     ['kinematic', true, [0.8, 0.3, 0.8, 1], [0.8, 0.4, 0.8, 0.6], [0.8, 0.4, 0.8, 0.5], [0.8, 0.5, 0.8, 0.4]],
-    ['dynamic', true, [1, 1, 1, 1], [0.7, 0.9, 0.7, 0.6], [0.5, 1, 0.5, 0.5], [0.7, 0.9, 0.7, 0.4]],
+    ['dynamic', true, [0.5, 1, 0.5, 1], [0.7, 0.9, 0.7, 0.6], [0.5, 1, 0.5, 0.5], [0.7, 0.9, 0.7, 0.4]],
   ] as const)('of a %s body, bullet: %s', (type, bullet, collider, sensor, sleepingCollider, sleepingSensor) => {
     for (const [isSensor, sleeping, expected] of [
       [false, false, collider],
@@ -85,6 +85,22 @@ describe('colours', () => {
       add(weightless(), body);
       expect(colorOf(body)).toEqual(expected);
     }
+  });
+});
+
+describe('of a bullet', () => {
+  it.each([
+    ['that goes by half its size in a step', { velocity: [60, 0] }, [1, 1, 1, 1]],
+    ['that turns fast', { angularVelocity: 4 }, [1, 1, 1, 1]],
+    ['that is slow', { velocity: [10, 0], angularVelocity: 2 }, [0.5, 1, 0.5, 1]],
+  ] as const)('%s', (_, params, expected) => {
+    const world = weightless();
+    const bullet = bodyOf(box(1, 1), { ...params, bullet: true });
+    add(world, bullet);
+    steps(world, 1);
+    expect(colorOf(bullet)).toEqual(expected);
+    bullet.bullet = false;
+    expect(colorOf(bullet)).toEqual([0.5, 1, 0.5, 1]);
   });
 });
 

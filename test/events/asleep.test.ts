@@ -542,3 +542,47 @@ it('a collision that was rejected and sleeps ends when the mask of the static sh
   steps(world, 1);
   expect(log).toEqual(['begin', 'end']);
 });
+
+it.each(['wake', 'push'])(
+  'a body put to sleep that a handler of another pair makes %s goes on as if it had not slept',
+  (how) => {
+    const world = heavy();
+    const other = boxBody(1, 1, { position: [5, 0] });
+    add(world, other);
+    addFloor(world);
+    const body = boxBody(1, 1);
+    add(world, body);
+    steps(world, 30);
+    const [y] = [body.getPosition()[1]];
+    const log = listen(body.shapes[0]!);
+    body.sleep();
+    other.shapes[0]!.addEventListener('preSolve', () => {
+      if (how === 'wake') body.wake();
+      else body.applyImpulse([1e-3, 0]);
+    });
+    steps(world, 3);
+    expect(log).toEqual(['progressA', 'progressA', 'progressA']);
+    expect(Math.abs(body.getPosition()[1] - y)).toBeLessThan(1e-6);
+  },
+);
+
+it('a contact that sleeps tells where it was as its body is put elsewhere, until it has ended', () => {
+  const world = heavy();
+  addFloor(world);
+  const body = boxBody(1, 1);
+  add(world, body);
+  let atEnd: unknown;
+  body.shapes[0]!.addEventListener('end', () => {
+    atEnd = told();
+  });
+  steps(world, 100);
+  expect(body.sleeping).toBe(true);
+  const [arbiter] = body.shapes[0]!.arbiters;
+  const told = () => arbiter!.contacts.map((contact) => [...contact.getPosition(), contact.getPenetration()]);
+  const before = told();
+  expect(before).toHaveLength(2);
+  body.setPosition([3, -20]);
+  expect(told()).toEqual(before);
+  steps(world, 1);
+  expect(atEnd).toEqual(before);
+});

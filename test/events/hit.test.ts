@@ -88,6 +88,18 @@ describe('hit', () => {
     expect(calls).toEqual([[still.shapes[0], moving.shapes[0], true]]);
   });
 
+  it('tells the same where `poses` removes the body before', () => {
+    const tell = (removes: boolean) => {
+      const { world, moving, seen } = coming(0.001);
+      world.poses = { update: () => void (removes && seen.length === 0 && world.timeStamp > 0 && remove()) };
+      const remove = () => moving.shapes[0]!.arbiters.length > 0 && world.removeRigidBody(moving);
+      until(world, () => seen.length > 0);
+      return seen.map(({ speed, impulse, position, normal }) => ({ speed, impulse, position, normal }));
+    };
+    expect(tell(true)).toEqual(tell(false));
+    near(tell(true)[0]!.impulse, 1.5);
+  });
+
   it('is not called for slower ones, or other groups', () => {
     const { world, moving, still } = coming(0.1);
     const shape = still.shapes[0]!;

@@ -35,7 +35,7 @@ function notches(outline: Outline): number {
 }
 
 /** Every part makes a polygon; all are the inside once, and of given vertices. */
-function check(outline: Outline, holes: readonly Outline[] = []): Vec2[][] {
+function check(outline: Outline, holes: readonly Outline[] = [], tolerance = 1e-9): Vec2[][] {
   const parts = decomposeOutline(outline, holes);
   const given = new Set([outline, ...holes].flat().map(String));
   let area = 0;
@@ -47,7 +47,7 @@ function check(outline: Outline, holes: readonly Outline[] = []): Vec2[][] {
     area += areaOf(part);
   }
   const whole = Math.abs(areaOf(outline)) - holes.reduce((sum, hole) => sum + Math.abs(areaOf(hole)), 0);
-  expect(Math.abs(area / whole - 1)).toBeLessThan(1e-9);
+  expect(Math.abs(area / whole - 1)).toBeLessThan(tolerance);
   return parts;
 }
 
@@ -183,6 +183,38 @@ describe('outlines at random', () => {
       check(outline);
     }
   });
+
+  it.each([1e-10, 1e-9, 1e-8, 1e-7, 1e-3])(
+    'of a square of many corners that are off its edges by up to %f m',
+    (noise) => {
+      for (let seed = 1; seed <= 60; seed += 1) {
+        const random = generator(seed);
+        const off = () => noise * (random() - 0.5);
+        const outline: Vec2[] = [];
+        for (const [[x, y], [dx, dy]] of [
+          [
+            [0, 0],
+            [1, 0],
+          ],
+          [
+            [1, 0],
+            [0, 1],
+          ],
+          [
+            [1, 1],
+            [-1, 0],
+          ],
+          [
+            [0, 1],
+            [0, -1],
+          ],
+        ] as const) {
+          for (let k = 0; k < 40; k += 1) outline.push([x + (dx * k) / 40 + off(), y + (dy * k) / 40 + off()]);
+        }
+        check(outline, [], 1e-7);
+      }
+    },
+  );
 
   it('with holes', () => {
     for (let seed = 1; seed <= 100; seed += 1) {
@@ -433,7 +465,7 @@ function distanceTo([x, y]: Vec2, [ax, ay]: Vec2, [bx, by]: Vec2): number {
   return Math.hypot(x - ax - share * dx, y - ay - share * dy);
 }
 
-it('needles that are as thin as rounding are refused by name', () => {
+it('needles that are as thin as rounding are no parts', () => {
   const outline: [number, number][] = [
     [10, 10],
     [9.671040643890992, 10.944344080316782],
@@ -444,7 +476,6 @@ it('needles that are as thin as rounding are refused by name', () => {
     [9.032103241075237, 12.839644342989441],
     [8.068775347285237, 12.50407095361668],
   ];
-  expect(() => decomposeOutline(outline)).toThrow(
-    /^decomposeOutline: there must be room for a cut, got none at vertex \[/,
-  );
+  check(outline, [], 1e-7);
+  check([...outline].reverse(), [], 1e-7);
 });

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type World } from '../../src/index.js';
 import { FixedStepRunner } from '../../src/runner.js';
+import { Recorder, replay } from '../../src/state/index.js';
 import { NOT_COUNT, NOT_NON_NEGATIVE, NOT_POSITIVE, refuses } from '../bad-input/refuses.js';
 import { add, near, plainBody, weightless } from '../conformance/setting.js';
 import { stateHash } from '../scenes/hash.js';
@@ -166,6 +167,22 @@ describe('placements', () => {
   });
 });
 
+it('a Recorder is stepped in place of its world', () => {
+  const world = weightless();
+  const body = plainBody();
+  add(world, body);
+  const recorder = Recorder.create(world);
+  const runner = FixedStepRunner.create({ world: recorder });
+  expect(runner.world).toBe(world);
+  const push = () => void recorder.call(body, 'applyImpulse', [1, 0]);
+  for (let i = 0; i < 20; i += 1) runner.advance(1 / 50, push);
+  expect(recorder.recording.frames).toHaveLength(world.timeStamp);
+  const end = body.getPosition();
+  expect(end[0]).toBeGreaterThan(1);
+  expect(replay(world, recorder.recording)).toBe(-1);
+  expect(body.getPosition()).toEqual(end);
+});
+
 describe('refusals', () => {
   const world = weightless();
 
@@ -174,6 +191,8 @@ describe('refusals', () => {
     refuses((params) => FixedStepRunner.create(params), where, 'params', [undefined, TypeError]);
     refuses((value) => FixedStepRunner.create({ world: value }), where, 'world', [null, TypeError]);
     refuses((value) => FixedStepRunner.create({ world: value }), where, 'world', [{}, TypeError, 'an object']);
+    const like = { step: () => {} };
+    refuses((value) => FixedStepRunner.create({ world: value }), where, 'world', [like, TypeError, 'an object']);
     for (const bad of NOT_POSITIVE) {
       refuses((deltaTime) => FixedStepRunner.create({ world, deltaTime }), where, 'deltaTime', bad);
     }
@@ -210,6 +229,24 @@ describe('refusals', () => {
       'Error: FixedStepRunner.advance: must not be called from a handler or callback of the same world',
     );
     expect([runner.advance(0), stepped.timeStamp]).toEqual([0, 2]);
+  });
+
+  it('of advance in beforeStep', () => {
+    const stepped = weightless();
+    const runner = FixedStepRunner.create({ world: stepped, deltaTime: 0.25 });
+    const refusals: unknown[] = [];
+    const nested = () => {
+      try {
+        runner.advance(0.5);
+      } catch (error) {
+        refusals.push(error);
+      }
+    };
+    expect([runner.advance(0.5, nested), stepped.timeStamp]).toEqual([2, 2]);
+    expect(refusals.map(String)).toEqual(
+      Array(2).fill('Error: FixedStepRunner.advance: must not be called from beforeStep'),
+    );
+    expect([runner.advance(0.25), stepped.timeStamp]).toEqual([1, 3]);
   });
 
   it('of what is no body', () => {

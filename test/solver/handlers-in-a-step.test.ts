@@ -119,3 +119,48 @@ it('a handler that steps another world changes nothing in its own, also at the e
   expect(bounce(true)).toBe(bounce(false));
   expect(bounce(false)).toBeLessThan(-10);
 });
+
+it('a handler that steps another world, where something is struck as well, changes nothing of impacts that come at once', () => {
+  const fall = (steps: boolean) => {
+    const other = phys2D.createWorld({ gravity: [0, 0] });
+    add(other, { type: 'static', position: [5, 0], shapes: [box(0.2, 10)] });
+    add(other, { velocity: [400, 0], shapes: [ball(0.1, 1)] });
+    const world = phys2D.createWorld({ gravity: [0, 0] });
+    const tile = phys2D.createMaterial({ elasticity: 1 });
+    const slab = (width: number, height: number) =>
+      phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(width, height), material: tile });
+    for (const x of [-1, 1]) add(world, { type: 'static', position: [x, 5], shapes: [slab(2, 0.2)] });
+    const fast = add(world, { position: [0.2, 0], velocity: [0, 500], linearDrag: 0, shapes: [slab(1, 0.5)] });
+    const worlds: (World | null)[] = [];
+    world.addEventListener('hit', ({ bodyA }) => worlds.push(bodyA.world));
+    let mayStep = steps;
+    fast.shapes[0]!.addEventListener('preSolve', () => {
+      if (mayStep) other.step(1 / 60);
+      mayStep = false;
+    });
+    world.step(1 / 60);
+    expect(worlds).toEqual([world, world]);
+    expect(other.timeStamp).toBe(steps ? 1 : 0);
+    return [...fast.getVelocity(), fast.getAngularVelocity()];
+  };
+  expect(fall(true)).toEqual(fall(false));
+  expect(fall(false)[1]).toBeLessThan(-490);
+});
+
+it.each([10, 600])('a door that a handler sets in motion goes on, whatever comes at %d m/s', (speed) => {
+  const world = phys2D.createWorld({ gravity: [0, 0] });
+  const wall = add(world, { type: 'static', position: [10, 0], shapes: [box(1, 10)] });
+  const door = add(world, { type: 'kinematic', position: [0, 20], shapes: [box(1, 4)] });
+  for (let i = 0; i < 5; i += 1) world.step(1 / 60);
+  expect(door.sleeping).toBe(true);
+  add(world, { velocity: [speed, 0], shapes: [ball(0.2)] });
+  let opened = Infinity;
+  wall.shapes[0]!.addEventListener('preSolve', () => {
+    opened = Math.min(opened, world.timeStamp);
+    door.setVelocity([0, 3]);
+  });
+  for (let i = 0; i < 70; i += 1) world.step(1 / 60);
+  expect(door.sleeping).toBe(false);
+  expect(door.getPosition()[1] - 20).toBeGreaterThan((3 * (world.timeStamp - opened - 1)) / 60 - 1e-9);
+  expect(world.timeStamp - opened).toBeGreaterThan(5);
+});

@@ -267,6 +267,28 @@ describe('a recording', () => {
     expect(replay(world, { ...recording, frames })).toBe(20);
   });
 
+  it.each([
+    [
+      'setMaterial',
+      (recorder: Recorder, { shapes }: RigidBody) =>
+        recorder.call(shapes[0]!, 'setMaterial', phys2D.createMaterial({ density: 3 })),
+    ],
+    ['removeShape', (recorder: Recorder, anchor: RigidBody) => recorder.call(anchor, 'removeShape', anchor.shapes[0]!)],
+  ] as const)('has what %s did to a body that is in no world', (_, act) => {
+    const world = phys2D.createWorld();
+    const disc = () => phys2D.createCircleShape({ radius: 0.5 });
+    const anchor = phys2D.createRigidBody({ type: 'static', position: [0, -4], shapes: [disc()] });
+    const load = phys2D.createRigidBody({ position: [0, -2], shapes: [disc()] });
+    world.addRigidBody(load);
+    world.addConstraint(phys2D.createDistanceConstraint({ bodyA: anchor, bodyB: load, upperBound: 2.2 }));
+    const recorder = Recorder.create(world);
+    for (let i = 0; i < 10; i += 1) {
+      if (i === 5) act(recorder, anchor);
+      recorder.step(1 / 60);
+    }
+    expect(replay(world, recorder.recording)).toBe(-1);
+  });
+
   it('tells the first step that went another way', () => {
     const { world, ball } = scene();
     const { recording } = record(world, ball);
@@ -403,8 +425,22 @@ describe('replay refuses, before anything is done,', () => {
 
   it('frames that are none', () => {
     const calls = [{}];
-    for (const bad of [undefined, {}, { ...good, calls }, { ...good, calls: [null] }, 5]) {
+    for (const bad of [
+      undefined,
+      {},
+      { ...good, calls },
+      { ...good, calls: [null] },
+      { ...good, added: {} },
+      { ...good, hash: 5 },
+      5,
+    ]) {
       refused(bad, 'replay: recording.frames[0] must be a frame of a Recorder, got');
+    }
+  });
+
+  it('frames without a time', () => {
+    for (const deltaTime of ['x', undefined, NaN, 0]) {
+      refused({ ...good, deltaTime }, 'replay: recording.frames[0].deltaTime must be a finite number > 0, got');
     }
   });
 

@@ -250,9 +250,24 @@ describe('refuses', () => {
     );
   });
 
+  it('anchors that are none', () => {
+    expect(spoil((data) => void Object.assign(data.constraints[0]!, { anchors: 5 }))).toThrow(
+      /anchors must be an array, got 5$/,
+    );
+  });
+
   it('nothing at all', () => {
     for (const wrong of [undefined, null, 7, 'x', []]) {
       expect(() => deserialize(phys2D, wrong as never)).toThrow(/^deserialize: data must be/);
     }
   });
+});
+
+it('a material whose numbers have −0 keeps its user data', () => {
+  const material = phys2D.createMaterial({ elasticity: -0, density: -0, rollingFriction: -0, userData: 'ice' });
+  const world = phys2D.createWorld();
+  const shapes = [phys2D.createCircleShape({ radius: 0.5, material })];
+  world.addRigidBody(phys2D.createRigidBody({ mass: 1, inertia: 1, shapes }));
+  const copy = deserialize(phys2D, asText(serialize(world, { userData: (userData) => userData })));
+  expect(copy.rigidBodies[0]!.shapes[0]!.getMaterial().userData).toBe('ice');
 });

@@ -150,3 +150,48 @@ it('the largest friction holds, and moves no force', () => {
   expect(body.getForce()).toEqual([1, 0]);
   expect(body.shapes[0]!.arbiters[0]!.getStaticFriction()).toBeCloseTo(Number.MAX_VALUE, -300);
 });
+
+it.each([1e300, 1e306, Number.MAX_VALUE])('what weighs %f kg falls on a floor, and both stay finite', (mass) => {
+  for (const speed of [0, 3, 300]) {
+    for (const elasticity of [0, 0.5]) {
+      const material = phys2D.createMaterial({ elasticity });
+      const world = heavy();
+      const floor = addFloor(world, {}, { material });
+      const body = boxBody(1, 1, { mass, position: [0, -2], velocity: [0, speed] }, { material });
+      add(world, body);
+      steps(world, 60);
+      validate(world);
+      const numbers = [floor, body].flatMap((each) => [...each.getPosition(), ...each.getVelocity()]);
+      expect(numbers.every(Number.isFinite)).toBe(true);
+      expect(floor.getVelocity()).toEqual([0, 0]);
+    }
+  }
+});
+
+it.each([1e100, 1e300])('in a step of %f s what is fast is frozen at worst', (deltaTime) => {
+  for (const params of [{ bullet: true }, { type: 'kinematic' }, {}] as const) {
+    for (const speed of [1, 1e10]) {
+      const world = heavy();
+      addFloor(world);
+      add(world, boxBody(1, 1, { velocity: [speed, speed], angularVelocity: speed, ...params }));
+      world.step(deltaTime);
+      world.step(1 / 60);
+      validate(world);
+    }
+  }
+});
+
+it.each([1.7e308, Infinity])('bounds that nothing can meet are refused: %f', (bound) => {
+  const [bodyA, bodyB] = [boxBody(1, 1), boxBody(1, 1)];
+  const weld = phys2D.createWeldConstraint({ bodyA, bodyB });
+  const angle = phys2D.createAngleConstraint({ bodyA, bodyB });
+  const refused = [
+    () => phys2D.createAngleConstraint({ bodyA, bodyB, lowerBound: bound, upperBound: bound }),
+    () => phys2D.createAngleConstraint({ bodyA, bodyB, lowerBound: -bound, upperBound: -bound }),
+    () => angle.setUpperBound(-bound),
+    () => weld.setPhase(bound),
+  ];
+  for (const call of refused) expect(call).toThrow(RangeError);
+  expect([angle.getUpperBound(), weld.getPhase()]).toEqual([0, 0]);
+  expect(() => angle.setUpperBound(bound)).not.toThrow();
+});

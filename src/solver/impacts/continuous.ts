@@ -6,7 +6,6 @@ import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js'
 import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC, SAME_TIME } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED } from '../../contact/bits.js';
-import { List } from '../../math/list.js';
 import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
@@ -19,8 +18,6 @@ import { beginSensing, strike } from './strike.js';
 import { squareOfWay } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
-/** The meetings that come at once: scratch. */
-const together = /* @__PURE__ */ new List<Meeting>();
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
@@ -64,7 +61,7 @@ function settle(world: World): void {
       continue;
     }
     gather(world, next);
-    const struck = strike(world, together);
+    const struck = strike(world, movers.together);
     for (let i = 0; i < struck.count; i += 1) {
       const { bodyA, bodyB } = struck.items[i]!;
       halt(world, movers.of(bodyA), movers.of(bodyB), struck.items[i]!);
@@ -84,7 +81,7 @@ function settle(world: World): void {
 
 /** Takes out of the queue, to `together`, a meeting and those of its dynamic bodies that come at once with it, and puts all bodies to where they are then. */
 function gather(world: World, first: Meeting): void {
-  together.clear();
+  world.movers.together.clear();
   take(world, first, first);
   addThoseOf(world, first.a.owner!, first);
   addThoseOf(world, first.b.owner!, first);
@@ -116,7 +113,7 @@ function wayOf({ movers }: World, { a, b }: Meeting): number {
 
 function take({ movers }: World, meeting: Meeting, first: Meeting): void {
   movers.meetings.remove(meeting);
-  together.add(meeting);
+  movers.together.add(meeting);
   come(movers.of(meeting.a.owner!), first);
   come(movers.of(meeting.b.owner!), first);
 }

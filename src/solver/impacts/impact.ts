@@ -133,6 +133,12 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
   noteVelocities(ledger.before);
   solve();
   keepEnergy();
+  noteVelocities(ledger.after);
+  if (!ledger.isFinite()) {
+    // Of masses up to 1e308 impulses overflow.
+    setVelocities(ledger.before);
+    return;
+  }
   for (let i = 0; i < count; i += 1) {
     storeImpulses(impacts[i]!);
   }
@@ -411,12 +417,17 @@ function push({ pair, a, b }: Impact, point: Point): boolean {
   const t = point.nextTangent - point.tangent;
   const x = n[o + g.NX]! * p - n[o + g.NY]! * t;
   const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
-  bodyA.vx -= x * a.mass;
-  bodyA.vy -= y * a.mass;
-  bodyA.w -= (point.rnA * p + point.rtA * t) * a.inertia;
-  bodyB.vx += x * b.mass;
-  bodyB.vy += y * b.mass;
-  bodyB.w += (point.rnB * p + point.rtB * t) * b.inertia;
+  // What overflows shall not reach what cannot move.
+  if (bodyA.kind === DYNAMIC) {
+    bodyA.vx -= x * a.mass;
+    bodyA.vy -= y * a.mass;
+    bodyA.w -= (point.rnA * p + point.rtA * t) * a.inertia;
+  }
+  if (bodyB.kind === DYNAMIC) {
+    bodyB.vx += x * b.mass;
+    bodyB.vy += y * b.mass;
+    bodyB.w += (point.rnB * p + point.rtB * t) * b.inertia;
+  }
   point.normal = point.nextNormal;
   point.tangent = point.nextTangent;
   return Math.abs(p) * point.give > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;

@@ -1,10 +1,11 @@
 import type { RigidBody } from '../../body.js';
 import { DYNAMIC, STATIC } from '../../body-kind.js';
-import { BOUNCE_LEFT, BOUNCE_SUDDEN, SAME_TIME, SPECULATIVE_MARGIN } from '../../config.js';
+import { BOUNCE_LEFT, BOUNCE_SUDDEN, FAR, SAME_TIME, SPECULATIVE_MARGIN } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
 import type { Travel } from '../../geometry/sweep.js';
 import { grown, widened } from '../../math/doubles.js';
+import { List } from '../../math/list.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import * as d from '../layout.js';
@@ -104,6 +105,12 @@ export class Mover {
     this.dx *= ahead;
     this.dy *= ahead;
     this.turn *= ahead;
+    if (!(Math.abs(this.dx) + Math.abs(this.dy) + Math.abs(this.turn) <= FAR)) {
+      // The step will freeze it.
+      this.dx = 0;
+      this.dy = 0;
+      this.turn = 0;
+    }
     this.unwind();
     const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
     // As `goesFar`, which called from here would have to box its numbers.
@@ -304,6 +311,9 @@ export class Movers {
   readonly ways = new Ways();
   readonly nearby = new Nearby();
   readonly space = new ClearSpace();
+  /** What comes at once, and the pairs of it that are not refused. Of each world its own: handlers are asked in between, and may step another. */
+  readonly together = new List<Meeting>();
+  readonly struck = new List<Arbiter>();
   /** s. While a step is foreseen its length, else 0. */
   ahead = 0;
   /** s. Of the step that is over, at its end. Here, as handed from function to function it would be boxed for each impact. */

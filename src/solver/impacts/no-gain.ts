@@ -1,3 +1,5 @@
+import { FAR } from '../../config.js';
+
 // Where a bounce has to end with a share of the speed that it came with (Newton), friction that turns the bodies meanwhile may ask for more normal impulse than there is energy for (Kane & Levinson, "Dynamics:
 // Theory and Applications", 1985). Without friction it never does. Both solutions keep that share and the cone of friction, and so do all between them, as both are linear; and energy is a convex function along the way:
 // it is as before at one place, where as much is left of friction as there can be.
@@ -25,6 +27,15 @@ export class Ledger {
       this.after = new Float64Array(size);
       this.without = new Float64Array(size);
     }
+  }
+
+  /** Whether `after` is within reach. */
+  isFinite(): boolean {
+    let sum = 0;
+    for (let k = 0; k < this.count; k += 1) {
+      sum += Math.abs(this.after[k]!);
+    }
+    return sum <= FAR;
   }
 
   /** Whether `after` has more energy than `before`. */

@@ -9,7 +9,7 @@ import { touch, touchAtPoint } from '../../contact/touch.js';
 import { FOUND_LATE } from '../../events/events.js';
 import { preSolve } from '../../events/pre-solve.js';
 import { BEGIN } from '../../listeners.js';
-import { List } from '../../math/list.js';
+import type { List } from '../../math/list.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { joinLists } from '../arbiter-lists.js';
@@ -17,9 +17,6 @@ import { smoothMeeting } from '../contacts/seams.js';
 import { wakeBody } from '../sleep.js';
 import { solveImpacts } from './impact.js';
 import type { Meeting } from './meeting-queue.js';
-
-/** The pairs that meet at once: scratch. */
-const struck = /* @__PURE__ */ new List<Arbiter>();
 
 /** An interaction begins in the course of a step. */
 export function beginLate(world: World, pair: Arbiter): void {
@@ -41,6 +38,7 @@ export function beginSensing(world: World, a: Shape, b: Shape): void {
 
 /** Shapes meet on their ways, all at once, where their bodies are now, or get too deep into each other. @returns the pairs, as long as nothing else is struck; those that are refused are not among them. */
 export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
+  const { struck } = world.movers;
   struck.clear();
   for (let i = 0; i < meetings.count; i += 1) {
     meet(world, meetings.items[i]!);
@@ -93,7 +91,7 @@ function meet(world: World, { a, b }: Meeting): void {
     bodyB.wakeTime = world.timeStamp;
   }
   if (pair.is(ACCEPTED)) {
-    struck.add(pair);
+    world.movers.struck.add(pair);
   } else {
     pair.dropPoints();
   }
@@ -132,13 +130,14 @@ function stopComing(pair: Arbiter): void {
   const massA = a.inverseMass();
   const massB = b.inverseMass();
   if (coming > 0 && massA + massB > 0) {
-    const x = (nx * coming) / (massA + massB);
-    const y = (ny * coming) / (massA + massB);
-    a.vx -= x * massA;
-    a.vy -= y * massA;
-    b.vx += x * massB;
-    b.vy += y * massB;
-    before.x += x;
-    before.y += y;
+    const share = massB / (massA + massB);
+    const x = nx * coming;
+    const y = ny * coming;
+    a.vx -= x * (1 - share);
+    a.vy -= y * (1 - share);
+    b.vx += x * share;
+    b.vy += y * share;
+    before.x += x / (massA + massB);
+    before.y += y / (massA + massB);
   }
 }
