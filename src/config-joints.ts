@@ -233,7 +233,7 @@ export const BOUND_SLOP = 3e-4;
 export const SINGULAR = 1e-12;
 
 /**
- * rad⁻¹. How much of what joints that pull against each other give fades as they turn, 1 at most. With 0.1 square frames still lose their spin within a minute; where all welds fade, beams on piers and welded houses come to rest later, or not at all.
+ * rad⁻¹. How much of what joints that pull against each other give fades as they turn, 1 at most. With 0 nets and wheels that turn fast lose a tenth more of their energy in half a minute; where all welds fade, beams on piers and welded houses come to rest later, or not at all.
  */
 export const STRESS_FADES = 0.5;
 
@@ -242,12 +242,6 @@ export const STRESS_STILL = 1e-4;
 
 /** rad/s. So does what turns slower than this among more than FEW_JOINTS, as nets that hang: they would take a third longer. Nets that turn at 1 rad/s lose nothing by it, at 3 rad/s half of their energy in 10 s. */
 export const STRESS_SLOW = 1;
-
-/**
- * What turns faster than this share of the rate at which a soft joint swings makes it give more as it did with arms to its own anchors. From 1 on a ball on a soft joint in the middle of a rotor flew off, when the place was nearer to what is easier to turn; as it is found now,
- * of 400 things that turn fast on soft joints no more fly off without this.
- */
-export const WHIRL = 0.7;
 
 /** Steps on end in which joints, which hold what hangs on them to what does not move at two places or more, are open by STUCK_ERROR: then they cannot all be met. Ropes between two posts are for a while, too. */
 export const STUCK_STEPS = 16;

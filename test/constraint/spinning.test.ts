@@ -48,6 +48,62 @@ describe('frames', () => {
     expect(Math.abs(kept - 1)).toBeLessThan(0.05);
   });
 
+  const holdings = {
+    welds: (world, a, b, at) => weld(world, a, b, at),
+    'two pins': (world, a, b, [x, y]) => {
+      for (const at of [[x, y] as const, [0.95 * x, 0.95 * y] as const]) {
+        pin(world, a, a.transformWorldPointToLocal(at), b, b.transformWorldPointToLocal(at));
+      }
+    },
+    'pins and angles': (world, a, b, at) => {
+      pin(world, a, a.transformWorldPointToLocal(at), b, b.transformWorldPointToLocal(at));
+      const bound = b.getRotation() - a.getRotation();
+      world.addConstraint(phys2D.createAngleConstraint({ bodyA: a, bodyB: b, lowerBound: bound, upperBound: bound }));
+    },
+  } satisfies Record<string, (world: World, a: RigidBody, b: RigidBody, at: Vec2) => void>;
+
+  it.each([
+    ['welds', 4, 30, 0.95],
+    ['welds', 4, 60, 0.95],
+    ['two pins', 4, 30, 0.85],
+    ['two pins', 6, 60, 0.8],
+    ['pins and angles', 4, 60, 0.85],
+    ['pins and angles', 6, 30, 0.8],
+  ] as const)(
+    'held by %s, %d rods that whirl in a ring at %d steps a second keep their energy',
+    (kind, count, rate, least) => {
+      const world = weightless();
+      const radius = 2 * Math.cos(Math.PI / count);
+      const rods = Array.from({ length: count }, (_, i) => {
+        const angle = (2 * Math.PI * (i + 0.5)) / count;
+        const position: Vec2 = [radius * Math.cos(angle), radius * Math.sin(angle)];
+        const length = 3.6 * Math.sin(Math.PI / count);
+        return turn(free({ position, rotation: angle + Math.PI / 2, shapes: [box(length, 0.2, { mask: 0 })] }), 8);
+      });
+      add(world, ...rods);
+      rods.forEach((rod, i) => {
+        const angle = (2 * Math.PI * (i + 1)) / count;
+        holdings[kind](world, rod, rods[(i + 1) % count]!, [2 * Math.cos(angle), 2 * Math.sin(angle)]);
+      });
+      const before = kineticOf(world);
+      for (let i = 0; i < 60 * rate; i += 1) world.step(1 / rate);
+      const kept = kineticOf(world) / before;
+      console.log(`${count} rods held by ${kind}, a minute at ${rate} steps a second: energy × ${kept.toFixed(4)}`);
+      expect(kept).toBeGreaterThan(least);
+      expect(kept).toBeLessThan(1);
+    },
+  );
+
+  it.each([3, 8])('a bar of %d welded blocks', (count) => {
+    const world = weightless();
+    const blocks = plate(world, count, 1, 8, { size: 0.9 });
+    const before = kineticOf(world);
+    for (let i = 0; i < 900; i += 1) world.step(1 / 30);
+    expect(blocks).toHaveLength(count);
+    expect(kineticOf(world) / before).toBeGreaterThan(0.95);
+    expect(kineticOf(world) / before).toBeLessThan(1);
+  });
+
   it('a plate of 6 × 6 blocks', () => {
     const world = weightless();
     const blocks = plate(world, 6, 6, 3, { pitch: 0.5, size: 0.44 });

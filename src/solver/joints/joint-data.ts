@@ -106,6 +106,8 @@ export class Group {
   mayBreak = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
+  /** Its joints leave nothing of it to move: it turns as one body. */
+  isWhole = false;
   /** Its joints may pull against each other: see `energy/stress.ts`. */
   isOverheld = false;
   /** There are more joints than are needed, so that what each of them gives is not determined: they are never solved to their end. */

@@ -39,6 +39,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
   markBodies(data, group, 0);
   group.isBetween = anchors > 1;
   const most = 3 * (movers - (isHeld ? 0 : 1));
+  group.isWhole = rows >= most;
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
 }
@@ -75,7 +76,7 @@ function isRigid({ isElastic, drives }: Constraint): boolean {
 }
 
 /**
- * Ends a sub-step: turns what welds and points of a group gave in it as their bodies have turned. By velocities, which corrections have a part in, a truss of bars that is at rest would turn it to and fro, and
+ * Ends a sub-step: turns what welds and points of a group gave in it as their bodies have turned, and lets all fade alike: where bars are pinned twice, so that one of the pins keeps their angle, and that did not fade, frames would lose all their spin. By velocities, which corrections have a part in, a truss of bars that is at rest would turn it to and fro, and
  * correct what that makes, for ever.
  */
 export function turnStress(data: SolverData, group: Group): void {
@@ -85,9 +86,14 @@ export function turnStress(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
-    const { type, keepsAngle } = constraint;
-    if ((type === 'WELD' || (type === 'POINT' && !keepsAngle)) && isRigid(constraint)) turnImpulse(data, joints[k]!);
+    if (isFixed(constraint) && isRigid(constraint)) turnImpulse(data, joints[k]!);
   }
+}
+
+/** Whether it holds what it holds wherever that turns; gears do not. */
+function isFixed(constraint: Constraint): boolean {
+  const { type, lower, upper } = constraint;
+  return type === 'WELD' || type === 'POINT' || (type === 'ANGLE' && lower === upper && constraint.ratio === 1);
 }
 
 /** Whether some body turns so much that it matters. */
@@ -109,6 +115,11 @@ function turnImpulse(data: SolverData, joint: Joint): void {
   const r = numbersOf(data, joint);
   const half = 0.25 * (q[bodies[first]! + d.QW]! + q[bodies[first + 1]! + d.QW]!);
   const kept = 1 - STRESS_FADES * Math.min(1, 2 * Math.abs(half));
+  if (layout.rows !== 2) {
+    const last = impulseAt(joint, layout.rows - 1);
+    r[last] = kept * r[last]!;
+  }
+  if (layout.rows === 1) return;
   const share = kept / (1 + half * half);
   const c = share * (1 - half * half);
   const s = share * 2 * half;
@@ -118,5 +129,4 @@ function turnImpulse(data: SolverData, joint: Joint): void {
   const y = r[atY]!;
   r[atX] = c * x - s * y;
   r[atY] = s * x + c * y;
-  if (layout.rows === 3) r[atY + 1] = kept * r[atY + 1]!;
 }
