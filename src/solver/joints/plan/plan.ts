@@ -113,8 +113,13 @@ function weigh(data: SolverData, group: Group): void {
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
-    group.toAndFro = hasHub(data, group);
+    group.toAndFro = isMixed(group) || hasHub(data, group);
   }
+}
+
+/** More joints than are needed, in runs of their own, as points and then angles: swept over one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
+function isMixed({ isIndeterminate, runs }: Group): boolean {
+  return isIndeterminate && runs.length > 1;
 }
 
 /** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
