@@ -243,6 +243,12 @@ export const STRESS_STILL = 1e-4;
 /** rad/s. So does what turns slower than this among more than FEW_JOINTS, as nets that hang: they would take a third longer. Nets that turn at 1 rad/s lose nothing by it, at 3 rad/s half of their energy in 10 s. */
 export const STRESS_SLOW = 1;
 
+/**
+ * What turns faster than this share of the rate at which a soft joint swings makes it give more as it did with arms to its own anchors. Without it a wheel on a soft weld in the middle of a rotor is
+ * metres away within 15 s, once that turns faster than the joint swings; from 1 on a ball on a soft joint there is.
+ */
+export const WHIRL = 0.7;
+
 /** Steps on end in which joints, which hold what hangs on them to what does not move at two places or more, are open by STUCK_ERROR: then they cannot all be met. Ropes between two posts are for a while, too. */
 export const STUCK_STEPS = 16;
 

@@ -155,17 +155,22 @@ function withoutCollinear(where: string, name: string, flat: readonly number[], 
   return kept;
 }
 
-/** 0 for a path that goes round once; else the vertex at which the edges start their second round. Edges that are upright but for so much lead neither way: each corner that was left out may have bent back a little. */
+/**
+ * 0 for a path that goes round once; else the vertex at which the edges start their second round, to and fro along the longer side of its bounds. Edges that are square to that but for so much lead neither way: each
+ * corner that was left out may have bent back a little.
+ */
 function firstSecondRound(flat: readonly number[], slack: number): number {
   const count = flat.length / 2;
+  const along = extent(flat, 0) >= extent(flat, 1) ? 0 : 1;
+  const across = 1 - along;
   let changes = 0;
   let previous = 0;
   for (let i = 0; i <= count; i += 1) {
     const from = i % count;
     const to = (i + 1) % count;
-    const dx = flat[2 * to]! - flat[2 * from]!;
-    const least = slack * Math.abs(flat[2 * to + 1]! - flat[2 * from + 1]!);
-    const sign = dx > least ? 1 : dx < -least ? -1 : previous;
+    const way = flat[2 * to + along]! - flat[2 * from + along]!;
+    const least = slack * Math.abs(flat[2 * to + across]! - flat[2 * from + across]!);
+    const sign = way > least ? 1 : way < -least ? -1 : previous;
     if (previous !== 0 && sign !== previous) {
       changes += 1;
       if (changes > 2) {
@@ -175,4 +180,15 @@ function firstSecondRound(flat: readonly number[], slack: number): number {
     previous = sign;
   }
   return 0;
+}
+
+/** How far a path reaches along an axis, 0 or 1. */
+function extent(flat: readonly number[], axis: number): number {
+  let least = Infinity;
+  let most = -Infinity;
+  for (let i = axis; i < flat.length; i += 2) {
+    least = Math.min(least, flat[i]!);
+    most = Math.max(most, flat[i]!);
+  }
+  return most - least;
 }

@@ -297,12 +297,13 @@ export function sleepPair(world: World, pair: Arbiter): void {
   tellProgress(world, pair);
 }
 
-/** Kinematic bodies that did not move in this step fall asleep, without an event; not those that something set in motion while it was being solved. */
+/** Kinematic bodies that did not move in this step fall asleep, without an event; not those that a handler set in motion meanwhile. */
 export function sleepKinematics(world: World): void {
   const live = world.liveKinematics;
   for (let i = live.length - 1; i >= 0 && world.allowSleeping; i -= 1) {
     const body = live[i]!;
-    if (body.slot !== 0 && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
+    const isSetToMove = body.vx !== 0 || body.vy !== 0 || body.w !== 0;
+    if (!isSetToMove && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
     }
   }

@@ -206,7 +206,7 @@ function changesOutside(world: World, object: Recorded, method: string): boolean
   if ('shapes' in object) {
     return object.world !== world && (method === 'removeShape' || method === 'alignWithOrigin');
   }
-  return 'body' in object && object.body?.world !== world;
+  return 'body' in object && object.body?.world !== world && !/^(?:get|is|compute)/.test(method);
 }
 
 /** Arrays and options, which callers may use again, with those that are in them. */

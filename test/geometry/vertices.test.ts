@@ -124,6 +124,14 @@ describe('a convex polygon', () => {
         expect(() => clean(path)).toThrow(/got a second round at vertex [1-9]/);
       }
     }
+    // As wide as ten atoms, upright and lying.
+    const thin = Array.from(
+      { length: 5 },
+      (_, k): Vec2 => [0.79e-8 * Math.cos(0.1 + 0.8 * k * Math.PI), Math.sin(0.1 + 0.8 * k * Math.PI)],
+    );
+    for (const path of [thin, thin.map(([x, y]): Vec2 => [y, -x])]) {
+      expect(() => clean(path)).toThrow(/got a second round at vertex [1-9]/);
+    }
     // Twice round a square of other sizes: every edge upright or level.
     const twice = pairs([0, 0, 3, 0, 3, 3, 1, 3, 1, -1, 4, -1, 4, 4, 0, 4]);
     expect(() => clean(twice)).toThrow(/second round at vertex [1-9]/);

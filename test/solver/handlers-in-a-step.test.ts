@@ -164,3 +164,17 @@ it.each([10, 600])('a door that a handler sets in motion goes on, whatever comes
   expect(door.getPosition()[1] - 20).toBeGreaterThan((3 * (world.timeStamp - opened - 1)) / 60 - 1e-9);
   expect(world.timeStamp - opened).toBeGreaterThan(5);
 });
+
+it('a door that is awake, and that a handler sets in motion in its last step, goes on', () => {
+  const world = phys2D.createWorld();
+  const floor = add(world, { type: 'static', position: [0, 1], shapes: [box(20, 1)] });
+  add(world, { shapes: [box(1, 1)] });
+  const door = add(world, { type: 'kinematic', position: [0, 20], shapes: [box(1, 4)] });
+  for (let i = 0; i < 5; i += 1) world.step(1 / 60);
+  expect(door.sleeping).toBe(true);
+  door.wake();
+  floor.shapes[0]!.addEventListener('preSolve', () => door.setVelocity([0, 3]));
+  for (let i = 0; i < 60; i += 1) world.step(1 / 60);
+  expect(door.sleeping).toBe(false);
+  expect(door.getPosition()[1]).toBeGreaterThan(22.9);
+});

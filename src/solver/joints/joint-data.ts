@@ -106,7 +106,7 @@ export class Group {
   mayBreak = false;
   /** Hz. That of the hardest of its springs. */
   frequency = 0;
-  /** Its joints leave nothing of it to move: it turns as one body. */
+  /** Welds hold it together, and leave nothing of it to move: it turns as one body. */
   isWhole = false;
   /** Its joints may pull against each other: see `energy/stress.ts`. */
   isOverheld = false;
@@ -148,6 +148,11 @@ export class Group {
   isBeside = false;
   /** Of the first of two that lie side by side, the other one, which comes next. */
   beside: Group | null = null;
+
+  /** There are more joints than are needed, of several kinds, as points and then angles. They are swept over to and fro: one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
+  get isMixed(): boolean {
+    return this.isIndeterminate && this.runs.length > 1;
+  }
 
   /** Without joints, the first of which will be at `start`. */
   constructor(readonly start: number) {

@@ -371,15 +371,16 @@ function pushCustom(data: SolverData, joint: Joint): boolean {
   return data.joints.records[joint.at + PUSH] !== 0;
 }
 
-/** Sets what share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them where something swings. */
-function findShare({ joints: { h, share } }: SolverData, { span, sweeps, start, end, isWhole }: Group): void {
-  const kept = sweeps === 1 && end - start > 1 && !isWhole ? Math.max(0, 1 - SWEPT_ONCE * h) : 1;
+/** Sets what share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them where something swings; so do several kinds of joints that are more than needed. */
+function findShare({ joints: { h, share } }: SolverData, { span, sweeps, start, end, isWhole, isMixed }: Group): void {
+  const isLess = isMixed || (sweeps === 1 && end - start > 1 && !isWhole);
+  const kept = isLess ? Math.max(0, 1 - SWEPT_ONCE * h) : 1;
   share[0] = kept * (h / span) * (h / span);
 }
 
 /** Whether two groups that lie side by side, of as many joints, make the same share of it. */
 function areAlike(one: Group, other: Group): boolean {
-  return one.span === other.span && (one.sweeps === 1) === (other.sweeps === 1) && one.isWhole === other.isWhole;
+  return one.span === other.span && (one.sweeps === 1) === (other.sweeps === 1);
 }
 
 function finishGroup(data: SolverData, group: Group): void {

@@ -21,13 +21,16 @@ export function lookAtStress(data: SolverData, group: Group): void {
   let movers = 0;
   let isHeld = false;
   let hasWelds = false;
+  let onlyWelds = true;
   let anchors = 0;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint, first, layout } = joints[k]!;
+    const isWeld = constraint.type === 'WELD';
     if (isRigid(constraint)) {
       rows += heldRows(constraint);
-      hasWelds ||= constraint.type === 'WELD';
+      hasWelds ||= isWeld;
     }
+    onlyWelds &&= isWeld;
     for (let n = 0; n < layout.members; n += 1) {
       const body = bodies[first + n]!;
       const moves = body > 0 && constraint.members[n]!.kind === DYNAMIC;
@@ -39,7 +42,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
   markBodies(data, group, 0);
   group.isBetween = anchors > 1;
   const most = 3 * (movers - (isHeld ? 0 : 1));
-  group.isWhole = rows >= most;
+  group.isWhole = onlyWelds && rows >= most;
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
 }
@@ -93,7 +96,8 @@ export function turnStress(data: SolverData, group: Group): void {
 /** Whether it holds what it holds wherever that turns; gears do not. */
 function isFixed(constraint: Constraint): boolean {
   const { type, lower, upper } = constraint;
-  return type === 'WELD' || type === 'POINT' || (type === 'ANGLE' && lower === upper && constraint.ratio === 1);
+  const isOfOneValue = lower === upper && (type === 'DISTANCE' || (type === 'ANGLE' && constraint.ratio === 1));
+  return type === 'WELD' || type === 'POINT' || isOfOneValue;
 }
 
 /** Whether some body turns so much that it matters. */

@@ -1,5 +1,6 @@
 import type { RigidBody } from '../../../body.js';
 import { MAX_SPEED } from '../../../config.js';
+import { WHIRL } from '../../../config-joints.js';
 import { type Constraint, isCustom } from '../../../constraint/constraint.js';
 import { ANGLE, COS, POSE, SIN, X, Y } from '../../../constraint/layout.js';
 import { cosSin } from '../../../math/trig.js';
@@ -270,9 +271,9 @@ function givesAtOnePlace({ type, isElastic }: Constraint): boolean {
 
 /**
  * Moves the arms of the first two rows of the Jacobian for velocities to there. A soft joint then damps as seen from what turns, between as A and as B, as the line between the anchors does, so that a wheel on a soft joint that gives way turns on, and what hangs
- * on the rim of one goes with it. Refused: to move them by less where it turns faster than the joint swings, as damping that turns with a shaft whirls it: no more fly off without.
+ * on the rim of one goes with it. But what turns faster than the joint swings would be whirled ever farther, as a shaft by damping that turns with it: there they are moved by less.
  */
-function moveToOnePlace(data: SolverData, { at, layout, first }: Joint): void {
+function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joint): void {
   const { velocity: v, joints } = data;
   const { records: r, bodies } = joints;
   const a = bodies[first]!;
@@ -292,8 +293,13 @@ function moveToOnePlace(data: SolverData, { at, layout, first }: Joint): void {
   const between = wA === wB ? 0.5 : (turns - wB) / (wA - wB);
   // 0, too, where numbers are so large that there is none.
   const share = between > 0 ? Math.min(1, between) : 0;
-  r[k + 2] = r[k + 2]! + share * y;
-  r[k + 5] = r[k + 5]! + (1 - share) * y;
-  r[k + 8] = r[k + 8]! - share * x;
-  r[k + 11] = r[k + 11]! - (1 - share) * x;
+  const turning = Math.abs(share * wA + (1 - share) * wB);
+  const most = constraint.isElastic ? WHIRL * 2 * Math.PI * constraint.frequency : Infinity;
+  const part = turning > most ? most / turning : 1;
+  const partA = part * share;
+  const partB = part - partA;
+  r[k + 2] = r[k + 2]! + partA * y;
+  r[k + 5] = r[k + 5]! + partB * y;
+  r[k + 8] = r[k + 8]! - partA * x;
+  r[k + 11] = r[k + 11]! - partB * x;
 }

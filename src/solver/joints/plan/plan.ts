@@ -26,7 +26,7 @@ import {
   TOUCHED_SWEEPS,
 } from '../../../config-joints.js';
 import { recordAt, type SolverData } from '../../data.js';
-import { INV_MASS } from '../../layout.js';
+import { INV_MASS, W } from '../../layout.js';
 import { mayMakeEnergy } from '../energy/energy.js';
 import { lookAtStress } from '../energy/stress.js';
 import type { Group, Joint } from '../joint-data.js';
@@ -113,13 +113,8 @@ function weigh(data: SolverData, group: Group): void {
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
-    group.toAndFro = isMixed(group) || hasHub(data, group);
+    group.toAndFro = group.isMixed || hasHub(data, group);
   }
-}
-
-/** More joints than are needed, in runs of their own, as points and then angles: swept over one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
-function isMixed({ isIndeterminate, runs }: Group): boolean {
-  return isIndeterminate && runs.length > 1;
 }
 
 /** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
@@ -137,10 +132,16 @@ function weighFirmness(data: SolverData, group: Group): void {
     rows += layout.rows === 3 ? 0 : heldRows(constraint);
     for (let m = first; m < first + layout.members; m += 1) {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
+      may &&= !isTurnedBy(data, bodies[m]!);
     }
   }
   group.isMechanism = may && rows > 0 && rows >= FIRM_ROWS * (findMovers(data, group) - welds);
   group.isHeld = may && isHeld;
+}
+
+/** What a kinematic body that turns carries is swept over: solved to its end it would be told of velocities that are a seventh off, or half of them, as it is always corrected the same way. */
+function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
+  return v[body + INV_MASS] === 0 && v[body + W] !== 0;
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
