@@ -32,6 +32,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'isBeside',
       'branches',
       'isIndeterminate',
+      'isMixed',
     ],
     ...[
       'isDriven',
@@ -47,6 +48,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'stands',
       'isBent',
       'isOverheld',
+      'isWhole',
       'isAfloat',
     ],
   ],

@@ -112,6 +112,8 @@ export class Group {
   isOverheld = false;
   /** There are more joints than are needed, so that what each of them gives is not determined: they are never solved to their end. */
   isIndeterminate = false;
+  /** There are, and of several kinds, as points and then angles. They are swept over to and fro: one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
+  isMixed = false;
   /** Its joints may make energy, if sub-steps are too long for them. */
   mayGain = false;
   /** It is looked at in this step for the energy its joints make: see `energy/energy.ts`. */
@@ -148,11 +150,6 @@ export class Group {
   isBeside = false;
   /** Of the first of two that lie side by side, the other one, which comes next. */
   beside: Group | null = null;
-
-  /** There are more joints than are needed, of several kinds, as points and then angles. They are swept over to and fro: one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
-  get isMixed(): boolean {
-    return this.isIndeterminate && this.runs.length > 1;
-  }
 
   /** Without joints, the first of which will be at `start`. */
   constructor(readonly start: number) {

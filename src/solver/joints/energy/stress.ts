@@ -44,6 +44,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
   const most = 3 * (movers - (isHeld ? 0 : 1));
   group.isWhole = onlyWelds && rows >= most;
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
+  group.isMixed = group.isIndeterminate && group.runs.some(({ kernel }) => kernel !== group.runs[0]!.kernel);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
 }
 
