@@ -2,7 +2,7 @@ import { boolean, finite, nonNegative, positive, rangeError, vector } from '../v
 import type { ColorLike } from './device.js';
 
 /** A colour of the settings, `[r, g, b, a]`, each from 0 to 1. */
-export type Color = readonly [r: number, g: number, b: number, a: number];
+export type Color = [r: number, g: number, b: number, a: number];
 
 const WHERE = 'Physics2DDebugDraw';
 
@@ -217,10 +217,10 @@ function share(where: string, name: string, value: unknown): unknown {
   return value;
 }
 
-/** A copy of a colour, which nobody can change: what is handed out is the setting. */
+/** A copy of a colour. */
 function color(where: string, name: string, value: ColorLike): Color {
-  const [r, g, b, a] = checkedColor(where, name, value) as unknown as Color;
-  return Object.freeze<Color>([r, g, b, a]);
+  const [r, g, b, a] = checkedColor(where, name, value) as Color;
+  return [r, g, b, a];
 }
 
 /** @internal */

@@ -71,6 +71,8 @@ describe('ways', () => {
       });
     };
     timeOf(2000);
-    expect(timeOf(16000) / timeOf(2000)).toBeLessThan(24);
+    // The least of three: another process may slow down either. If each were compared with each it would be 64 always.
+    const ratios = [1, 2, 3].map(() => timeOf(16000) / timeOf(2000));
+    expect(Math.min(...ratios)).toBeLessThan(24);
   });
 });
