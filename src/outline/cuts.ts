@@ -139,19 +139,8 @@ export class Cuts {
     return (
       this.opensTo(v, w) &&
       this.opensTo(w, v) &&
-      !this.edges.some(([a, b]) => this.isNear(v, w, a, b) && this.isBetween(v, w, a, b)) &&
-      !this.cuts.some(([a, b]) => this.isNear(v, w, a, b) && this.isBetween(v, w, a, b))
-    );
-  }
-
-  /** Whether the bounds of two ways meet. First, as that is all it takes for most. */
-  private isNear(v: number, w: number, a: number, b: number): boolean {
-    const { x, y } = this;
-    return !(
-      (x[a]! < x[v]! && x[a]! < x[w]! && x[b]! < x[v]! && x[b]! < x[w]!) ||
-      (x[a]! > x[v]! && x[a]! > x[w]! && x[b]! > x[v]! && x[b]! > x[w]!) ||
-      (y[a]! < y[v]! && y[a]! < y[w]! && y[b]! < y[v]! && y[b]! < y[w]!) ||
-      (y[a]! > y[v]! && y[a]! > y[w]! && y[b]! > y[v]! && y[b]! > y[w]!)
+      !this.edges.some(([a, b]) => this.isBetween(v, w, a, b)) &&
+      !this.cuts.some(([a, b]) => this.isBetween(v, w, a, b))
     );
   }
 

@@ -164,10 +164,10 @@ export function segmentsTouch(
   dy: number,
 ): boolean {
   if (
-    Math.max(ax, bx) < Math.min(cx, dx) ||
-    Math.max(cx, dx) < Math.min(ax, bx) ||
-    Math.max(ay, by) < Math.min(cy, dy) ||
-    Math.max(cy, dy) < Math.min(ay, by)
+    (ax < cx && ax < dx && bx < cx && bx < dx) ||
+    (ax > cx && ax > dx && bx > cx && bx > dx) ||
+    (ay < cy && ay < dy && by < cy && by < dy) ||
+    (ay > cy && ay > dy && by > cy && by > dy)
   ) {
     return false;
   }

@@ -132,13 +132,13 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
   ledger.open(bodies.count);
   noteVelocities(ledger.before);
   solve();
-  keepEnergy();
   noteVelocities(ledger.after);
   if (!ledger.isFinite()) {
     // Of masses up to 1e308 impulses overflow.
     setVelocities(ledger.before);
     return;
   }
+  keepEnergy();
   for (let i = 0; i < count; i += 1) {
     storeImpulses(impacts[i]!);
   }
@@ -264,7 +264,6 @@ function solveOne(impact: Impact): boolean {
 /** Takes as much of friction from the impacts as makes energy; what drives or is set to bounce higher may make it. */
 function keepEnergy(): void {
   noteWeights();
-  noteVelocities(ledger.after);
   for (let i = 0; i < count; i += 1) {
     if (mayGain(impacts[i]!)) return;
   }
