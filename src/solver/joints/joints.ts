@@ -29,6 +29,7 @@ import {
   storeBlock,
   warmStartBlock,
 } from './kernels/blocks.js';
+import { breakOverloaded } from './kernels/breaking.js';
 import {
   beginPoints,
   finishPoints,
@@ -437,6 +438,7 @@ function storeJoints(world: World): void {
   hidePoses(data);
   takeExcesses(data);
   joints.solved += 1;
+  breakOverloaded(data);
   for (let i = 0; i < joints.runs.length; i += 1) {
     const { kernel, start, end } = joints.runs[i]!;
     if (kernel === POINT) {

@@ -8,7 +8,7 @@ import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
 import { noteLag } from '../joint-numbers.js';
-import { breakByWhole, cutOrBreak } from './breaking.js';
+import { cutOrBreak } from './breaking.js';
 import { applyRows, clear, findLength, length, multiplyRows, writeMatrix } from './jacobian.js';
 import { measure, showPoses } from './pose.js';
 
@@ -387,7 +387,6 @@ export function finishBlock(data: SolverData, joint: Joint): void {
 export function storeBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
-  breakByWhole(data, joint);
   for (let n = 0; n < layout.rows; n += 1) {
     constraint.impulse[n] = r[at + layout.impulse + n]!;
   }

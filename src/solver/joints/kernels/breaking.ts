@@ -1,4 +1,4 @@
-import { BREAK_STEPS } from '../../../config-joints.js';
+import { BREAK_STEPS, BREAK_STEPS_STEADY, FIRM_FEW, STEADY_CHANGE } from '../../../config-joints.js';
 import type { SolverData } from '../../data.js';
 import type { Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
@@ -46,11 +46,22 @@ export function tear(data: SolverData, joint: Joint): void {
   data.joints.break(joint);
 }
 
+/** Breaks what bore too much in this step, while the constraints still tell of the last one. */
+export function breakOverloaded(data: SolverData): void {
+  const { groups, joints } = data.joints;
+  for (const { mayBreak, start, end } of groups) {
+    for (let k = start; k < end && mayBreak; k += 1) {
+      if (joints[k]!.constraint.breakUnderForce) breakByWhole(data, joints[k]!, end - start <= FIRM_FEW);
+    }
+  }
+}
+
 /**
  * Velocity iterations see only part of what a joint has to bear; what turns a swinging body comes half from corrections. But after a
- * sudden load these overshoot for a few steps: only when the whole is too much for several steps on end does the joint break by it.
+ * sudden load these overshoot for a few steps, and where many hang together for more: only when the whole is too much for several steps on end does the joint
+ * break by it; one of `few` for some, if it is about as much as it was.
  */
-export function breakByWhole(data: SolverData, joint: Joint): void {
+function breakByWhole(data: SolverData, joint: Joint, few: boolean): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, work, total, carried } = layout;
@@ -59,7 +70,18 @@ export function breakByWhole(data: SolverData, joint: Joint): void {
   }
   findLength(r, at + work, rows);
   constraint.strainedSteps = length[0]! > r[at + j.BREAK]! ? constraint.strainedSteps + 1 : 0;
-  if (constraint.strainedSteps >= BREAK_STEPS) {
+  if (constraint.strainedSteps >= (few && isSteady(r, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS)) {
     data.joints.break(joint);
   }
+}
+
+/** Whether what a joint gave in this step is about as much as in the last one, of which the constraint still tells. */
+function isSteady(r: Float64Array, { at, layout, constraint }: Joint): boolean {
+  let before = 0;
+  let now = 0;
+  for (let k = 0; k < 3 * layout.members; k += 1) {
+    before += constraint.given[k]! * constraint.given[k]!;
+    now += r[at + layout.given + k]! * r[at + layout.given + k]!;
+  }
+  return Math.abs(now - before) <= 2 * STEADY_CHANGE * now;
 }
