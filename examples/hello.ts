@@ -4,7 +4,7 @@ import { stateHash } from '../test/scenes/hash.js';
 import { generator } from '../test/scenes/mixed.js';
 import { buildPyramid } from '../test/scenes/pyramid.js';
 
-const STEPS = 720;
+const STEPS = 960;
 const DT = 1 / 60;
 const FIRST_DROP = 120;
 const DROPS = 60;
@@ -65,7 +65,7 @@ function showProgress(world: World, step: number): void {
   const line = `  ${bar} step ${String(step).padStart(3)} of ${STEPS}, ${awake}`;
   if (process.stdout.isTTY) {
     process.stdout.write(`\r${line.padEnd(72)}${step === STEPS ? '\n' : ''}`);
-  } else if (step % 90 === 0) {
+  } else if (step % 120 === 0) {
     console.log(line);
   }
 }

@@ -1,5 +1,5 @@
 // A platform that one can jump through from below, stand on, and drop through on demand.
-import { phys2D, type RigidBody, type Shape, type World } from 'phys2d';
+import { type Arbiter, phys2D, type RigidBody, type Shape, type World } from 'phys2d';
 
 const DT = 1 / 60;
 const TOP = -2;
@@ -23,12 +23,19 @@ function addPlayer(to: World, name: string, x: number, shapes: Shape[]): Player 
   return { name, body };
 }
 
+/** How fast the part of a body that touches comes down: what tumbles does faster, or slower, than its middle. */
+function fallSpeed(body: RigidBody, arbiter: Arbiter): number {
+  const [x] = body.getPosition();
+  const [, speed] = body.getVelocity();
+  const speeds = arbiter.contacts.map((contact) => speed + body.getAngularVelocity() * (contact.getPosition()[0] - x));
+  return Math.max(0, ...speeds);
+}
+
 /** Bears what was above it a step ago, by the body, as one of several shapes may well be above; decided once, when it touches first, until it leaves. */
 function makeOneWay(platform: Shape): Shape {
   platform.addEventListener('preSolve', (arbiter, other) => {
     const body = other.body!;
-    const [, speed] = body.getVelocity();
-    arbiter.setAcceptedState(body.computeWorldBounds()[3] - speed * DT <= TOP + 0.02);
+    arbiter.setAcceptedState(body.computeWorldBounds()[3] - fallSpeed(body, arbiter) * DT <= TOP + 0.02);
     arbiter.setPersistentState(true);
   });
   return platform;

@@ -197,6 +197,16 @@ export abstract class BodyState extends BodyNumbers {
     );
   }
 
+  /** @internal it has a velocity */
+  isGoing(): boolean {
+    return this.vx !== 0 || this.vy !== 0 || this.w !== 0;
+  }
+
+  /** @internal it is going, or its surface is */
+  drives(): boolean {
+    return this.isGoing() || this.surfaceX !== 0 || this.surfaceY !== 0;
+  }
+
   /** @internal after a teleport or a change of type: constraints look at the body anew */
   touchConstraints(): void {
     for (const constraint of this.constraints) {

@@ -15,11 +15,8 @@ export const TOUCH_DEPTH = 1e-4;
 /** m. Two faces whose depths differ by less count as equally deep and shape A's is taken; stops noise from flipping it. */
 export const FACE_TIE = 1e-6;
 
-/** m. While two polygons move less than this against each other, the edges that face each other are not chosen anew. */
+/** m. While two polygons move less than this against each other, and turn so little that it moves no corner by more, the edges that face each other are not chosen anew. What reaches less than 1 m may turn by as many radians. */
 export const FACE_KEPT_MOTION = 0.002;
-
-/** rad. The same for their turn. */
-export const FACE_KEPT_TURN = 0.002;
 
 /**
  * Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. With 0.8 for all overlap, deep or not, triangles that are
@@ -39,12 +36,12 @@ export const UNEVEN = 8;
 /** The same where one side cannot move. Less lets a heavy box sink into the ground between light ones. */
 export const PUSH_SHARE_STATIC = 0.75;
 
-/** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. */
+/** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. It has to differ from all other shares: by it a contact is told to be of circles, see DEEP_OVERLAP_CIRCLES. */
 export const PUSH_SHARE_CIRCLES = 0.5;
 
 /**
- * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, and either has several shapes or both have constraints. It has to differ from all other shares, as it is by this share in its record that a
- * contact gets MAX_PUSH_HOOKED.
+ * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, either has several shapes or both have constraints, and joints hold neither to
+ * what does not move, see `held-contacts.ts`. It has to differ from all other shares, as it is by this share in its record that a contact gets MAX_PUSH_HOOKED.
  */
 export const PUSH_SHARE_HOOKED = 0.2;
 
@@ -159,11 +156,8 @@ export const STILL_LOOKS = 256;
 /** m. Shapes that are swept have met when the gap to the depth wanted is no larger. */
 export const SWEEP_TOLERANCE = 1e-6;
 
-/** Looks. For so long bodies are followed to see whether they meet in a step; if that is not clear by then, they meet where they are. */
+/** Looks. For so long bodies are followed to see whether they meet in a step; if that is not clear by then, they meet where they are. So are those that would bounce, to see whether they pass. */
 export const MEET_PATIENCE = 1000;
-
-/** Looks. For so long what would bounce is followed to see whether it passes; if that is not clear by then, it bounces. */
-export const PASS_PATIENCE = 100;
 
 /** What would bounce is followed if in a step it goes along the other by more than this share of half the width of the thinner one. */
 export const PASS_SHARE = 0.1;

@@ -141,6 +141,8 @@ export abstract class WorldState {
   nextOrder = 1;
   /** @internal grows where pairs that were kept apart may interact now: a filter changed, or which joints keep their bodies from interacting */
   filters = 1;
+  /** @internal that happened within this step already */
+  filtersChanged = false;
   /** @internal */
   readonly pairs = new Pairs();
   /** @internal */

@@ -1,5 +1,5 @@
 import { RigidBody } from './body.js';
-import { DYNAMIC, STATIC } from './body-kind.js';
+import { STATIC } from './body-kind.js';
 import type { Constraint } from './constraint/constraint.js';
 import type { Arbiter } from './contact/arbiter.js';
 import { holdAtEnd } from './contact/at-end.js';
@@ -11,9 +11,10 @@ import { type CastResult, castRay, castRayThrough, castShape } from './query/cas
 import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapesMeeting } from './query/queries.js';
 import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
+import { changeFilters } from './solver/find-pairs.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { insertHandle } from './solver/refresh.js';
-import { quieten, sleepBody, sleepConstraint, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
+import { quieten, sleepBody, sleepConstraint, wakeAll, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
 import { countIgnoring, enlivenTied, release, switchOff, switchOn, tie, untie } from './solver/ties.js';
 import {
@@ -442,6 +443,11 @@ export class World extends WorldState {
     changeKind(this, body, kind);
   }
 
+  /** @internal before a change of what filters or joints let interact */
+  changeFilters(): void {
+    changeFilters(this);
+  }
+
   /** @internal a body is about to be put elsewhere */
   holdContacts({ shapes }: Pick<RigidBody, 'shapes'>): void {
     for (const { arbiters } of shapes) {
@@ -472,14 +478,7 @@ export class World extends WorldState {
 
   /** @internal */
   protected override wakeAll(): void {
-    for (const body of this.rigidBodies) {
-      if (body.kind === DYNAMIC || body.asleep) {
-        wakeBody(this, body, false);
-      }
-    }
-    for (const constraint of this.constraints) {
-      if (constraint.asleep) wakeConstraint(this, constraint, false);
-    }
+    wakeAll(this);
   }
 }
 

@@ -100,8 +100,11 @@ function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: num
         return;
       }
       separation = Math.sqrt(squared);
-      nx = vx / separation;
-      ny = vy / separation;
+      // Of what is so near that its square is 0 the edge has a normal.
+      if (separation > 0) {
+        nx = vx / separation;
+        ny = vy / separation;
+      }
     }
   }
   setPoint(n, o, nx, ny, cx - nx * separation, cy - ny * separation, separation - b.radius);

@@ -1,4 +1,4 @@
-import { FACE_KEPT_MOTION, FACE_KEPT_TURN } from '../config.js';
+import { FACE_KEPT_MOTION } from '../config.js';
 import * as g from './layout.js';
 
 // What a collision kernel found, in the record of a pair: how two shapes overlap, or face each other within the speculative margin. Points are given
@@ -21,17 +21,18 @@ export function findLeastSeparation(n: Float64Array, o: number): void {
 
 /**
  * The bodies have hardly moved against each other since the choice of edges, however both turn together, as in a drum; and the shapes are the same: `stamp` is
- * the sum of theirs.
+ * the sum of theirs. B's body reaches so far from its origin.
  */
-export function keepsFace(n: Float64Array, o: number, stamp: number): boolean {
+export function keepsFace(n: Float64Array, o: number, stamp: number, reach: number): boolean {
   const x = n[o + g.LOCAL_X]! - n[o + g.FACE_X]!;
   const y = n[o + g.LOCAL_Y]! - n[o + g.FACE_Y]!;
   const turn = n[o + g.ANGLE_B]! - n[o + g.ANGLE_A]! - n[o + g.FACE_TURN]!;
+  const rim = reach > 1 ? turn * reach : turn;
   return (
     n[o + g.FACE]! >= 0 &&
     n[o + g.FACE_STAMP] === stamp &&
     x * x + y * y < FACE_KEPT_MOTION * FACE_KEPT_MOTION &&
-    turn * turn < FACE_KEPT_TURN * FACE_KEPT_TURN
+    rim * rim < FACE_KEPT_MOTION * FACE_KEPT_MOTION
   );
 }
 

@@ -92,7 +92,7 @@ export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: numb
   n[o + g.COUNT] = 0;
   look(a, n, o);
   const stamp = a.geometryStamp + b.geometryStamp;
-  if (keepsFace(n, o, stamp) && clipToFace(a, b, n, o)) {
+  if (keepsFace(n, o, stamp, b.owner!.radius) && clipToFace(a, b, n, o)) {
     return;
   }
   n[o + g.COUNT] = 0;
@@ -255,7 +255,8 @@ function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, sid
   } else {
     n[o + g.EDGE_A] = j;
   }
-  return !areBeside;
+  // An end below the line, and none of what is above the edge: if the edge was not chosen for this, the corner may be in P through another one.
+  return !areBeside && (lowDepth < 0 || highDepth < 0 || (d1 >= 0 && d2 >= 0));
 }
 
 /** Makes a manifold clipped to B's edge one of A and B: the normal turns and with it the order of the ends. */

@@ -75,8 +75,10 @@ function rayCircle({ numbers: n, at, radius }: Circle, ray: RayTest): boolean {
   const half = Math.sqrt(chord / squared);
   const outer = middle - half >= 0;
   const factor = outer ? middle - half : middle + half;
-  const nx = px + dx * factor;
-  const ny = py + dy * factor;
+  // From where the ray is nearest to the centre: from its origin, which may be far away, rounding would be as far as that is.
+  const from = outer ? -half : half;
+  const nx = qx + dx * from;
+  const ny = qy + dy * from;
   // Far away the hit is not as near to the circle as its normal has to be to 1.
   const length = Math.sqrt(nx * nx + ny * ny) || 1;
   const side = outer ? 1 / length : -1 / length;

@@ -332,17 +332,12 @@ export abstract class BaseConstraint {
     return body.owner === this.owner ? body.slot : 0;
   }
 
-  /** @internal nothing is kept of earlier impulses */
+  /** @internal nothing is kept of earlier impulses; when it acts again, whatever its error is, it is as new */
   forget(): void {
     for (const numbers of Object.values(this.fetch())) {
       numbers.fill(0);
     }
     this.strainedSteps = 0;
-    this.renew();
-  }
-
-  /** @internal it acts from now on, whatever its error is */
-  renew(): void {
     this.fresh = true;
     this.shifted = false;
   }

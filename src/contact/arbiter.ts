@@ -11,7 +11,7 @@ import { Contact } from './contact.js';
 import * as c from './layout.js';
 import { PairState } from './pair-state.js';
 
-/** @internal which of the mixed values were set by hand */
+/** Which of the mixed values were set by hand. */
 const FIXED_ELASTICITY = 1;
 const FIXED_STATIC = 2;
 const FIXED_DYNAMIC = 4;

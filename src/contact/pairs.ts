@@ -28,7 +28,7 @@ interface Report {
 
 /**
  * Every pair of shapes whose bounds overlap, or that interacted a short while ago. A pair is made when the broadphase first
- * reports it and becomes visible as an arbiter (`listed`) when its shapes first touch.
+ * reports it and becomes visible as an arbiter (LISTED) when its shapes first touch.
  *
  * `sorted` holds the pairs with something awake, ordered by the ids of their shapes, so that the order in which the
  * broadphase reports them cannot matter. Pairs that sleep are only in the table, and cost nothing.
@@ -140,6 +140,11 @@ export class Pairs {
   /** Whether the broadphase reported a pair in a step. */
   isReported(pair: Arbiter, stamp: number): boolean {
     return this.sightings[pair.number] === stamp;
+  }
+
+  /** As if the broadphase had not reported the pair. */
+  overlook(pair: Arbiter): void {
+    this.sightings[pair.number] = NOT_REPORTED;
   }
 
   /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */

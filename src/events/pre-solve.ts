@@ -2,6 +2,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, PERSISTENT } from '../contact/bits.js';
 import { admits, type Listeners, PRE_SOLVE } from '../listeners.js';
 import type { HitHandler, Shape, ShapeHandler } from '../shape/shape.js';
+import type { World } from '../world.js';
 import type { EventQueue } from './events.js';
 
 /** Some `preSolve` handler wants to decide about the pair. */
@@ -18,24 +19,32 @@ function wants({ listeners }: Shape, other: Shape): boolean {
 
 /**
  * Runs the `preSolve` handlers of a pair that collides, at once. Unless it is persistent its state starts as "accepted". What a
- * handler throws waits until the step is over, so that it cannot leave one half done.
+ * handler throws waits until the step is over, so that it cannot leave one half done. One that may change its mind keeps the bodies awake.
  *
- * @returns whether a handler that may change its mind keeps the bodies awake.
+ * @returns whether the collision takes effect; if not, its points are dropped.
  */
-export function preSolve(events: EventQueue, arbiter: Arbiter): boolean {
-  if (arbiter.is(PERSISTENT)) {
-    return false;
+export function preSolve(world: World, arbiter: Arbiter): boolean {
+  if (!arbiter.is(PERSISTENT)) {
+    arbiter.mark(ACCEPTED);
+    askBoth(world, arbiter);
   }
-  arbiter.mark(ACCEPTED);
-  const { shapeA, shapeB } = arbiter;
+  if (!arbiter.is(ACCEPTED)) arbiter.dropPoints();
+  return arbiter.is(ACCEPTED);
+}
+
+function askBoth({ events, timeStamp }: World, arbiter: Arbiter): void {
+  const { shapeA, shapeB, bodyA, bodyB } = arbiter;
   const { listeners: a } = shapeA;
   const { listeners: b } = shapeB;
   if (((a.types | b.types) & PRE_SOLVE) === 0) {
-    return false;
+    return;
   }
   const unsteadyA = ask(events, arbiter, a, shapeA, shapeB);
   const unsteadyB = ask(events, arbiter, b, shapeB, shapeA);
-  return (unsteadyA || unsteadyB) && !arbiter.is(PERSISTENT);
+  if ((unsteadyA || unsteadyB) && !arbiter.is(PERSISTENT)) {
+    bodyA.wakeTime = timeStamp;
+    bodyB.wakeTime = timeStamp;
+  }
 }
 
 /** Calls the handlers of one side. @returns whether one of them is not deterministic. */

@@ -8,6 +8,13 @@ export class List<T> {
     this.count += 1;
   }
 
+  has(item: T): boolean {
+    for (let i = 0; i < this.count; i += 1) {
+      if (this.items[i] === item) return true;
+    }
+    return false;
+  }
+
   clear(): void {
     this.count = 0;
   }

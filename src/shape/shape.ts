@@ -177,13 +177,11 @@ export abstract class BaseShape {
   /** @internal sets both, of 32 bits with a sign; in a world pairs that were left out for them may interact now. @returns whether they are others */
   setFilter(group: number, mask: number): boolean {
     const isOther = group !== this.group || mask !== this.mask;
+    const world = this.handle !== null && isOther ? this.owner!.owner! : null;
+    world?.changeFilters();
     this.group = group;
     this.mask = mask;
-    if (this.handle !== null && isOther) {
-      const world = this.owner!.owner!;
-      world.filters += 1;
-      world.broadphase.refilter?.(this.handle);
-    }
+    world?.broadphase.refilter?.(this.handle!);
     return isOther;
   }
 

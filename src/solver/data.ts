@@ -1,6 +1,7 @@
 import type { Arbiter } from '../contact/arbiter.js';
 import type { Kernels } from '../kernels.js';
 import { grown, widened } from '../math/doubles.js';
+import { List } from '../math/list.js';
 import type { JointData } from './joints/joint-data.js';
 import type { PointKernels } from './joints/kernels/points.js';
 import * as d from './layout.js';
@@ -144,9 +145,8 @@ export class TurningList {
 
 /** What was struck in a step, see `shocks.ts`. Contacts are as `batchOf` is told them; their ends are told by twice that, plus 1 for B. */
 export class ShockList {
-  /** Contacts whose surfaces come together fast as the step begins; what lies beyond the count is old. */
-  readonly struck: number[] = [];
-  count = 0;
+  /** Contacts whose surfaces come together fast as the step begins. */
+  readonly struck = new List<number>();
   /** Chains of the ends at each body: by slot the first, by end the next. Made once a step at most. */
   isLinked = false;
   first = new Int32Array(64);
@@ -157,26 +157,17 @@ export class ShockList {
   /** By slot: one more than the index of the group of joints, 0 without, -1 for what cannot be solved. */
   groupOf = new Int32Array(64);
   /** What was found of late; and how many more contacts and joints there may be, below 0 if it was too many. */
-  readonly contacts: number[] = [];
-  contactCount = 0;
-  readonly groups: number[] = [];
-  groupCount = 0;
-  readonly slots: number[] = [];
-  slotCount = 0;
+  readonly contacts = new List<number>();
+  readonly groups = new List<number>();
+  readonly slots = new List<number>();
   room = 0;
   /** Groups of joints that were struck in the sub-step. */
-  readonly struckGroups: number[] = [];
-  struckGroupCount = 0;
+  readonly struckGroups = new List<number>();
 
   clear(): void {
-    this.count = 0;
-    this.struckGroupCount = 0;
+    this.struck.clear();
+    this.struckGroups.clear();
     this.isLinked = false;
-  }
-
-  add(contact: number): void {
-    this.struck[this.count] = contact;
-    this.count += 1;
   }
 
   reserve(bodies: number, ends: number): void {
@@ -214,6 +205,8 @@ export class SolverData {
   readonly bounces = new BounceList();
   readonly shocks = new ShockList();
   readonly turning = new TurningList();
+  /** Contacts of what may be hooked into each other, as `batchOf` is told them. */
+  readonly hooked = new List<number>();
   /**
    * Parts of the contacts that are hard to solve, HARD_STRIDE numbers each. What lies beyond the count is old: shortening the list would cost its
    * storage.
@@ -262,6 +255,7 @@ export class SolverData {
     this.bounces.count = 0;
     this.shocks.clear();
     this.turning.count = 0;
+    this.hooked.clear();
     this.hardCount = 0;
   }
 

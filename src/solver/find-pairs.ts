@@ -2,7 +2,7 @@ import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
-import { ACCEPTED, ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
+import { ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
 import { overlap, touch } from '../contact/touch.js';
@@ -44,6 +44,7 @@ function reportAgain(this: World, note: number): boolean {
  */
 export function findPairs(world: World, dt: number): void {
   const pairs = world.pairs;
+  world.filtersChanged = false;
   pairs.recycle();
   world.broadphase.perform(report, world, reportAgain);
   pairs.makeReported(world.timeStamp);
@@ -67,6 +68,26 @@ function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): nu
     kept += 1;
   }
   return kept;
+}
+
+/**
+ * What filters and joints let interact is about to change. Within a step, what they keep apart when that happens first was not reported, whether a broadphase told of
+ * it, as one does of pairs that it knows, or not.
+ */
+export function changeFilters(world: World): void {
+  world.filters += 1;
+  const { pairs, stepping, timeStamp } = world;
+  if (!stepping || world.filtersChanged) {
+    return;
+  }
+  world.filtersChanged = true;
+  const { items, count } = pairs.sorted;
+  for (let i = 0; i < count; i += 1) {
+    const pair = items[i]!;
+    if (pairs.isReported(pair, timeStamp) && areApart(pair.shapeA, pair.shapeB)) {
+      pairs.overlook(pair);
+    }
+  }
 }
 
 /** Works out what a pair does in this step. @returns whether there is still something to it. */
@@ -126,16 +147,11 @@ function interact(world: World, pair: Arbiter): void {
   if (pair.sensor) {
     return;
   }
-  const a = pair.bodyA;
-  const b = pair.bodyB;
-  if (preSolve(world.events, pair)) {
-    a.wakeTime = stamp;
-    b.wakeTime = stamp;
-  }
-  if (!pair.is(ACCEPTED)) {
-    pair.dropPoints();
+  if (!preSolve(world, pair)) {
     return;
   }
+  const a = pair.bodyA;
+  const b = pair.bodyB;
   if (a.asleep && a.kind === DYNAMIC) {
     world.toWake.add(a);
   }

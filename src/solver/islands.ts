@@ -128,9 +128,7 @@ export function sleepIslands(world: World, dt: number): void {
 
 /** Tied to a kinematic body that moves, in whatever world: no rest, even while the constraint is slack. */
 function isDriven({ members }: Constraint): boolean {
-  return members.some(
-    ({ kind, owner, vx, vy, w }) => kind === KINEMATIC && owner !== null && (vx !== 0 || vy !== 0 || w !== 0),
-  );
+  return members.some((body) => body.kind === KINEMATIC && body.owner !== null && body.isGoing());
 }
 
 function keepAwake({ members }: Constraint, stamp: number): void {

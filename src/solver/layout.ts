@@ -18,7 +18,7 @@ export const INV_INERTIA = 4;
 /** Cosine − 1 and sine of the turn since the start of the step, in `velocity`, where the contacts look anyway. */
 export const COS_LESS_ONE = 5;
 export const SIN = 6;
-/** How near it is to strained contacts, in `velocity`, see `markHard`; before that, in `bounce.ts`, the round in which it bounces, negative. */
+/** How near it is to strained contacts, in `velocity`, see `markHard`, as contacts are packed; from then on, in `bounce.ts`, the round in which it bounces, negative. */
 export const MARK = 7;
 /** Marks that all and no contacts are above. */
 export const ALL_HARD = 0;
@@ -52,6 +52,7 @@ export const COMPOUND = 2;
 export const RUBS = 4;
 export const MEMBER = 8;
 export const SEEN = 16;
+export const HELD = 32;
 
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the

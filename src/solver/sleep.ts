@@ -100,6 +100,16 @@ function stir(world: World, body: RigidBody): void {
   }
 }
 
+/** Wakes all that can move, and what sleeps. */
+export function wakeAll(world: World): void {
+  for (const body of world.rigidBodies) {
+    if (body.kind === DYNAMIC || body.asleep) wakeBody(world, body, false);
+  }
+  for (const constraint of world.constraints) {
+    if (constraint.asleep) wakeConstraint(world, constraint, false);
+  }
+}
+
 /** Wakes the bodies of an arbiter, without events for either. */
 export function wakeBoth(world: World, { bodyA, bodyB }: Arbiter): void {
   const { woken } = bodyB;
@@ -302,8 +312,7 @@ export function sleepKinematics(world: World): void {
   const live = world.liveKinematics;
   for (let i = live.length - 1; i >= 0 && world.allowSleeping; i -= 1) {
     const body = live[i]!;
-    const isSetToMove = body.vx !== 0 || body.vy !== 0 || body.w !== 0;
-    if (!isSetToMove && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
+    if (!body.isGoing() && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
     }
   }

@@ -20,7 +20,6 @@ export function tie(world: World, constraint: Constraint): void {
   constraint.index = world.constraints.push(constraint) - 1;
   constraint.order = world.nextOrder;
   world.nextOrder += 1;
-  constraint.renew();
   for (const body of distinct(constraint)) {
     body.constraints.push(constraint);
   }
@@ -69,8 +68,6 @@ function wakeMembers(world: World, { members }: Constraint): void {
 /** Lets a constraint act again. */
 export function switchOn(world: World, constraint: Constraint): void {
   constraint.enabled = true;
-  constraint.asleep = false;
-  constraint.renew();
   countIgnoring(constraint, 1);
   enlivenConstraint(world, constraint);
   wakeMembers(world, constraint);
@@ -100,7 +97,7 @@ export function breakOff(world: World, constraint: Constraint): void {
 /** Bodies count the constraints that keep them from interacting with others: most have none, and need not be asked for more. */
 export function countIgnoring(constraint: Constraint, change: number): void {
   if (constraint.enabled && constraint.ignoreInteractions) {
-    constraint.owner!.filters += 1;
+    constraint.owner!.changeFilters();
     for (const body of distinct(constraint)) {
       body.ignoring += change;
     }

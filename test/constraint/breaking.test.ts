@@ -42,3 +42,30 @@ describe('a joint that breaks has given no more than its limit', () => {
     });
   }
 });
+
+// Ten steps on end were asked for above the limit: at 20 steps a second it held with a limit of 100 N.
+it.each([20, 30, 60, 120, 240])(
+  'a rope breaks within a twentieth of the force that it is told to bear at most, as a load swings on it, at %d steps a second',
+  (rate) => {
+    /** @returns the most that it bears, N, if it does not break. */
+    const swing = (maxForce: number) => {
+      const world = heavy();
+      const load = plainBody({ position: [1, 0], mass: 5 });
+      world.addRigidBody(load);
+      const limits = { upperBound: 1, maxForce, breakUnderForce: true };
+      const rope = phys2D.createDistanceConstraint({ bodyA: staticBody(), bodyB: load, lowerBound: 0, ...limits });
+      world.addConstraint(rope);
+      let most = 0;
+      for (let i = 0; i < 2 * rate; i += 1) {
+        world.step(1 / rate);
+        most = Math.max(most, Math.hypot(...rope.getImpulseForBody(load).slice(0, 2)) * rate);
+      }
+      return rope.world === null ? null : most;
+    };
+    const most = swing(1e6)!;
+    expect(most).toBeGreaterThan(148);
+    expect(most).toBeLessThan(151);
+    expect(swing(0.95 * most)).toBeNull();
+    expect(swing(1.01 * most)).not.toBeNull();
+  },
+);

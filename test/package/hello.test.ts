@@ -32,10 +32,10 @@ it('hello ends by itself, with a table and the same state hash on every run', ()
     'deepest overlap',
     'state hash',
   ]);
-  expect(rows['simulated time']).toBe('12.00 s');
+  expect(rows['simulated time']).toBe('16.00 s');
   expect(rows['awake at the end']).toBe('0');
   expect(rows['state hash']).toMatch(/^[0-9a-f]{8,16}$/);
-  expect(first.stdout.match(/step +\d+ of 720/g)).toHaveLength(8);
+  expect(first.stdout.match(/step +\d+ of 960/g)).toHaveLength(8);
 
   const second = run();
   expect(second.status).toBe(0);

@@ -95,8 +95,10 @@ function makeOneWay(ledge: Shape): void {
   const top = ledge.body!.computeWorldBounds()[1];
   ledge.addEventListener('preSolve', (arbiter, other) => {
     const body = other.body!;
+    const [x] = body.getPosition();
     const [, speed] = body.getVelocity();
-    arbiter.setAcceptedState(body.computeWorldBounds()[3] - speed / 60 <= top + 0.03);
+    const falls = arbiter.contacts.map((contact) => speed + body.getAngularVelocity() * (contact.getPosition()[0] - x));
+    arbiter.setAcceptedState(body.computeWorldBounds()[3] - Math.max(0, ...falls) / 60 <= top + 0.03);
     arbiter.setPersistentState(true);
   });
 }

@@ -13,7 +13,7 @@ type Fields = Record<string, unknown>;
 
 /** Worked out anew before it is used, dead between steps, or the number by which the world itself finds something. */
 const DERIVED: Readonly<Record<string, readonly string[]>> = {
-  world: ['stepping', 'delivering', 'jointsTouched', 'filters'],
+  world: ['stepping', 'delivering', 'jointsTouched', 'filters', 'filtersChanged'],
   solver: ['bodyCount', 'substeps', 'impulseScale', 'hardCount', 'crowded', 'unloads'],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover'],
   shape: ['groundStamp', 'stateIndex'],

@@ -1,4 +1,3 @@
-import type { RigidBody } from '../../body.js';
 import { DYNAMIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
 import {
@@ -303,17 +302,19 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     comes + r[at + d.RN_B1]! * wB - r[at + d.RN_A1]! * wA < -SHOCK_SPEED ||
     comes + r[other + d.RN_B1]! * wB - r[other + d.RN_A1]! * wA < -SHOCK_SPEED
   ) {
-    data.shocks.add(contact);
+    data.shocks.struck.add(contact);
   }
 
   let share = PUSH_SHARE_STATIC;
   if (mA > 0 && mB > 0) {
     // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
     const mayHook = (either & d.COMPOUND) !== 0 || (both & d.LINKED) !== 0;
-    share =
-      mayHook && mA < HEAVY * mB && mB < HEAVY * mA
-        ? PUSH_SHARE_HOOKED
-        : shareOfTwo(pair, mA > UNEVEN * mB || mB > UNEVEN * mA);
+    if (mayHook && mA < HEAVY * mB && mB < HEAVY * mA) {
+      share = PUSH_SHARE_HOOKED;
+      data.hooked.add(contact);
+    } else {
+      share = shareOfTwo(pair, mA, mB);
+    }
   }
   r[at + d.SHARE] = share;
   r[at + d.SURFACE_T] = -0;
@@ -356,22 +357,18 @@ function packSurfaces({ drive }: SolverData, batch: ContactBatch, index: number,
   const at = recordAt(index, batch.stride);
   batch.records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
   batch.records[at + d.SURFACE_N] = -(bodyA.surfaceY + bodyB.surfaceY);
-  if (bodyA.kind !== DYNAMIC && isMoving(bodyA)) {
+  if (bodyA.kind !== DYNAMIC && bodyA.drives()) {
     drive[bodyB.slot * d.BODY_STRIDE + d.REST_RADIUS] = -1;
   }
-  if (bodyB.kind !== DYNAMIC && isMoving(bodyB)) {
+  if (bodyB.kind !== DYNAMIC && bodyB.drives()) {
     drive[bodyA.slot * d.BODY_STRIDE + d.REST_RADIUS] = -1;
   }
 }
 
-function shareOfTwo({ shapeA, shapeB }: Arbiter, areUneven: boolean): number {
+/** Share of overlap that is removed between two bodies of these inverse masses that move. */
+export function shareOfTwo({ shapeA, shapeB }: Arbiter, mA: number, mB: number): number {
   if (shapeA.kind !== POLYGON && shapeB.kind !== POLYGON) {
     return PUSH_SHARE_CIRCLES;
   }
-  return areUneven ? PUSH_SHARE_UNEVEN : PUSH_SHARE_DYNAMIC;
-}
-
-/** Moves or drives what it touches. */
-export function isMoving({ vx, vy, w, surfaceX, surfaceY }: RigidBody): boolean {
-  return vx !== 0 || vy !== 0 || w !== 0 || surfaceX !== 0 || surfaceY !== 0;
+  return mA > UNEVEN * mB || mB > UNEVEN * mA ? PUSH_SHARE_UNEVEN : PUSH_SHARE_DYNAMIC;
 }

@@ -10,6 +10,7 @@ import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../../contact/bits.js';
 import { touch, touchAlong } from '../../contact/touch.js';
 import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { List } from '../../math/list.js';
 import type { Polygon } from '../../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
@@ -51,9 +52,8 @@ const point = new Spot();
 const place = new Spot();
 const asked = new Float64Array(2);
 const bounds = new Float64Array(4);
-/** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. What lies beyond the count is old. */
-const around: Shape[] = [];
-let aroundCount = 0;
+/** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. */
+const around = /* @__PURE__ */ new List<Shape>();
 let areAllKnown = false;
 
 /** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
@@ -77,11 +77,10 @@ export function smoothSeams(world: World): void {
   const { straddling } = world;
   for (let i = 0; i < straddling.count; i += 1) {
     const { grounds } = straddling.items[i]!;
-    aroundCount = 0;
+    around.clear();
     areAllKnown = false;
     for (let pair = grounds; pair !== null; pair = pair.next) {
-      around[aroundCount] = groundOf(pair);
-      aroundCount += 1;
+      around.add(groundOf(pair));
     }
     for (let pair = grounds; pair !== null; pair = pair.next) {
       if (isHidden(world, pair)) smooth(pair);
@@ -121,7 +120,7 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   if (ground.kind !== POLYGON || !standsStill(ground)) {
     return;
   }
-  aroundCount = 0;
+  around.clear();
   addNearby(world, pair);
   if (isHidden(world, pair)) {
     turn(pair);
@@ -138,13 +137,11 @@ function addNearby(world: World, pair: Arbiter): void {
   bounds[1] = n[at + 1]! - reach;
   bounds[2] = n[at + 2]! + reach;
   bounds[3] = n[at + 3]! + reach;
-  const known = aroundCount;
   const size = findNearby(world, bounds, groundOf(pair).owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;
-    if (bears(world, shape, other) && !isAround(other, known)) {
-      around[aroundCount] = other;
-      aroundCount += 1;
+    if (bears(world, shape, other) && !around.has(other)) {
+      around.add(other);
     }
   }
   areAllKnown = true;
@@ -159,19 +156,10 @@ function bears(world: World, shape: Shape, other: Shape): boolean {
   return !pair?.active || pair.is(ACCEPTED);
 }
 
-function isAround(shape: Shape, count: number): boolean {
-  for (let i = 0; i < count; i += 1) {
-    if (around[i] === shape) {
-      return true;
-    }
-  }
-  return false;
-}
-
 /** Whether a shape is where the step began, all the time. */
 function standsStill({ owner }: Shape): boolean {
-  const { kind, vx, vy, w } = owner!;
-  return kind === STATIC || (kind === KINEMATIC && vx === 0 && vy === 0 && w === 0);
+  const { kind } = owner!;
+  return kind === STATIC || (kind === KINEMATIC && !owner!.isGoing());
 }
 
 function dynamicOf(pair: Arbiter): Shape {
@@ -291,8 +279,8 @@ function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
 
 /** What the grounds around fill at `point`. */
 function addAround(ground: Polygon): void {
-  for (let i = 0; i < aroundCount; i += 1) {
-    const other = around[i]!;
+  for (let i = 0; i < around.count; i += 1) {
+    const other = around.items[i]!;
     if (other.kind === POLYGON) {
       asked[0] = point.x + ground.owner!.x - other.owner!.x;
       asked[1] = point.y + ground.owner!.y - other.owner!.y;
@@ -315,8 +303,8 @@ function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
   }
   face.separation = -lying;
   let isFound = false;
-  for (let i = 0; i < aroundCount; i += 1) {
-    const other = around[i]!;
+  for (let i = 0; i < around.count; i += 1) {
+    const other = around.items[i]!;
     if (other !== ground && other.kind === POLYGON) {
       isFound = findFaceOf(shape, other, ground, FACE_LOOKS) || isFound;
     }
@@ -392,8 +380,8 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
 
 /** Whether `place` is within another ground than that to whose body it is relative. */
 function isInAnother(ground: Polygon): boolean {
-  for (let i = 0; i < aroundCount; i += 1) {
-    const other = around[i]!;
+  for (let i = 0; i < around.count; i += 1) {
+    const other = around.items[i]!;
     if (other !== ground && other.kind === POLYGON) {
       asked[0] = place.x + ground.owner!.x - other.owner!.x;
       asked[1] = place.y + ground.owner!.y - other.owner!.y;

@@ -21,8 +21,8 @@ const REFUSED = 1;
 export function settleShocks(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
   shocks.round += 1;
-  for (let i = 0; i < shocks.count; i += 1) {
-    const contact = shocks.struck[i]!;
+  for (let i = 0; i < shocks.struck.count; i += 1) {
+    const contact = shocks.struck.items[i]!;
     if (isShock(data, contact)) {
       const { bodies } = batchOf(data, contact);
       const a = bodies[contact & d.EVEN]! & d.OFFSET;
@@ -70,7 +70,7 @@ function settleAround(data: SolverData, body: number, jointSolver: JointSolver |
     link(data);
     jointSolver?.linkShocks(data);
   }
-  const isSolved = gather(data, body / d.BODY_STRIDE) > 0 && data.shocks.groupCount <= mostGroups;
+  const isSolved = gather(data, body / d.BODY_STRIDE) > 0 && data.shocks.groups.count <= mostGroups;
   if (isSolved) solve(data, jointSolver);
   return isSolved;
 }
@@ -98,24 +98,24 @@ function linkAll({ first, next }: ShockList, { count, bodies }: ContactBatch, ki
 /** Finds what hangs together with a body: contacts that bear something, and joints. @returns how many contacts; 0 if it is a heap, or was found before. */
 function gather(data: SolverData, start: number): number {
   const { shocks } = data;
-  const { known, slots } = shocks;
+  const { known, slots, contacts, groups } = shocks;
   if (known[start] === shocks.round || known[start] === REFUSED) {
     return 0;
   }
-  shocks.slotCount = 0;
-  shocks.contactCount = 0;
-  shocks.groupCount = 0;
+  slots.clear();
+  contacts.clear();
+  groups.clear();
   shocks.room = SHOCK_CONTACTS;
   visit(shocks, start);
-  for (let i = 0; i < shocks.slotCount && shocks.room >= 0; i += 1) {
-    gatherJoints(data, slots[i]!);
-    gatherContacts(data, slots[i]!);
+  for (let i = 0; i < slots.count && shocks.room >= 0; i += 1) {
+    gatherJoints(data, slots.items[i]!);
+    gatherContacts(data, slots.items[i]!);
   }
   if (shocks.room < 0) {
-    for (let i = 0; i < shocks.slotCount; i += 1) known[slots[i]!] = REFUSED;
+    for (let i = 0; i < slots.count; i += 1) known[slots.items[i]!] = REFUSED;
     return 0;
   }
-  return shocks.contactCount;
+  return contacts.count;
 }
 
 function visit(shocks: ShockList, slot: number): void {
@@ -123,34 +123,26 @@ function visit(shocks: ShockList, slot: number): void {
   if (known[slot] === REFUSED) shocks.room = -1;
   if (known[slot] !== round) {
     known[slot] = round;
-    slots[shocks.slotCount] = slot;
-    shocks.slotCount += 1;
+    slots.add(slot);
   }
 }
 
 /** Joints that have callbacks, or cannot be met, cannot be solved once more. */
 function gatherJoints(data: SolverData, slot: number): void {
   const { shocks, joints } = data;
-  const { groupOf, groups, groupCount } = shocks;
+  const { groupOf, groups } = shocks;
   const index = groupOf[slot]!;
   if (index === NONE) {
     shocks.room = -1;
-  } else if (index > 0 && !isListed(groups, groupCount, index - 1)) {
+  } else if (index > 0 && !groups.has(index - 1)) {
     const group = joints.groups[index - 1]!;
-    groups[groupCount] = index - 1;
-    shocks.groupCount = groupCount + 1;
+    groups.add(index - 1);
     shocks.room = group.error > JOINT_TORN * JOINT_TORN ? -1 : shocks.room - (group.end - group.start);
     const count = shocks.room < 0 ? 0 : group.bodies.count;
     for (let n = 0; n < count; n += 1) {
       visit(shocks, group.bodies.items[n]! / d.BODY_STRIDE);
     }
   }
-}
-
-function isListed(list: readonly number[], count: number, item: number): boolean {
-  let k = 0;
-  while (k < count && list[k] !== item) k += 1;
-  return k < count;
 }
 
 function gatherContacts(data: SolverData, slot: number): void {
@@ -166,8 +158,7 @@ function gatherContacts(data: SolverData, slot: number): void {
     const moves = canMove(data, other);
     // Of two that can move, from one of them.
     if (!moves || (end & 1) === 0) {
-      contacts[shocks.contactCount] = contact;
-      shocks.contactCount += 1;
+      contacts.add(contact);
       shocks.room -= 1;
     }
     if (moves) visit(shocks, other / d.BODY_STRIDE);
@@ -220,16 +211,16 @@ function isShock(data: SolverData, contact: number): boolean {
 /** Sweeps over the contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */
 function solve(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
-  const { contacts, contactCount, groups, groupCount } = shocks;
+  const { contacts, groups } = shocks;
   const size = SHOCK_CONTACTS - shocks.room;
   let changed = true;
   for (let turns = size; turns <= SHOCK_TURNS && changed; turns += size) {
     changed = false;
-    for (let i = 0; i < groupCount; i += 1) {
-      jointSolver!.sweepShock(data, groups[i]!);
+    for (let i = 0; i < groups.count; i += 1) {
+      jointSolver!.sweepShock(data, groups.items[i]!);
     }
-    for (let i = 0; i < contactCount; i += 1) {
-      const contact = contacts[i]!;
+    for (let i = 0; i < contacts.count; i += 1) {
+      const contact = contacts.items[i]!;
       const k = contact >> 1;
       const solveVelocity = (contact & 1) === 1 ? solveVelocityOne : solveVelocityTwo;
       // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would in that.
@@ -241,8 +232,8 @@ function solve(data: SolverData, jointSolver: JointSolver | null): void {
 /** What the contacts that were just solved bear is no shock in the sub-steps that follow: else it would be forgotten in every second one, for ever. */
 function goOn(data: SolverData): void {
   const { shocks, impulseScale } = data;
-  for (let i = 0; i < shocks.contactCount && impulseScale > 0; i += 1) {
-    const contact = shocks.contacts[i]!;
+  for (let i = 0; i < shocks.contacts.count && impulseScale > 0; i += 1) {
+    const contact = shocks.contacts.items[i]!;
     const batch = batchOf(data, contact);
     const { records: r, stride, numbers } = batch;
     const n = numbers[contact >> 1]!;
@@ -255,13 +246,12 @@ function goOn(data: SolverData): void {
 
 /** Of all that was just solved: joints are told, and forget when the sub-step ends. */
 function forgetAll(data: SolverData): void {
-  const { shocks } = data;
-  for (let i = 0; i < shocks.groupCount; i += 1) {
-    shocks.struckGroups[shocks.struckGroupCount] = shocks.groups[i]!;
-    shocks.struckGroupCount += 1;
+  const { contacts, groups, struckGroups } = data.shocks;
+  for (let i = 0; i < groups.count; i += 1) {
+    struckGroups.add(groups.items[i]!);
   }
-  for (let i = 0; i < shocks.contactCount; i += 1) {
-    forget(data, shocks.contacts[i]!);
+  for (let i = 0; i < contacts.count; i += 1) {
+    forget(data, contacts.items[i]!);
   }
 }
 

@@ -3,7 +3,7 @@ import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
 import { findImpactDepth, impactDepth } from '../../collide/gap.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
-import { CONTACT_SLOP, IMPACT_DEPTH, PUSH_SHARE_STATIC, SAME_TIME } from '../../config.js';
+import { CONTACT_SLOP, PUSH_SHARE_STATIC, SAME_TIME } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED } from '../../contact/bits.js';
 import { cos, sin } from '../../math/trig.js';
@@ -33,7 +33,7 @@ export function continuous(world: World, dt: number): void {
   for (let i = 0; i < world.liveKinematics.length; i += 1) {
     movers.of(world.liveKinematics[i]!);
   }
-  findMeetings(world, IMPACT_DEPTH);
+  findMeetings(world);
   settle(world);
   const { meetings } = movers;
   for (let i = 0; i < meetings.count; i += 1) {
@@ -217,7 +217,7 @@ function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Sh
     const { a, b } = meeting;
     const pair = world.pairs.find(a, b);
     const isRejected = pair?.active && !pair.is(ACCEPTED);
-    if (!isRejected && !isSensed(a, b) && mayInteract(a, b) && meets(world, meeting, IMPACT_DEPTH)) {
+    if (!isRejected && !isSensed(a, b) && mayInteract(a, b) && meets(world, meeting)) {
       time = Math.min(time, meeting.time);
     }
   }

@@ -3,7 +3,7 @@ import { STATIC } from '../../body-kind.js';
 import { roundness } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
-import { CLEARANCE, FORESIGHT_DEPTH, SOLVED_TURN, SPECULATIVE_MARGIN } from '../../config.js';
+import { CLEARANCE, SOLVED_TURN, SPECULATIVE_MARGIN } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { NEAR } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';
@@ -44,7 +44,7 @@ export function foresee(world: World, dt: number): void {
     foreseeDynamic(world, world.liveDynamics[i]!);
   }
   if (movers.looking + closing.count > 0) {
-    findMeetings(world, FORESIGHT_DEPTH);
+    findMeetings(world);
     const { meetings } = movers;
     for (let next = meetings.first(); next !== null; next = meetings.first()) {
       meetings.remove(next);

@@ -16,7 +16,6 @@ import * as c from '../../contact/layout.js';
 import { List } from '../../math/list.js';
 import type { World } from '../../world.js';
 import { normalGain } from '../contacts/bounce.js';
-import { isMoving } from '../contacts/pack-contacts.js';
 import type { SolverData } from '../data.js';
 import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
@@ -196,16 +195,9 @@ function begin(data: SolverData, joints: JointSolver | null, impact: Impact, pai
 }
 
 function listBody(body: RigidBody): void {
-  if (body.kind === DYNAMIC && !isListed(body)) {
+  if (body.kind === DYNAMIC && !bodies.has(body)) {
     bodies.add(body);
   }
-}
-
-function isListed(body: RigidBody): boolean {
-  for (let k = 0; k < bodies.count; k += 1) {
-    if (bodies.items[k] === body) return true;
-  }
-  return false;
 }
 
 function noteVelocities(into: Float64Array): void {
@@ -292,7 +284,7 @@ function mayGain({ pair: { bodyA, bodyB, numbers: n, at: o } }: Impact): boolean
 
 /** By a motion that nothing stops, or by its surface. */
 function drives(body: RigidBody): boolean {
-  return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : isMoving(body);
+  return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : body.drives();
 }
 
 function beginWithoutFriction(point: Point): void {

@@ -3,8 +3,10 @@ import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
 import {
+  CONTACT_SLOP,
   DEEPER_CARRIED,
   DEEPER_SHARE,
+  FORESIGHT_DEPTH,
   IMPACT_DEPTH,
   IMPACT_TURN,
   MEET_PATIENCE,
@@ -39,10 +41,10 @@ export function isSensed(a: Shape, b: Shape): boolean {
 }
 
 /**
- * Finds everything that meets if nothing else does, and would get as deep into each other as `depth`, or less if it is thin. Kinematic bodies that are awake have movers, and
+ * Finds everything that meets if nothing else does, and would get deep into each other. Kinematic bodies that are awake have movers, and
  * while a step is foreseen the ways are listed.
  */
-export function findMeetings(world: World, depth: number): void {
+export function findMeetings(world: World): void {
   const { movers } = world;
   const { count } = movers;
   // What bounces is never foreseen: here no two of all that move far.
@@ -51,13 +53,13 @@ export function findMeetings(world: World, depth: number): void {
   for (let i = 0; i < count; i += 1) {
     const mover = movers.all[i]!;
     if (mover.looks && (!isBouncy || materials.someDeaden || !meetsMovers(mover))) {
-      meetStill(world, mover, count, depth);
+      meetStill(world, mover, count);
       if (movers.ahead === 0 && world.liveKinematics.length === 0) shorten(world, mover);
     }
   }
   if (movers.ahead === 0) listWays(movers, count);
   for (let i = 0; i < count && movers.ways.count > 0 && !isBouncy; i += 1) {
-    meetWays(world, i, depth);
+    meetWays(world, i);
   }
 }
 
@@ -122,7 +124,7 @@ function comesNear({ all, ways }: Movers): boolean {
 }
 
 /** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
-function meetStill(world: World, mover: Mover, count: number, depth: number): void {
+function meetStill(world: World, mover: Mover, count: number): void {
   const { movers } = world;
   const { shapes, kind } = mover.body;
   const areAllMovers = count === world.liveDynamics.length + world.liveKinematics.length;
@@ -134,7 +136,7 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
     for (let k = 0; k < size; k += 1) {
       const other = movers.nearby.shapes[k]!;
       if (kind === DYNAMIC || !isPassed(world, mover, shape, other)) {
-        note(world, shape, other, depth);
+        note(world, shape, other);
       }
     }
   }
@@ -147,8 +149,12 @@ function meetStill(world: World, mover: Mover, count: number, depth: number): vo
 function shorten(world: World, mover: Mover): void {
   const { meetings } = world.movers;
   let first = mover.firstMeeting();
-  while (first?.isOpen) {
+  while (first?.isOpen && first.time < Infinity) {
     findTime(world, first);
+    first = mover.firstMeeting();
+  }
+  if (first?.isOpen) {
+    findApart(world, mover);
     first = mover.firstMeeting();
   }
   if (first === null || first.time === Infinity || !stops(world, first)) {
@@ -158,6 +164,17 @@ function shorten(world: World, mover: Mover): void {
   for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
     if (other.slot >= 0 && other.time > first.time + SAME_TIME && isWithStatic(other)) {
       meetings.remove(other);
+    }
+  }
+}
+
+/** Of what the solver kept apart, that which was farther away as the step began: it may meet from another side than the solver took it to. What touched is left to it, which knows all that touch. */
+function findApart(world: World, mover: Mover): void {
+  for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
+    const pair = meeting.isOpen ? world.pairs.find(meeting.a, meeting.b) : null;
+    if (pair !== null) {
+      findLeastSeparation(pair.numbers, pair.at);
+      if (leastSeparation[0]! > CONTACT_SLOP) findTime(world, meeting);
     }
   }
 }
@@ -184,7 +201,7 @@ function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): 
 }
 
 /** A mover with all ways that were listed; one of both sweeps. What is kinematic is found by what is not: of its own kind it only senses. */
-function meetWays(world: World, index: number, depth: number): void {
+function meetWays(world: World, index: number): void {
   const { movers } = world;
   const { ways } = movers;
   const mover = movers.all[index]!;
@@ -208,7 +225,7 @@ function meetWays(world: World, index: number, depth: number): void {
       const isOnce = isKinematic ? isToKinematic && place < index : isToKinematic || place < index || !isListed;
       const isFar = movers.ahead > 0 && isBeyondEdge(other, ways.shapes[way]!, bounds);
       if (isOnce && !isFar && (mover.looks || other.looks)) {
-        note(world, ways.shapes[way]!, shapes[i]!, depth);
+        note(world, ways.shapes[way]!, shapes[i]!);
       }
     }
   }
@@ -224,7 +241,7 @@ function isSwept(one: Mover, two: Mover): boolean {
 }
 
 /** Notes two shapes that may interact, do not yet in this step, and meet. What will bounce is not foreseen. */
-function note(world: World, one: Shape, two: Shape, depth: number): void {
+function note(world: World, one: Shape, two: Shape): void {
   const { movers, pairs } = world;
   const meeting = movers.meetings.draft(one, two);
   const { a, b } = meeting;
@@ -235,12 +252,12 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
     return;
   }
   const pair = pairs.find(a, b);
-  const waits = isKnown(pair, movers, depth);
+  const waits = isKnown(pair, movers);
   if ((waits && !pair!.is(ACCEPTED)) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
   if (movers.ahead === 0 || waits || !bounces(pair, a, b)) {
-    list(world, meeting, depth, waits);
+    list(world, meeting, waits);
   }
 }
 
@@ -248,7 +265,7 @@ function note(world: World, one: Shape, two: Shape, depth: number): void {
  * At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. Others wait for something to stop
  * one of both: those that would pass each other, and those that the solver kept apart as if nothing would.
  */
-function list(world: World, meeting: Meeting, depth: number, waits: boolean): void {
+function list(world: World, meeting: Meeting, waits: boolean): void {
   const { movers } = world;
   const { a, b } = meeting;
   const comes = !waits && mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b);
@@ -258,7 +275,7 @@ function list(world: World, meeting: Meeting, depth: number, waits: boolean): vo
   }
   meeting.isOpen = isOpen;
   meeting.time = comes ? crossing[REACHED]! : Infinity;
-  if (isOpen || meets(world, meeting, depth)) {
+  if (isOpen || meets(world, meeting)) {
     add(world, meeting);
   }
 }
@@ -272,7 +289,7 @@ export function findTime(world: World, meeting: Meeting): void {
   const { time } = meeting;
   meeting.isOpen = false;
   const isNever = (isStill(one) && isStill(two)) || isElsewhere(one, a, two) || isElsewhere(two, b, one);
-  if (isNever || !meets(world, meeting, IMPACT_DEPTH)) {
+  if (isNever || !meets(world, meeting)) {
     meeting.time = Infinity;
   }
   if (meeting.time !== time) {
@@ -317,7 +334,7 @@ function add({ movers }: World, meeting: Meeting): void {
  * The solver has seen to the pair, or need not. A contact keeps its normal for the whole step: where bodies turn meanwhile, surfaces get as deep
  * as they go sideways, times the turn.
  */
-function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
+function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   if (pair === null || !(pair.active || pair.is(NEAR))) {
     return false;
   }
@@ -327,7 +344,7 @@ function isKnown(pair: Arbiter | null, movers: Movers, depth: number): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  findRequired(pair.shapeA, pair.shapeB, a, b, depth, false);
+  findRequired(pair.shapeA, pair.shapeB, a, b, IMPACT_DEPTH, false);
   return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
 }
 
@@ -356,10 +373,10 @@ function middleMeets(a: Shape, b: Shape, time: number): boolean {
  * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
  * are put back: when they are that deep.
  */
-export function meets(world: World, meeting: Meeting, depth: number): boolean {
+export function meets({ movers }: World, meeting: Meeting): boolean {
   const { a, b } = meeting;
-  const one = world.movers.of(a.owner!);
-  const two = world.movers.of(b.owner!);
+  const one = movers.of(a.owner!);
+  const two = movers.of(b.owner!);
   one.follow(sweep.a, a, one);
   two.follow(sweep.b, b, one);
   const from = Math.max(one.from, two.from);
@@ -373,7 +390,7 @@ export function meets(world: World, meeting: Meeting, depth: number): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findRequired(a, b, one, two, depth, true);
+  findRequired(a, b, one, two, movers.ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, true);
   sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../../body.js';
 import { setPoint } from '../../collide/circles.js';
 import * as g from '../../collide/layout.js';
-import { PASS_PATIENCE, PASS_SHARE, SWEEP_TOLERANCE } from '../../config.js';
+import { MEET_PATIENCE, PASS_SHARE, SWEEP_TOLERANCE } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
 import { CENTRE_X, CENTRE_Y } from '../../geometry/layout.js';
@@ -13,7 +13,7 @@ import { goesFar } from './movers.js';
 // What would bounce may go past instead: a contact keeps its direction for the whole step, along which two bodies come near each other all the same.
 
 /** Scratch of `passes`. */
-const way = /* @__PURE__ */ new Sweep(PASS_PATIENCE, true);
+const way = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 
 /** Whether two elastic shapes go past each other within a step, as their bodies move now. If two circles will meet, their contact gets the direction in which they do. */
 export function passes(pair: Arbiter, dt: number): boolean {

@@ -2,7 +2,7 @@ import type { RigidBody } from '../../body.js';
 import { DYNAMIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
 import type { Arbiter } from '../../contact/arbiter.js';
-import { ACCEPTED, ACTIVE, FRESH, LISTED, PERSISTENT } from '../../contact/bits.js';
+import { ACTIVE, FRESH, LISTED, PERSISTENT } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';
 import * as c from '../../contact/layout.js';
 import { touch, touchAtPoint } from '../../contact/touch.js';
@@ -72,9 +72,8 @@ export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
 function meet(world: World, { a, b }: Meeting): void {
   const pair = world.pairs.obtain(a, b);
   const isNew = !pair.active;
-  const { bodyA, bodyB } = pair;
-  a.place(bodyA);
-  b.place(bodyB);
+  a.place(pair.bodyA);
+  b.place(pair.bodyB);
   if (!isNew) {
     pair.meetAgain(world.pairs.spare);
   }
@@ -86,15 +85,7 @@ function meet(world: World, { a, b }: Meeting): void {
     beginLate(world, pair);
     pair.dropPoints();
   }
-  if (preSolve(world.events, pair)) {
-    bodyA.wakeTime = world.timeStamp;
-    bodyB.wakeTime = world.timeStamp;
-  }
-  if (pair.is(ACCEPTED)) {
-    world.movers.struck.add(pair);
-  } else {
-    pair.dropPoints();
-  }
+  if (preSolve(world, pair)) world.movers.struck.add(pair);
 }
 
 /** The interaction is of this step, and has not met before in it. */

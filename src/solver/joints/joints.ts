@@ -47,6 +47,7 @@ import { orderJoints } from './order/order.js';
 import { beginGradients, goOn, noteStart } from './plan/gradients.js';
 import { beginGroup, correctShare, lookAtKinds, plan } from './plan/plan.js';
 import { closeOpen } from './touching/close-joints.js';
+import { pushHeld } from './touching/held-contacts.js';
 import { forgetShocks, linkShocks } from './touching/joint-shocks.js';
 import { steadyFrame } from './touching/momentum.js';
 
@@ -78,6 +79,7 @@ function packJoints(world: World, h: number): void {
   for (let i = 0; i < joints.groups.length; i += 1) {
     packGroup(data, joints.groups[i]!, isChanged);
   }
+  pushHeld(data);
   watchTouched(world);
   beginSprings(data);
   if (isChanged) {

@@ -23,13 +23,13 @@ export function linkShocks(data: SolverData): void {
 
 /** When what joints gave in a sub-step has been added up: what was struck forgets it, but for what it gave as the step began: without that bridges drop for a moment, and kick. */
 export function forgetShocks(data: SolverData): void {
-  const { shocks } = data;
+  const { struckGroups } = data.shocks;
   const { groups, joints } = data.joints;
-  for (let i = 0; i < shocks.struckGroupCount; i += 1) {
-    const { start, end } = groups[shocks.struckGroups[i]!]!;
+  for (let i = 0; i < struckGroups.count; i += 1) {
+    const { start, end } = groups[struckGroups.items[i]!]!;
     for (let k = start; k < end; k += 1) {
       startAgain(data, joints[k]!);
     }
   }
-  shocks.struckGroupCount = 0;
+  struckGroups.clear();
 }

@@ -1,0 +1,40 @@
+import { shareOfTwo } from '../../contacts/pack-contacts.js';
+import { recordAt, type SolverData } from '../../data.js';
+import * as d from '../../layout.js';
+import type { Group } from '../joint-data.js';
+
+/**
+ * Contacts of what joints hold to something that does not move, as the planks of a bridge: these cannot give way, so that what lies on them is not hooked into them, but carried. Pushed no farther than what is hooked, wheels
+ * sank through them, and all that has several shapes or hangs together.
+ */
+export function pushHeld(data: SolverData): void {
+  const { hooked, traits, joints } = data;
+  if (hooked.count === 0) {
+    return;
+  }
+  for (let i = 0; i < joints.groups.length; i += 1) {
+    markHeld(data, joints.groups[i]!);
+  }
+  for (let i = 0; i < hooked.count; i += 1) {
+    const contact = hooked.items[i]!;
+    const index = contact >> 1;
+    const { records, bodies, arbiters, stride } = (contact & 1) === 1 ? data.one : data.two;
+    const a = bodies[2 * index]! & d.OFFSET;
+    const b = bodies[2 * index + 1]!;
+    if (((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.HELD) !== 0) {
+      const { velocity: v } = data;
+      records[recordAt(index, stride) + d.SHARE] = shareOfTwo(arbiters[index]!, v[a + d.INV_MASS]!, v[b + d.INV_MASS]!);
+    }
+  }
+}
+
+function markHeld({ velocity, traits }: SolverData, { bodies, isAnchored }: Group): void {
+  let isHeld = isAnchored;
+  for (let n = 0; n < bodies.count && !isHeld; n += 1) {
+    isHeld = velocity[bodies.items[n]! + d.INV_MASS] === 0;
+  }
+  for (let n = 0; n < bodies.count && isHeld; n += 1) {
+    const slot = bodies.items[n]! / d.BODY_STRIDE;
+    traits[slot] = traits[slot]! | d.HELD;
+  }
+}
