@@ -133,7 +133,7 @@ export abstract class BaseConstraint {
   private place = 0;
   private fetched = 0;
   /** @internal for how many steps its whole impulse has been too large */
-  strainedSteps = 0;
+  overloadedSteps = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;
   /** @internal … after a step in which it was solved: the way to what it asks for now takes a whole step */
@@ -337,7 +337,7 @@ export abstract class BaseConstraint {
     for (const numbers of Object.values(this.fetch())) {
       numbers.fill(0);
     }
-    this.strainedSteps = 0;
+    this.overloadedSteps = 0;
     this.fresh = true;
     this.shifted = false;
   }
@@ -355,7 +355,7 @@ export abstract class BaseConstraint {
     this.fresh = tape.flag(this.fresh);
     this.shifted = tape.flag(this.shifted);
     this.keepsAngle = tape.flag(this.keepsAngle);
-    this.strainedSteps = tape.integer(this.strainedSteps, 0, 0x3fffffff);
+    this.overloadedSteps = tape.integer(this.overloadedSteps, 0, 0x3fffffff);
     this.stored = tape.number(this.stored);
     this.frequency = tape.number(this.frequency);
     this.damping = tape.number(this.damping);

@@ -58,7 +58,7 @@ export interface Run {
   readonly start: number;
   end: number;
   /** At the start of the sub-step some error was larger than is asked for. */
-  isStrained: boolean;
+  isOff: boolean;
 }
 
 /** Joints that hang together. */
@@ -196,10 +196,10 @@ export class JointData implements Keeper {
   begun = new Float64Array(0);
   /** Squares: the worst error of a group so far in this sweep or at the start of the sub-step, of rigid point joints by whether their slots are even or odd … */
   readonly worst = new Float64Array(2);
-  /** … and the error from which on a joint is strained … */
+  /** … and the error from which on a joint is off … */
   readonly asked = new Float64Array(1);
-  /** … and which are strained: the first, and the one after the last. */
-  readonly strained = new Int32Array(2);
+  /** … and which are off: the first, and the one after the last. */
+  readonly off = new Int32Array(2);
   /** rad/s. … and by how much the motor that is farthest from its rate misses it. */
   readonly lag = new Float64Array(1);
   /** What share of the momentum of the corrections of a group is made, at the end of a sub-step. As the others no number of its own, which would be boxed where it is handed on. */

@@ -209,7 +209,7 @@ function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void 
     worst[1] = 0;
     warmStartRun(data, group.runs[n]!, isFirst);
     const error = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
-    group.runs[n]!.isStrained = error > asked[0]!;
+    group.runs[n]!.isOff = error > asked[0]!;
     group.error = error > group.error ? error : group.error;
   }
   plan(data, group, isFirst);
@@ -218,7 +218,7 @@ function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void 
 /** Of a group that lies beside another, and was warm started with it. */
 function planChain(data: SolverData, group: Group, isFirst: boolean): void {
   beginGroup(data, group);
-  group.runs[0]!.isStrained = group.error > data.joints.asked[0]!;
+  group.runs[0]!.isOff = group.error > data.joints.asked[0]!;
   plan(data, group, isFirst);
 }
 

@@ -88,12 +88,12 @@ export function beginSpring(data: SolverData, joint: Joint): void {
 
 /** Of the length that was found. */
 export function noteError({ joints }: SolverData, index: number): void {
-  const { worst, asked, strained } = joints;
+  const { worst, asked, off } = joints;
   const error = length[0]!;
   worst[0] = Math.max(worst[0]!, error * error);
   if (error * error > asked[0]!) {
-    strained[0] = Math.min(strained[0]!, index);
-    strained[1] = index + 1;
+    off[0] = Math.min(off[0]!, index);
+    off[1] = index + 1;
   }
 }
 

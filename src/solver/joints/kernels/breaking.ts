@@ -69,8 +69,8 @@ function breakByWhole(data: SolverData, joint: Joint, few: boolean): void {
     r[at + work + n] = r[at + total + n]! + r[at + carried + n]!;
   }
   findLength(r, at + work, rows);
-  constraint.strainedSteps = length[0]! > r[at + j.BREAK]! ? constraint.strainedSteps + 1 : 0;
-  if (constraint.strainedSteps >= (few && isSteady(r, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS)) {
+  constraint.overloadedSteps = length[0]! > r[at + j.BREAK]! ? constraint.overloadedSteps + 1 : 0;
+  if (constraint.overloadedSteps >= (few && isSteady(r, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS)) {
     data.joints.break(joint);
   }
 }

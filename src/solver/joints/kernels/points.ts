@@ -129,25 +129,25 @@ export function keepPoints(data: SolverData, start: number, end: number): void {
   }
 }
 
-/** Which of them have a larger error than asked for: from the first to the one after the last, to `strained`, if there are such. */
+/** Which of them have a larger error than asked for: from the first to the one after the last, to `off`, if there are such. */
 export function findStrained(data: SolverData, start: number, end: number): void {
-  const { strained, joints } = data.joints;
+  const { off, joints } = data.joints;
   let from = start;
-  while (from < end && !isStrained(data, joints[from]!)) {
+  while (from < end && !isOff(data, joints[from]!)) {
     from += 1;
   }
   if (from === end) {
     return;
   }
   let to = end;
-  while (!isStrained(data, joints[to - 1]!)) {
+  while (!isOff(data, joints[to - 1]!)) {
     to -= 1;
   }
-  strained[0] = Math.min(strained[0]!, from);
-  strained[1] = Math.max(strained[1]!, to);
+  off[0] = Math.min(off[0]!, from);
+  off[1] = Math.max(off[1]!, to);
 }
 
-function isStrained({ points: r, joints: { asked } }: SolverData, { slot }: Joint): boolean {
+function isOff({ points: r, joints: { asked } }: SolverData, { slot }: Joint): boolean {
   const i = recordAt(slot, j.POINT_STRIDE);
   return r[i + j.ERROR_X]! * r[i + j.ERROR_X]! + r[i + j.ERROR_Y]! * r[i + j.ERROR_Y]! > asked[0]!;
 }

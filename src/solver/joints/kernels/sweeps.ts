@@ -13,7 +13,7 @@ import { pushTurns, solveVelocityTurns } from './turns.js';
 /** Solves a part of a run, from its first joint to its last, or back. @returns whether it was worth another sweep. */
 type Solve = (data: SolverData, kernel: number, start: number, end: number, isBack: boolean) => boolean;
 
-/** The sweep of that number: over all joints of a group, or over those that are strained and near that; to and fro it is over all. */
+/** The sweep of that number: over all joints of a group, or over those that are off and near that; to and fro it is over all. */
 export function sweepOver(data: SolverData, group: Group, sweep: number, isWhole: boolean, solve: Solve): boolean {
   const { runs, toAndFro } = group;
   if (toAndFro && sweep % 2 === 1) {

@@ -138,7 +138,7 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
  * spring does nothing within, and beyond asks for the speed that brings it back.
  */
 function aim({ joints: data }: SolverData, index: number, i: number): void {
-  const { records: r, worst, asked, strained, h } = data;
+  const { records: r, worst, asked, off, h } = data;
   const lower = r[i + j.TURN_LOWER]!;
   const upper = r[i + j.TURN_UPPER]!;
   const over = r[i + j.TURN_VALUE]! - upper;
@@ -164,8 +164,8 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
     worst[0] = square;
   }
   if (isStiff && square > asked[0]!) {
-    strained[0] = index < strained[0]! ? index : strained[0]!;
-    strained[1] = index + 1;
+    off[0] = index < off[0]! ? index : off[0]!;
+    off[1] = index + 1;
   }
 }
 

@@ -37,7 +37,7 @@ export function addJoint(
   if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
     run.end += 1;
   } else {
-    const added = { kernel, start: joints.length, end: joints.length + 1, isStrained: false };
+    const added = { kernel, start: joints.length, end: joints.length + 1, isOff: false };
     group.runs.push(added);
     data.runs.push(added);
   }

@@ -66,12 +66,12 @@ export function lookAtKinds(data: SolverData, group: Group): void {
   lookAtStress(data, group);
 }
 
-/** Before it is found which joints of a group are strained; blocks and turns note it as they are warm started. */
-export function beginGroup({ joints: { asked, strained, lag } }: SolverData, { tolerance, start, end }: Group): void {
+/** Before it is found which joints of a group are off; blocks and turns note it as they are warm started. */
+export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolerance, start, end }: Group): void {
   lag[0] = 0;
   asked[0] = tolerance * tolerance;
-  strained[0] = end;
-  strained[1] = start;
+  off[0] = end;
+  off[1] = start;
 }
 
 /** When its error is known. */
@@ -96,8 +96,8 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
 
 function findStrainedPoints(data: SolverData, { runs }: Group): void {
   for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end, isStrained } = runs[i]!;
-    if (kernel === POINT && isStrained) {
+    const { kernel, start, end, isOff } = runs[i]!;
+    if (kernel === POINT && isOff) {
       findStrained(data, start, end);
     }
   }
@@ -268,9 +268,9 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
  * shake what hangs there, fling up what lies on it, and make a thin rope with a load whirl by itself.
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
-  const { strained, lag, h } = data.joints;
-  const first = strained[0]!;
-  const after = strained[1]!;
+  const { off, lag, h } = data.joints;
+  const first = off[0]!;
+  const after = off[1]!;
   const error = Math.sqrt(group.error);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
   const springs = Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN));
