@@ -213,6 +213,7 @@ export abstract class BaseConstraint {
     const config = checkedConfig('Constraint.configure', params);
     const { owner } = this;
     owner?.countIgnoring(this.self, -1);
+    if (config.ignoreInteractions) owner?.changeFilters();
     Object.assign(this, config);
     if (owner !== null) {
       owner.countIgnoring(this.self, 1);

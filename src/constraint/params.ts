@@ -19,7 +19,7 @@ export interface ConstraintConfig {
   maxError?: number | undefined;
   /** Leaves the world when it breaks; `false`: stays, disabled. Default `true`. */
   removeOnBreak?: boolean | undefined;
-  /** Breaks when its force exceeds `maxForce`. Default `false`. */
+  /** Breaks when its force exceeds `maxForce`: at once, or, as far as it is what turns a swinging body, after three steps on end, or ten where more than four hang together, as that is not known before. Default `false`. */
   breakUnderForce?: boolean | undefined;
   /** Breaks when its error exceeds `maxError`. Default `false`. */
   breakUnderError?: boolean | undefined;

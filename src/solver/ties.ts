@@ -67,6 +67,7 @@ function wakeMembers(world: World, { members }: Constraint): void {
 
 /** Lets a constraint act again. */
 export function switchOn(world: World, constraint: Constraint): void {
+  if (constraint.ignoreInteractions) world.changeFilters();
   constraint.enabled = true;
   countIgnoring(constraint, 1);
   enlivenConstraint(world, constraint);

@@ -153,7 +153,7 @@ function shorten(world: World, mover: Mover): void {
     findTime(world, first);
     first = mover.firstMeeting();
   }
-  if (first?.isOpen) {
+  if (first?.time === Infinity) {
     findApart(world, mover);
     first = mover.firstMeeting();
   }

@@ -70,17 +70,18 @@ function breakByWhole(data: SolverData, joint: Joint, few: boolean): void {
   }
   findLength(r, at + work, rows);
   constraint.overloadedSteps = length[0]! > r[at + j.BREAK]! ? constraint.overloadedSteps + 1 : 0;
-  if (constraint.overloadedSteps >= (few && isSteady(r, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS)) {
+  if (constraint.overloadedSteps >= (few && isSteady(data, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS)) {
     data.joints.break(joint);
   }
 }
 
-/** Whether what a joint gave in this step is about as much as in the last one, of which the constraint still tells. */
-function isSteady(r: Float64Array, { at, layout, constraint }: Joint): boolean {
+/** Whether a joint pulls about as hard in this step as in the last one, of which the constraint still tells. */
+function isSteady({ impulseScale, joints: { records: r } }: SolverData, { at, layout, constraint }: Joint): boolean {
   let before = 0;
   let now = 0;
   for (let k = 0; k < 3 * layout.members; k += 1) {
-    before += constraint.given[k]! * constraint.given[k]!;
+    const last = constraint.given[k]! * impulseScale;
+    before += last * last;
     now += r[at + layout.given + k]! * r[at + layout.given + k]!;
   }
   return Math.abs(now - before) <= 2 * STEADY_CHANGE * now;

@@ -130,7 +130,7 @@ export function keepPoints(data: SolverData, start: number, end: number): void {
 }
 
 /** Which of them have a larger error than asked for: from the first to the one after the last, to `off`, if there are such. */
-export function findStrained(data: SolverData, start: number, end: number): void {
+export function findOff(data: SolverData, start: number, end: number): void {
   const { off, joints } = data.joints;
   let from = start;
   while (from < end && !isOff(data, joints[from]!)) {

@@ -44,7 +44,7 @@ import {
 } from '../joint-layout.js';
 import { heldRows, steady } from '../joint-numbers.js';
 import { findLength, length } from '../kernels/jacobian.js';
-import { findStrained } from '../kernels/points.js';
+import { findOff } from '../kernels/points.js';
 import { isBlocked, steadyTouched } from '../touching/momentum.js';
 import { findMovers } from './gradients.js';
 import { hasHub } from './hubs.js';
@@ -78,7 +78,7 @@ export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolera
 export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   const { asked, eases } = data.joints;
   if (group.error > asked[0]!) {
-    findStrainedPoints(data, group);
+    findPointsOff(data, group);
   }
   if (isFirst) {
     if (group.touched) steadyTouched(data, group);
@@ -94,11 +94,11 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   planSweeps(data, group, isFirst && eases);
 }
 
-function findStrainedPoints(data: SolverData, { runs }: Group): void {
+function findPointsOff(data: SolverData, { runs }: Group): void {
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end, isOff } = runs[i]!;
     if (kernel === POINT && isOff) {
-      findStrained(data, start, end);
+      findOff(data, start, end);
     }
   }
 }

@@ -4,8 +4,8 @@ import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
 
 /**
- * Contacts of what joints hold to something that does not move, as the planks of a bridge: these cannot give way, so that what lies on them is not hooked into them, but carried. Pushed no farther than what is hooked, wheels
- * sank through them, and all that has several shapes or hangs together.
+ * Contacts of what joints hold to what does not move at two places or more, as the planks of a bridge: that gives way little, so that what lies on it is not hooked into it, but carried. Pushed no farther than what is hooked, wheels
+ * sank through it, and all that has several shapes or hangs together. Not of what hangs at one place: heaps around puppets on a rope would shake.
  */
 export function pushHeld(data: SolverData): void {
   const { hooked, traits, joints } = data;
@@ -13,7 +13,7 @@ export function pushHeld(data: SolverData): void {
     return;
   }
   for (let i = 0; i < joints.groups.length; i += 1) {
-    markHeld(data, joints.groups[i]!);
+    if (joints.groups[i]!.isBetween) markHeld(traits, joints.groups[i]!);
   }
   for (let i = 0; i < hooked.count; i += 1) {
     const contact = hooked.items[i]!;
@@ -28,12 +28,8 @@ export function pushHeld(data: SolverData): void {
   }
 }
 
-function markHeld({ velocity, traits }: SolverData, { bodies, isAnchored }: Group): void {
-  let isHeld = isAnchored;
-  for (let n = 0; n < bodies.count && !isHeld; n += 1) {
-    isHeld = velocity[bodies.items[n]! + d.INV_MASS] === 0;
-  }
-  for (let n = 0; n < bodies.count && isHeld; n += 1) {
+function markHeld(traits: Uint8Array, { bodies }: Group): void {
+  for (let n = 0; n < bodies.count; n += 1) {
     const slot = bodies.items[n]! / d.BODY_STRIDE;
     traits[slot] = traits[slot]! | d.HELD;
   }
