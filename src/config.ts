@@ -41,7 +41,7 @@ export const PUSH_SHARE_CIRCLES = 0.5;
 
 /**
  * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, either has several shapes or both have constraints, and joints hold neither to
- * what does not move, see `held-contacts.ts`. It has to differ from all other shares, as it is by this share in its record that a contact gets MAX_PUSH_HOOKED.
+ * what does not move at two places or more, see `held-contacts.ts`. It has to differ from all other shares, as it is by this share in its record that a contact gets MAX_PUSH_HOOKED.
  */
 export const PUSH_SHARE_HOOKED = 0.2;
 

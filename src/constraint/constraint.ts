@@ -215,6 +215,7 @@ export abstract class BaseConstraint {
     owner?.countIgnoring(this.self, -1);
     if (config.ignoreInteractions) owner?.changeFilters();
     Object.assign(this, config);
+    if (!this.breakUnderForce || this.maxForce === Infinity) this.overloadedSteps = 0;
     if (owner !== null) {
       owner.countIgnoring(this.self, 1);
       owner.jointsStale = true;

@@ -69,3 +69,33 @@ it.each([20, 30, 60, 120, 240])(
     expect(swing(1.01 * most)).not.toBeNull();
   },
 );
+
+// Only where something may break it is looked at: what had been counted before would stay.
+it.each([{ breakUnderForce: false }, { maxForce: Infinity }])(
+  'what cannot break any more counts no steps: %o',
+  (off) => {
+    const world = weightless();
+    const body = plainBody({ position: [1, 0], velocity: [0, 4] });
+    world.addRigidBody(body);
+    const rope = phys2D.createDistanceConstraint({ bodyA: staticBody(), bodyB: body, lowerBound: 0, upperBound: 1 });
+    world.addConstraint(rope);
+    const run = (count: number) => {
+      for (let i = 0; i < count; i += 1) {
+        world.step(DT);
+      }
+    };
+    run(5);
+    // It pulls with 16 N, of which velocity iterations see a half.
+    rope.configure({ maxForce: 15, breakUnderForce: true });
+    run(3);
+    expect(rope.overloadedSteps).toBe(2);
+    rope.configure(off);
+    run(5);
+    expect(rope.overloadedSteps).toBe(0);
+    rope.configure({ maxForce: 15, breakUnderForce: true });
+    run(3);
+    expect(rope.world).toBe(world);
+    run(1);
+    expect(rope.world).toBeNull();
+  },
+);

@@ -102,7 +102,7 @@ export function listBodies(data: SolverData, group: Group): void {
   markBodies(data, group, 0);
 }
 
-/** Sets MEMBER in the slots of all bodies of a group, or clears it and SEEN. */
+/** Sets a mark in the slots of all bodies of a group, and clears MEMBER and SEEN unless it is one of them. */
 export function markBodies({ traits }: SolverData, { bodies }: Group, mark: number): void {
   for (let n = 0; n < bodies.count; n += 1) {
     const slot = bodies.items[n]! / BODY_STRIDE;

@@ -1,36 +1,28 @@
 import { shareOfTwo } from '../../contacts/pack-contacts.js';
-import { recordAt, type SolverData } from '../../data.js';
+import { batchOf, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
-import type { Group } from '../joint-data.js';
+import { markBodies } from '../joint-numbers.js';
 
 /**
  * Contacts of what joints hold to what does not move at two places or more, as the planks of a bridge: that gives way little, so that what lies on it is not hooked into it, but carried. Pushed no farther than what is hooked, wheels
  * sank through it, and all that has several shapes or hangs together. Not of what hangs at one place: heaps around puppets on a rope would shake.
  */
 export function pushHeld(data: SolverData): void {
-  const { hooked, traits, joints } = data;
+  const { hooked, traits, velocity: v, joints } = data;
   if (hooked.count === 0) {
     return;
   }
   for (let i = 0; i < joints.groups.length; i += 1) {
-    if (joints.groups[i]!.isBetween) markHeld(traits, joints.groups[i]!);
+    if (joints.groups[i]!.isBetween) markBodies(data, joints.groups[i]!, d.HELD);
   }
   for (let i = 0; i < hooked.count; i += 1) {
     const contact = hooked.items[i]!;
-    const index = contact >> 1;
-    const { records, bodies, arbiters, stride } = (contact & 1) === 1 ? data.one : data.two;
-    const a = bodies[2 * index]! & d.OFFSET;
-    const b = bodies[2 * index + 1]!;
+    const { records, bodies, arbiters, stride } = batchOf(data, contact);
+    const a = bodies[contact & d.EVEN]! & d.OFFSET;
+    const b = bodies[contact | 1]!;
     if (((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.HELD) !== 0) {
-      const { velocity: v } = data;
+      const index = contact >> 1;
       records[recordAt(index, stride) + d.SHARE] = shareOfTwo(arbiters[index]!, v[a + d.INV_MASS]!, v[b + d.INV_MASS]!);
     }
-  }
-}
-
-function markHeld(traits: Uint8Array, { bodies }: Group): void {
-  for (let n = 0; n < bodies.count; n += 1) {
-    const slot = bodies.items[n]! / d.BODY_STRIDE;
-    traits[slot] = traits[slot]! | d.HELD;
   }
 }
