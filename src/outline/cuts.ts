@@ -1,10 +1,14 @@
 import { VERTEX_TOLERANCE } from '../config.js';
 import type { Vec2 } from '../math/vectors.js';
+import { Grid } from './grid.js';
 import { orient } from './orient.js';
-import { bend, LEFT, RIGHT, type Ring, segmentsTouch } from './ring.js';
+import { bend, isOn, LEFT, RIGHT, type Ring, segmentsTouch } from './ring.js';
 
 // A corner that bends inwards, a notch in Chazelle and Dobkin, "Optimal Convex Decompositions", 1985, needs a cut from there to another corner; a short one from notch to notch may serve both. What crosses
 // what is decided by exact signs, so there is always one, but beside needles that are as thin as rounding.
+
+/** The numbers of the corners at its ends. */
+type Line = readonly [number, number];
 
 /** The inside of an outline with holes, and cuts through it from corner to corner. */
 export class Cuts {
@@ -12,8 +16,10 @@ export class Cuts {
   private readonly y: number[];
   /** By corner, where edges and cuts from there go to: first along the outline, then in the order of their angles, to the side of the y-axis of an edge along the x-axis, and back along the outline at last. */
   private readonly ways: number[][] = [];
-  private readonly edges: [number, number][];
-  private readonly cuts: [number, number][] = [];
+  private readonly cuts: Line[] = [];
+  private readonly corners: Grid<number>;
+  /** Edges and cuts. */
+  private readonly lines: Grid<Line>;
 
   /** An outline that goes around from the x- to the y-axis, and holes that go around the other way. */
   constructor(outline: Ring, holes: readonly Ring[]) {
@@ -27,17 +33,29 @@ export class Cuts {
         this.ways.push([first + ((i + 1) % count), first + ((i + count - 1) % count)]);
       }
     }
-    this.edges = this.ways.map(([next], v) => [v, next!]);
+    const { x, y } = this;
+    this.corners = new Grid(x, y);
+    this.lines = new Grid(x, y);
+    this.ways.forEach(([next], v) => {
+      this.corners.at(x[v]!, y[v]!).push(v);
+      this.draw([v, next!]);
+    });
   }
 
   /** Cuts until nothing bends inwards, and takes back what is not needed. */
   cut(): void {
     const inward = this.ways.map((_, v) => v).filter((v) => this.gapOf(v) >= 0);
-    const pairs = inward.flatMap((v, i) => inward.slice(i + 1).map((w): [number, number] => [v, w]));
-    pairs.sort((a, b) => this.square(a[0], a[1]) - this.square(b[0], b[1]));
-    for (const [v, w] of pairs) {
-      if (this.gapOf(v) >= 0 && this.gapOf(w) >= 0 && this.serves(v, w) && this.serves(w, v) && this.sees(v, w)) {
-        this.add(v, w);
+    // Those far from each other are looked at when the others are cut: few corners still bend inwards by then.
+    for (const ring of this.corners.rings) {
+      const bends = this.ways.map((_, v) => this.gapOf(v) >= 0);
+      const pairs = inward
+        .filter((v) => bends[v])
+        .flatMap((v) => this.around(v, ring, (w) => w > v && bends[w]! && this.sees(v, w)).map((w): Line => [v, w]));
+      pairs.sort((a, b) => this.length(a) - this.length(b));
+      for (const [v, w] of pairs) {
+        if (this.gapOf(v) >= 0 && this.gapOf(w) >= 0 && this.serves(v, w) && this.serves(w, v) && this.sees(v, w)) {
+          this.add(v, w);
+        }
       }
     }
     for (const v of inward) {
@@ -45,8 +63,8 @@ export class Cuts {
         this.add(v, this.next(v));
       }
     }
-    const longest = [...this.cuts].sort((a, b) => this.square(b[0], b[1]) - this.square(a[0], a[1]));
-    for (const [v, w] of longest) {
+    this.cuts.sort((a, b) => this.length(b) - this.length(a));
+    for (const [v, w] of this.cuts) {
       if (this.isSpare(v, w) && this.isSpare(w, v)) {
         this.ways[v]!.splice(this.ways[v]!.indexOf(w), 1);
         this.ways[w]!.splice(this.ways[w]!.indexOf(v), 1);
@@ -58,13 +76,13 @@ export class Cuts {
   private next(v: number): number {
     const ways = this.ways[v]!;
     const gap = this.gapOf(v);
-    const others = this.ways.map((_, w) => w).filter((w) => w !== v);
-    others.sort((a, b) => this.square(v, a) - this.square(v, b));
-    const served = others.find((w) => this.serves(v, w) && this.sees(v, w));
-    if (served !== undefined) {
-      return served;
+    for (const ring of this.corners.rings) {
+      const served = this.around(v, ring, (w) => this.serves(v, w)).find((w) => this.sees(v, w));
+      if (served !== undefined) {
+        return served;
+      }
     }
-    const within = others.filter((w) => this.placeOf(v, w) === gap + 1);
+    const within = this.corners.rings.flatMap((ring) => this.around(v, ring, (w) => this.placeOf(v, w) === gap + 1));
     const firstSeen = (parts: boolean) =>
       within
         .filter((w) => parts !== this.isNotch(w, v, ways[gap]!))
@@ -78,6 +96,20 @@ export class Cuts {
       );
     }
     return found;
+  }
+
+  /** The corners between two distances from one that are wanted, the nearest first. */
+  private around(v: number, [from, to]: readonly [number, number], isWanted: (w: number) => boolean): number[] {
+    const x = this.x[v]!;
+    const y = this.y[v]!;
+    const found: number[] = [];
+    this.corners.within(x - to, y - to, x + to, y + to, (cell) => {
+      for (const w of cell) {
+        const square = this.square(v, w);
+        if (square >= from * from && square < to * to && w !== v && isWanted(w)) found.push(w);
+      }
+    });
+    return found.sort((a, b) => this.square(v, a) - this.square(v, b) || a - b);
   }
 
   /** The first of two ways from a corner, beside each other, between which the inside bends inwards there; −1 if it does nowhere. */
@@ -132,6 +164,16 @@ export class Cuts {
     this.ways[v]!.splice(this.placeOf(v, w), 0, w);
     this.ways[w]!.splice(this.placeOf(w, v), 0, v);
     this.cuts.push([v, w]);
+    this.draw([v, w]);
+  }
+
+  private draw(line: Line): void {
+    this.along(line, (cell) => void cell.push(line));
+  }
+
+  /** Visits edges and cuts near a line, by cells. */
+  private along([v, w]: Line, visit: (cell: Line[]) => unknown): boolean {
+    return this.lines.along(this.x[v]!, this.y[v]!, this.x[w]!, this.y[w]!, visit);
   }
 
   /** Whether the straight way between two corners goes through the inside alone. */
@@ -139,8 +181,7 @@ export class Cuts {
     return (
       this.opensTo(v, w) &&
       this.opensTo(w, v) &&
-      !this.edges.some(([a, b]) => this.isBetween(v, w, a, b)) &&
-      !this.cuts.some(([a, b]) => this.isBetween(v, w, a, b))
+      !this.along([v, w], (cell) => cell.some(([a, b]) => this.isBetween(v, w, a, b)))
     );
   }
 
@@ -160,11 +201,7 @@ export class Cuts {
     const isEnd = a === v || a === w;
     if (isEnd || b === v || b === w) {
       const other = isEnd ? b : a;
-      return (
-        other === v ||
-        other === w ||
-        segmentsTouch(x[v]!, y[v]!, x[w]!, y[w]!, x[other]!, y[other]!, x[other]!, y[other]!)
-      );
+      return other === v || other === w || isOn(x[v]!, y[v]!, x[w]!, y[w]!, x[other]!, y[other]!);
     }
     return segmentsTouch(x[v]!, y[v]!, x[w]!, y[w]!, x[a]!, y[a]!, x[b]!, y[b]!);
   }
@@ -232,6 +269,10 @@ export class Cuts {
   private dot(at: number, a: number, b: number): number {
     const { x, y } = this;
     return (x[a]! - x[at]!) * (x[b]! - x[at]!) + (y[a]! - y[at]!) * (y[b]! - y[at]!);
+  }
+
+  private length([a, b]: Line): number {
+    return this.square(a, b);
   }
 
   private square(a: number, b: number): number {

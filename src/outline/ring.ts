@@ -1,6 +1,7 @@
 import { COLLINEAR_TOLERANCE, MAX_SIZE, VERTEX_TOLERANCE } from '../config.js';
 import type { Vec2Like } from '../math/vectors.js';
 import { typeError, vector } from '../validate.js';
+import { Grid } from './grid.js';
 import { orient } from './orient.js';
 
 /** A closed outline, and which of the given vertices are in it. */
@@ -104,42 +105,65 @@ export function surrounds({ x, y }: Ring, px: number, py: number): boolean {
   return inside;
 }
 
+/** An edge of a ring, from one vertex to the next. */
+interface Edge {
+  readonly ring: Ring;
+  readonly from: number;
+  readonly to: number;
+  /** Where it is among the edges of all rings. */
+  readonly place: number;
+}
+
 /** @throws RangeError if two edges cross or touch each other, but at the corner that they share. */
 export function refuseCrossings(where: string, rings: readonly Ring[]): void {
-  for (let a = 0; a < rings.length; a += 1) {
-    for (let b = a; b < rings.length; b += 1) {
-      for (let i = 0; i < rings[a]!.x.length; i += 1) {
-        refuseCrossing(where, rings[a]!, i, rings[b]!, a === b ? i + 1 : 0);
+  const edges = rings
+    .flatMap((ring) => ring.x.map((_, from) => ({ ring, from, to: (from + 1) % ring.x.length })))
+    .map((edge, place): Edge => ({ ...edge, place }));
+  const grid = new Grid<Edge>(
+    rings.flatMap(({ x }) => x),
+    rings.flatMap(({ y }) => y),
+  );
+  const along = ({ ring: { x, y }, from, to }: Edge, visit: (cell: Edge[]) => unknown) =>
+    grid.along(x[from]!, y[from]!, x[to]!, y[to]!, visit);
+  for (const edge of edges) {
+    along(edge, (cell) => void cell.push(edge));
+  }
+  for (const edge of edges) {
+    let met: Edge | undefined;
+    along(edge, (cell) => {
+      for (const other of cell) {
+        if (other.place > edge.place && (met === undefined || other.place < met.place) && meets(edge, other))
+          met = other;
       }
+    });
+    if (met !== undefined) {
+      throw new RangeError(
+        `${where}: edges must neither cross nor touch, got the edge from ${nameOf(edge)} meeting that from ${nameOf(met)}`,
+      );
     }
   }
 }
 
-/** Of an edge with those of a ring from one on. */
-function refuseCrossing(where: string, one: Ring, i: number, other: Ring, from: number): void {
-  const next = (i + 1) % one.x.length;
-  const count = other.x.length;
-  for (let k = from; k < count; k += 1) {
-    const after = (k + 1) % count;
-    const touches =
-      one === other && (k === next || after === i)
-        ? goesBack(one, i, k)
-        : segmentsTouch(
-            one.x[i]!,
-            one.y[i]!,
-            one.x[next]!,
-            one.y[next]!,
-            other.x[k]!,
-            other.y[k]!,
-            other.x[after]!,
-            other.y[after]!,
-          );
-    if (touches) {
-      const edge = `the edge from vertex ${one.given[i]} of ${one.name}`;
-      const reached = `that from vertex ${other.given[k]} of ${other.name}`;
-      throw new RangeError(`${where}: edges must neither cross nor touch, got ${edge} meeting ${reached}`);
-    }
+function nameOf({ ring, from }: Edge): string {
+  return `vertex ${ring.given[from]} of ${ring.name}`;
+}
+
+function meets(one: Edge, other: Edge): boolean {
+  const { x, y } = one.ring;
+  const o = other.ring;
+  if (one.ring === o && (one.to === other.from || other.to === one.from)) {
+    return goesBack(one.ring, one.from, other.from);
   }
+  return segmentsTouch(
+    x[one.from]!,
+    y[one.from]!,
+    x[one.to]!,
+    y[one.to]!,
+    o.x[other.from]!,
+    o.y[other.from]!,
+    o.x[other.to]!,
+    o.y[other.to]!,
+  );
 }
 
 /** Whether of two neighbours one lies on the other. */
@@ -177,4 +201,15 @@ export function segmentsTouch(
   const a = orient(cx, cy, dx, dy, ax, ay);
   const b = orient(cx, cy, dx, dy, bx, by);
   return !((c > 0 && d > 0) || (c < 0 && d < 0) || (a > 0 && b > 0) || (a < 0 && b < 0));
+}
+
+/** Whether a point is on a segment. */
+export function isOn(ax: number, ay: number, bx: number, by: number, px: number, py: number): boolean {
+  return (
+    px >= Math.min(ax, bx) &&
+    px <= Math.max(ax, bx) &&
+    py >= Math.min(ay, by) &&
+    py <= Math.max(ay, by) &&
+    orient(ax, ay, bx, by, px, py) === 0
+  );
 }

@@ -1,5 +1,39 @@
+import { Grid } from './grid.js';
 import { orient } from './orient.js';
 import type { Ring } from './ring.js';
+
+/** Numbers of which the least is known: of each two the lesser, of each two of those, and so on, as in a tournament. */
+class Least {
+  /** The places of the lesser ones, from 1 on, as a binary heap lies: what is above `i` is at `i / 2`. */
+  private readonly places: number[];
+
+  constructor(private readonly values: number[]) {
+    const { length } = values;
+    this.places = Array.from({ length: 2 * length }, (_, i) => i - length);
+    for (let i = length - 1; i >= 1; i -= 1) {
+      this.compare(i);
+    }
+  }
+
+  /** The place of the least number, the first of several, if it is no more than `most`; else −1. */
+  find(most: number): number {
+    return this.values[this.places[1]!]! <= most ? this.places[1]! : -1;
+  }
+
+  set(place: number, value: number): void {
+    this.values[place] = value;
+    for (let i = (place + this.values.length) >> 1; i >= 1; i >>= 1) {
+      this.compare(i);
+    }
+  }
+
+  private compare(i: number): void {
+    const a = this.places[2 * i]!;
+    const b = this.places[2 * i + 1]!;
+    const ahead = this.values[a]! - this.values[b]! || a - b;
+    this.places[i] = ahead < 0 ? a : b;
+  }
+}
 
 /** What is left of a ring. */
 class Left {
@@ -7,24 +41,33 @@ class Left {
   private readonly before: number[];
   /** How far the outline would be off without a vertex; infinite for those that are gone. */
   private readonly cost: number[];
+  private readonly least: Least;
+  /** Where vertices are, those that are gone included. */
+  private readonly grid: Grid<number>;
   count: number;
 
   constructor(private readonly ring: Ring) {
-    this.count = ring.x.length;
-    this.next = ring.x.map((_, i) => (i + 1) % this.count);
-    this.before = ring.x.map((_, i) => (i + this.count - 1) % this.count);
-    this.cost = ring.x.map((_, i) => this.costOf(i));
+    const { x, y } = ring;
+    this.count = x.length;
+    this.next = x.map((_, i) => (i + 1) % this.count);
+    this.before = x.map((_, i) => (i + this.count - 1) % this.count);
+    this.cost = x.map((_, i) => this.costOf(i));
+    this.least = new Least([...this.cost]);
+    this.grid = new Grid(x, y);
+    x.forEach((_, i) => void this.grid.at(x[i]!, y[i]!).push(i));
   }
 
   /** The vertex that is missed the least, if that is by no more than `most`; else −1. */
   find(most: number): number {
-    let found = -1;
-    let least = most;
-    for (let i = 0; i < this.cost.length; i += 1) {
-      if (this.cost[i]! <= least && (found < 0 || this.cost[i]! < least) && this.isFree(i)) {
-        found = i;
-        least = this.cost[i]!;
-      }
+    const refused: number[] = [];
+    let found = this.least.find(most);
+    while (found >= 0 && !this.isFree(found)) {
+      this.least.set(found, Infinity);
+      refused.push(found);
+      found = this.least.find(most);
+    }
+    for (const i of refused) {
+      this.least.set(i, this.cost[i]!);
     }
     return found;
   }
@@ -34,10 +77,15 @@ class Left {
     const next = this.next[i]!;
     this.next[before] = next;
     this.before[next] = before;
-    this.cost[i] = Infinity;
     this.count -= 1;
-    this.cost[before] = this.costOf(before);
-    this.cost[next] = this.costOf(next);
+    this.price(i, Infinity);
+    this.price(before, this.costOf(before));
+    this.price(next, this.costOf(next));
+  }
+
+  private price(i: number, cost: number): void {
+    this.cost[i] = cost;
+    this.least.set(i, cost);
   }
 
   kept(): number[] {
@@ -76,12 +124,21 @@ class Left {
     const { x, y } = this.ring;
     const side = (p: number, q: number, k: number) => orient(x[p]!, y[p]!, x[q]!, y[q]!, x[k]!, y[k]!);
     const turn = Math.sign(side(a, i, c)) || 1;
-    for (let k = this.next[c]!; k !== a; k = this.next[k]!) {
-      if (turn * side(a, i, k) >= 0 && turn * side(i, c, k) >= 0 && turn * side(c, a, k) >= 0) {
-        return false;
-      }
-    }
-    return true;
+    const isWithin = (k: number) =>
+      this.cost[k] !== Infinity &&
+      k !== a &&
+      k !== i &&
+      k !== c &&
+      turn * side(a, i, k) >= 0 &&
+      turn * side(i, c, k) >= 0 &&
+      turn * side(c, a, k) >= 0;
+    return !this.grid.within(
+      Math.min(x[a]!, x[i]!, x[c]!),
+      Math.min(y[a]!, y[i]!, y[c]!),
+      Math.max(x[a]!, x[i]!, x[c]!),
+      Math.max(y[a]!, y[i]!, y[c]!),
+      (cell) => cell.some(isWithin),
+    );
   }
 }
 

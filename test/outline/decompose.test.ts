@@ -234,6 +234,17 @@ describe('outlines at random', () => {
     }
   });
 
+  it('with thousands of vertices, as of a coast, each near few others', () => {
+    const random = generator(12);
+    const coast = Array.from({ length: 3000 }, (_, i): Vec2 => {
+      const angle = (i * 2 * Math.PI) / 3000;
+      const radius = 10 + 0.2 * random() + 3 * Math.sin(5 * angle);
+      return [radius * Math.cos(angle), radius * Math.sin(angle)];
+    });
+    expect(check(coast).length).toBeLessThan(1.2 * notches(coast));
+    // All vertices asked for each took a minute, where this takes seconds.
+  }, 30_000);
+
   it('which wind a thousand times', () => {
     const outline: Vec2[] = [];
     for (let i = 0; i <= 500; i += 1) {
@@ -443,6 +454,19 @@ describe('simplifyOutline', () => {
     expect(simplifyOutline(outline, 0)).toEqual(outline);
     expect(simplifyOutline(outline, 10)).toHaveLength(3);
   });
+
+  it('of tens of thousands of vertices takes no square of them', () => {
+    // A step of pixels at each vertex, as of what was traced from a picture.
+    const outline = Array.from({ length: 20_000 }, (_, i): Vec2 => {
+      const angle = (i * Math.PI) / 10_000;
+      return [Math.cos(angle) + 3e-4 * (i % 2), Math.sin(angle)];
+    });
+    const simple = simplifyOutline(outline, 1e-3);
+    expect(simple.length).toBeGreaterThan(40);
+    expect(simple.length).toBeLessThan(200);
+    check(simple);
+    // Half a minute where each of them is asked for each that goes.
+  }, 15_000);
 
   it('of outlines at random stays near, and never crosses itself', () => {
     for (let seed = 1; seed <= 100; seed += 1) {
