@@ -43,6 +43,8 @@ export class Material {
   readonly rollingFriction: number;
   /** @internal */
   readonly density: number;
+  /** @internal where the state that is saved lists it */
+  stateIndex = 0;
 
   /** @internal use `createMaterial` */
   constructor(params: MaterialParams = {}) {

@@ -20,7 +20,12 @@ export function bodyOf(where: string, name: string, shape: Shape): RigidBody {
 export function presently<T>(shape: Shape, ask: () => T): T {
   const body = shape.owner!;
   if (!body.owner?.stepping) {
-    body.place();
+    if (body.owner === null) {
+      body.place();
+    } else if (body.placeStale) {
+      // Only this one: all of them stay stale until the next step or query.
+      shape.place(body);
+    }
     return ask();
   }
   const { numbers, at } = shape;

@@ -39,8 +39,10 @@ export function describe(tape: Tape, world: World, scene: Scene): void {
   for (const { order } of constraints) {
     tape.word(order);
   }
+  // They are listed as the constraints come to them.
+  let which = 0;
   for (const body of bodies.slice(inside)) {
-    const which = constraints.findIndex(({ members }) => members.includes(body));
+    while (!constraints[which]!.members.includes(body)) which += 1;
     tape.word(which);
     tape.word(constraints[which]!.members.indexOf(body));
   }

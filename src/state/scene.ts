@@ -71,14 +71,16 @@ export function gather(world: World, scene: Scene): void {
   }
   counts.length = scene.inside;
   shapes.length = scene.attached;
+  const outside = new Set<RigidBody>();
   for (const constraint of world.constraints) {
     constraints.push(constraint);
     noteIsland(scene, constraint);
     for (const body of constraint.members) {
-      if (body.owner === null && !bodies.includes(body, scene.inside)) {
-        bodies.push(body);
-      }
+      if (body.owner === null) outside.add(body);
     }
+  }
+  for (const body of outside) {
+    bodies.push(body);
   }
   gatherPairs(world, scene);
 }
@@ -102,8 +104,9 @@ function replace<T>(list: T[], by: readonly T[]): void {
 function addShape({ shapes, materials }: Scene, shape: Shape, at: number): void {
   shapes[at] = shape;
   shape.stateIndex = at;
-  if (materials[materials.length - 1] !== shape.material && !materials.includes(shape.material)) {
-    materials.push(shape.material);
+  const { material } = shape;
+  if (materials[material.stateIndex] !== material) {
+    material.stateIndex = materials.push(material) - 1;
   }
 }
 

@@ -164,7 +164,9 @@ export function plainObjects(
   const bodies = [...new Set([...world.rigidBodies, ...world.constraints.flatMap(membersOf)])];
   const shapes = bodies.flatMap((body) => body.shapes);
   const materials = [...new Set(shapes.map((shape) => shape.getMaterial()))];
-  const ranks = new Map([...shapes].sort((a, b) => a.id - b.id).map((shape, rank) => [shape, rank]));
+  const materialNumbers = numbered(materials);
+  const bodyNumbers = numbered(bodies);
+  const ranks = numbered([...shapes].sort((a, b) => a.id - b.id));
   return {
     materials: materials.map((material) => plainMaterial(material, userData)),
     bodies: bodies.map((body) => ({
@@ -175,11 +177,15 @@ export function plainObjects(
       rotation: body.getRotation(),
       velocity: body.getVelocity(),
       angularVelocity: body.getAngularVelocity(),
-      shapes: body.shapes.map((shape) => plainShape(shape, ranks.get(shape)!, materials, userData)),
+      shapes: body.shapes.map((shape) => plainShape(shape, ranks.get(shape)!, materialNumbers, userData)),
       userData: userData(body.userData),
     })),
-    constraints: world.constraints.map((constraint) => plainConstraint(constraint, bodies, userData)),
+    constraints: world.constraints.map((constraint) => plainConstraint(constraint, bodyNumbers, userData)),
   };
+}
+
+function numbered<T>(list: readonly T[]): Map<T, number> {
+  return new Map(list.map((item, i) => [item, i]));
 }
 
 /** The bodies of a constraint, in their order. */
@@ -204,13 +210,18 @@ function plainMaterial(material: Material, userData: UserData): PlainMaterial {
   };
 }
 
-function plainShape(shape: Shape, rank: number, materials: readonly Material[], userData: UserData): PlainShape {
+function plainShape(
+  shape: Shape,
+  rank: number,
+  materials: ReadonlyMap<Material, number>,
+  userData: UserData,
+): PlainShape {
   return {
     order: shape.order,
     rank,
     type: shape.type,
     sensor: shape.sensor,
-    material: materials.indexOf(shape.getMaterial()),
+    material: materials.get(shape.getMaterial())!,
     group: shape.getGroup(),
     mask: shape.getMask(),
     ...(shape.type === 'CIRCLE'
@@ -220,11 +231,15 @@ function plainShape(shape: Shape, rank: number, materials: readonly Material[], 
   };
 }
 
-function plainConstraint(constraint: Constraint, bodies: readonly RigidBody[], userData: UserData): PlainConstraint {
+function plainConstraint(
+  constraint: Constraint,
+  bodies: ReadonlyMap<RigidBody, number>,
+  userData: UserData,
+): PlainConstraint {
   const result: PlainConstraint = {
     order: constraint.order,
     type: constraint.type,
-    bodies: membersOf(constraint).map((body) => bodies.indexOf(body)),
+    bodies: membersOf(constraint).map((body) => bodies.get(body)!),
     userData: userData(constraint.userData),
   };
   if ('getAnchorA' in constraint) {

@@ -59,16 +59,28 @@ function walkStrangers(tape: Tape, world: World, { members }: Constraint): void 
 
 function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
   const count = tape.count(materials.length, shapes.length);
+  let known: Map<string, Material> | null = null;
   tape.checksOnto(true);
   for (let i = 0; i < count; i += 1) {
     const own = materials[i] === undefined ? new Float64Array(5) : rows.materialNumbers(materials[i]!);
     const stored = tape.shared(own, Infinity);
     tape.require(stored.length === 5);
     if (tape.checks && (materials[i] === undefined || stored !== own)) {
-      materials[i] = shapes.find(({ material }) => isMadeOf(material, stored))?.material ?? makeMaterial(stored);
+      known ??= byNumbers(shapes);
+      materials[i] = known.get(stored.join()) ?? makeMaterial(stored);
     }
   }
   tape.checksOnto(false);
+}
+
+/** The materials of shapes by their numbers, of those with the same ones the first. */
+function byNumbers(shapes: readonly Shape[]): Map<string, Material> {
+  const known = new Map<string, Material>();
+  for (const { material } of shapes) {
+    const key = rows.materialNumbers(material).join();
+    if (!known.has(key)) known.set(key, material);
+  }
+  return known;
 }
 
 function isMadeOf(material: Material, stored: Float64Array): boolean {
@@ -107,7 +119,7 @@ function walkShape(tape: Tape, { materials, isCopy }: Scene, shape: Shape): bool
     tape.shared(rows.materialNumbers(material), Infinity);
     return rows.keepShape(tape, shape);
   }
-  const which = tape.index(tape.holds ? 0 : materials.indexOf(material), materials.length);
+  const which = tape.index(tape.holds ? 0 : material.stateIndex, materials.length);
   // Materials of the same numbers are told apart by a copy only in so far as the shapes have them already.
   if (tape.reads && !(isCopy && isMadeOf(material, rows.materialNumbers(materials[which]!)))) {
     shape.material = materials[which]!;
