@@ -9,9 +9,9 @@ import {
   TOUCH_DEPTH,
 } from '../../config.js';
 import { type BounceList, recordAt, type SolverData } from '../data.js';
-import { Ledger } from '../impacts/no-gain.js';
 import * as d from '../layout.js';
 import { isTied } from '../ties.js';
+import { Ledger } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
 import { solveVelocityTwo } from './two-point.js';
 

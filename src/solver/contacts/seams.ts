@@ -15,7 +15,7 @@ import type { Polygon } from '../../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
 import type { World } from '../../world.js';
-import { findNearby } from '../impacts/nearby.js';
+import { findNearby } from '../nearby.js';
 import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
 
 // What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile

@@ -10,10 +10,10 @@ import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { mayInteract } from '../interaction.js';
+import { findNearby } from '../nearby.js';
 import type { Meeting } from './meeting-queue.js';
 import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js';
 import type { Mover } from './movers.js';
-import { findNearby } from './nearby.js';
 import { beginSensing, strike } from './strike.js';
 import { squareOfWay } from './swept-bounds.js';
 

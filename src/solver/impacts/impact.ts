@@ -16,10 +16,10 @@ import * as c from '../../contact/layout.js';
 import { List } from '../../math/list.js';
 import type { World } from '../../world.js';
 import { normalGain } from '../contacts/bounce.js';
+import { Ledger } from '../contacts/no-gain.js';
 import type { SolverData } from '../data.js';
 import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
-import { Ledger } from './no-gain.js';
 
 /** One point of an impact. */
 class Point {

@@ -25,10 +25,10 @@ import { materials } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { mayInteract } from '../interaction.js';
+import { findNearby } from '../nearby.js';
 import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requireLess } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
-import { findNearby } from './nearby.js';
 import { growBounds, isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);

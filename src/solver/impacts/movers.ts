@@ -9,10 +9,10 @@ import { List } from '../../math/list.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import * as d from '../layout.js';
+import { Nearby } from '../nearby.js';
 import { isInTrain, isTied } from '../ties.js';
 import { ClearSpace } from './clear-space.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
-import { Nearby } from './nearby.js';
 import { Ways } from './ways.js';
 
 /** Whole turns within a step change nothing. */

@@ -1,7 +1,7 @@
-import type { BroadphaseHandle } from '../../broadphase/broadphase.js';
-import { sortFirst } from '../../math/sort.js';
-import { isOlder, type Shape } from '../../shape/shape.js';
-import type { World } from '../../world.js';
+import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { sortFirst } from '../math/sort.js';
+import { isOlder, type Shape } from '../shape/shape.js';
+import type { World } from '../world.js';
 
 /** Shapes of a world that were found near something. */
 export class Nearby {
