@@ -6,9 +6,16 @@ import type { Rgb } from './theme.js';
 // Bodies as filled shapes with a rim, in one draw call. What a shape looks like in its body stays in the graphics card; placements and inks go
 // there in each frame, in a texture with a column of two texels for each body.
 
-/** Numbers of a vertex: x and y in the body, m; which body; then the distances from three edges, m, or for a disc its middle and radius; 1 for
- * a disc, 2 more for a sensor, 4 more for what is static and has no tick. */
-const VERTEX = 7;
+/** Numbers of a vertex: x and y in the body, m; which body; the distances from three edges, m, or for a disc its middle and radius; 1 for a disc,
+ * 2 more for a sensor, 4 more for what is static and has no tick. Then what each m that the shape is grown by adds to x, y and the distances: the
+ * middle of the rim is on the edge, so half of it is outside, and what is thinner than a px is seen as well. */
+const VERTEX = 12;
+const ATTRIBUTES = [
+  ['place', 3],
+  ['rim', 4],
+  ['outward', 2],
+  ['slope', 3],
+] as const;
 /** Bodies in a row of the textures. */
 const ROW = 1024;
 
@@ -17,8 +24,12 @@ precision highp float;
 uniform sampler2D poses;
 uniform sampler2D inks;
 uniform vec4 mapping;
+uniform float scale;
+uniform float width;
 in vec3 place;
 in vec4 rim;
+in vec2 outward;
+in vec3 slope;
 out vec4 edge;
 out vec2 local;
 flat out vec4 ink;
@@ -28,10 +39,11 @@ void main() {
   ivec2 at = ivec2(body % ${ROW}, body / ${ROW});
   vec4 pose = texelFetch(poses, at, 0);
   ink = texelFetch(inks, at, 0);
-  vec2 world = pose.xy + vec2(pose.z * place.x - pose.w * place.y, pose.w * place.x + pose.z * place.y);
-  edge = rim;
+  float growth = (0.5 * width + 0.5) / scale;
+  local = place.xy + growth * outward;
+  edge = rim + growth * vec4(slope, 0.0);
   kind = rim.w;
-  local = place.xy;
+  vec2 world = pose.xy + vec2(pose.z * local.x - pose.w * local.y, pose.w * local.x + pose.z * local.y);
   gl_Position = vec4(world * mapping.xy + mapping.zw, 0.0, 1.0);
 }`;
 
@@ -45,19 +57,20 @@ flat in vec4 ink;
 flat in float kind;
 out vec4 shown;
 void main() {
+  float reach = 0.5 * width + 0.5;
   float depth;
   float tick = 0.0;
   bool disc = mod(kind, 2.0) > 0.5;
   if (disc) {
     vec2 spoke = local - edge.xy;
     depth = (edge.z - length(spoke)) * scale;
-    float across = (0.5 * width + 0.5 - abs(spoke.y) * scale) * step(edge.z * 0.4, spoke.x) * step(kind, 3.5);
+    float across = (reach - abs(spoke.y) * scale) * step(edge.z * 0.4, spoke.x) * step(kind, 3.5);
     tick = clamp(across, 0.0, 1.0);
   } else {
     depth = min(edge.x, min(edge.y, edge.z)) * scale;
   }
-  float inside = disc ? clamp(depth + 0.5, 0.0, 1.0) : 1.0;
-  float rim = max(clamp(width + 0.5 - depth, 0.0, 1.0), tick);
+  float inside = clamp(reach + depth, 0.0, 1.0);
+  float rim = max(clamp(reach - depth, 0.0, 1.0), tick);
   float strength = mod(kind, 4.0) > 1.5 ? 0.4 : 1.0;
   shown = vec4(ink.rgb, strength * inside * mix(ink.a, 1.0, rim));
 }`;
@@ -92,10 +105,12 @@ export class WebGLSurface implements Surface {
     this.uniforms = { mapping: at('mapping'), scale: at('scale'), width: at('width') };
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    gl.enableVertexAttribArray(0);
-    gl.enableVertexAttribArray(1);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 4 * VERTEX, 0);
-    gl.vertexAttribPointer(1, 4, gl.FLOAT, false, 4 * VERTEX, 12);
+    let offset = 0;
+    ATTRIBUTES.forEach(([, size], index) => {
+      gl.enableVertexAttribArray(index);
+      gl.vertexAttribPointer(index, size, gl.FLOAT, false, 4 * VERTEX, 4 * offset);
+      offset += size;
+    });
     gl.bindVertexArray(null);
   }
 
@@ -196,8 +211,6 @@ function addShape(numbers: number[], shape: Shape, body: number): void {
   if (shape.type === 'CIRCLE') {
     const radius = shape.getRadius();
     const [x, y] = shape.getOrigin();
-    // A little wider, for the soft edge.
-    const reach = radius * 1.1;
     for (const [dx, dy] of [
       [-1, -1],
       [1, -1],
@@ -206,7 +219,7 @@ function addShape(numbers: number[], shape: Shape, body: number): void {
       [1, 1],
       [-1, 1],
     ] as const) {
-      numbers.push(x + reach * dx, y + reach * dy, body, x, y, radius, 1 + kind);
+      numbers.push(x + radius * dx, y + radius * dy, body, x, y, radius, 1 + kind, dx, dy, 0, 0, 0);
     }
   } else {
     addPolygon(numbers, shape.vertices, body, kind);
@@ -225,15 +238,40 @@ function addPolygon(numbers: number[], vertices: ArrayLike<number>, body: number
     mx += corner(i)[0] / count;
     my += corner(i)[1] / count;
   }
-  const away = (edge: number, [x, y]: Vec2): number => {
+  /** A unit vector that points inwards. */
+  const normal = (edge: number): Vec2 => {
     const [[ax, ay], [bx, by]] = [corner(edge), corner(edge + 1)];
-    return Math.abs((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / Math.hypot(bx - ax, by - ay);
+    const size = Math.hypot(bx - ax, by - ay) * Math.sign((bx - ax) * (my - ay) - (by - ay) * (mx - ax));
+    return [(ay - by) / size, (bx - ax) / size];
+  };
+  const away = (edge: number, [x, y]: Vec2): number => {
+    const [ax, ay] = corner(edge);
+    return dot(normal(edge), [x - ax, y - ay]);
+  };
+  /** Where a corner goes as both its edges move outwards by 1; less far where it is sharp. */
+  const outward = (i: number): Vec2 => {
+    const [one, other] = [normal(i - 1), normal(i)];
+    const share = -1 / Math.max(0.2, 1 + dot(one, other));
+    return [share * (one[0] + other[0]), share * (one[1] + other[1])];
   };
   for (let i = 0; i < count; i += 1) {
-    for (const point of [[mx, my], corner(i), corner(i + 1)] as Vec2[]) {
-      numbers.push(...point, body, away(i - 1, point), away(i, point), away(i + 1, point), kind);
+    const edges = [i - 1, i, i + 1];
+    for (const [point, growth] of [
+      [
+        [mx, my],
+        [0, 0],
+      ],
+      [corner(i), outward(i)],
+      [corner(i + 1), outward(i + 1)],
+    ] as [Vec2, Vec2][]) {
+      numbers.push(...point, body, ...edges.map((edge) => away(edge, point)), kind);
+      numbers.push(...growth, ...edges.map((edge) => dot(normal(edge), growth)));
     }
   }
+}
+
+function dot(a: Vec2, b: Vec2): number {
+  return a[0] * b[0] + a[1] * b[1];
 }
 
 function link(gl: WebGL2RenderingContext): WebGLProgram {
@@ -247,8 +285,9 @@ function link(gl: WebGL2RenderingContext): WebGLProgram {
     gl.compileShader(shader);
     gl.attachShader(program, shader);
   }
-  gl.bindAttribLocation(program, 0, 'place');
-  gl.bindAttribLocation(program, 1, 'rim');
+  ATTRIBUTES.forEach(([name], index) => {
+    gl.bindAttribLocation(program, index, name);
+  });
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
     throw new Error(`The shaders do not link: ${gl.getProgramInfoLog(program)}`);

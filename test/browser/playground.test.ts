@@ -321,6 +321,15 @@ describe('settings', () => {
     expect(await ask(`playground.settings.draw.has('smooth')`)).toBe(false);
   });
 
+  it('what is thinner than a pixel is seen', async () => {
+    await show('scene=cards', 1);
+    await ask(
+      `playground.simulation.world.removeRigidBody(playground.simulation.world.rigidBodies.find((body) => body.isStatic()))`,
+    );
+    // 40 lines of 70 px and more, two pixels wide.
+    expect(await inked()).toBeGreaterThan(5000);
+  });
+
   it('light and dark follow the system and the button', async () => {
     for (const colorScheme of ['light', 'dark'] as const) {
       const other = await start('scene=arch&steps=5', { colorScheme });
