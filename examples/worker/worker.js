@@ -24,10 +24,12 @@ addEventListener('message', ({ data: { poses, counts } }) => {
     world.addRigidBody(body);
     world.poses.track(body);
   }
-  const start = performance.now();
+  let [due, last] = [0, performance.now()];
   setInterval(() => {
-    const due = Math.floor(((performance.now() - start) * 60) / 1000);
-    for (let i = 0; i < 5 && world.timeStamp < due; i += 1) {
+    const now = performance.now();
+    // What is due beyond five steps is dropped: after a pause the world goes on, and does not hurry.
+    due = Math.min(5, due + ((now - last) * 60) / 1000);
+    for (last = now; due >= 1; due -= 1) {
       world.step(1 / 60);
       Atomics.store(counts, STEPS, world.timeStamp);
     }
