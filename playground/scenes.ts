@@ -125,7 +125,13 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
         }
       }),
       still('gears', 'Gear train', 'A motor drives the first wheel.', [-1.4, -2, 4.6, 2], buildGearTrain),
-      still('lift', 'Pulley lift', 'One rope, with a tackle on the right.', [-6, -9, 6, 5], buildPulleyLift),
+      still(
+        'lift',
+        'Pulley lift',
+        'One rope: what is on the right moves half as far.',
+        [-6, -9, 6, 5],
+        buildPulleyLift,
+      ),
       still(
         'cradle',
         "Newton's cradle",
@@ -133,8 +139,12 @@ export const groups: readonly { readonly title: string; readonly scenes: readonl
         [-6.2, -5, 6.2, 1.4],
         buildCradle,
       ),
-      still('grid', 'Joint grid', 'A net of 400 discs.', [-5, -2, 25, 26], (phys2D, world) =>
-        buildJointGrid(phys2D, world, 20),
+      still(
+        'grid',
+        'Joint grid',
+        '400 discs and 760 joints, which keep it in shape.',
+        [-5, -2, 25, 26],
+        (phys2D, world) => buildJointGrid(phys2D, world, 20),
       ),
       still('soft', 'Soft bodies', 'Discs on elastic distances.', [-8.6, -9.4, 8.6, 1.2], buildSoftBodies),
       still(
