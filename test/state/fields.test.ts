@@ -38,7 +38,6 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'isDriven',
       'isAnchored',
       'isBetween',
-      'isUnmet',
       'isTorn',
       'mayBreak',
       'frequency',

@@ -81,7 +81,7 @@ export class Group {
   isBetween = false;
   /** For so many steps there was an error that no sweep removed. */
   stuck = 0;
-  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. */
+  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. After it: if so, they were not. */
   isUnmet = false;
   /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
   isTorn = false;

@@ -5,6 +5,7 @@ import {
   EXCESS_SHARE,
   EXCESS_WILD,
   HEAVY,
+  STUCK_ERROR,
   TOUCHED_EXCESS,
 } from '../../../config-joints.js';
 import type { List } from '../../../math/list.js';
@@ -78,6 +79,7 @@ export function takeExcesses(data: SolverData): void {
     const group = groups[k]!;
     if (group.isUnmet || group.touched) goAsMoved(data, group);
     else group.untrue = 0;
+    group.isUnmet &&= group.error > STUCK_ERROR * STUCK_ERROR;
     if (group.isWatched && group.settling === 0) {
       takeExcess(data, group);
     } else if (!group.touched) {

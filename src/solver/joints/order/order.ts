@@ -1,5 +1,6 @@
 import type { RigidBody } from '../../../body.js';
 import { DYNAMIC, KINEMATIC } from '../../../body-kind.js';
+import { SETTLE_STEPS } from '../../../config-joints.js';
 import type { Constraint } from '../../../constraint/constraint.js';
 import type { PointConstraint } from '../../../constraint/point.js';
 import type { World } from '../../../world.js';
@@ -28,18 +29,40 @@ export function orderJoints(world: World): void {
   }
   acting.sort(byOrder);
   const { joints } = world.solver;
-  joints.reset();
   const left = new Set(acting);
+  const released = findReleased(joints, left);
+  joints.reset();
   const unlisted = new Set(acting);
   const met = new Set<RigidBody>();
   const passed = new Set<RigidBody>();
   for (const constraint of acting) {
     if (left.has(constraint)) {
-      joints.groups.push(new Group(joints.joints.length));
-      addTurnsLast(joints, breadthFirst(hangingTogether(constraint, left, met), unlisted, passed));
+      const group = new Group(joints.joints.length);
+      const together = hangingTogether(constraint, left, met);
+      // What they are still open by makes no momentum either.
+      if (together.some((other) => released.has(other))) group.settling = SETTLE_STEPS;
+      joints.groups.push(group);
+      addTurnsLast(joints, breadthFirst(together, unlisted, passed));
     }
   }
   allot(joints);
+}
+
+/**
+ * What is left where joints could not be met, and one of them is gone: a rope that a hand drew too far, and let go. They forget what they gave against it, which would fling off what hangs there. @returns these.
+ */
+function findReleased({ groups, joints }: JointData, acting: ReadonlySet<Constraint>): Set<Constraint> {
+  const released = new Set<Constraint>();
+  for (const { isUnmet, start, end } of groups) {
+    const kept = isUnmet ? joints.slice(start, end).filter(({ constraint }) => acting.has(constraint)) : [];
+    if (kept.length < end - start) {
+      for (const { constraint } of kept) {
+        released.add(constraint);
+        constraint.forget();
+      }
+    }
+  }
+  return released;
 }
 
 /** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */

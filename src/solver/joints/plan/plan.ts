@@ -168,17 +168,17 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
 }
 
 /**
- * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, and of what is torn: not of what bears or is joined to
- * something far heavier, which has to be held up, nor where force may break something.
+ * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, as long as it stays open from then on, and of what is torn: not of what
+ * bears or is joined to something far heavier, which has to be held up, nor where force may break something.
  */
 function lookWhetherStuck(data: SolverData, group: Group): void {
   const { isBetween, error, fresh, touched, mayBreak, burdened } = group;
   const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
   const isLarge = error > JOINT_TORN * JOINT_TORN;
-  group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : 0;
+  group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : fresh ? STUCK_STEPS - 1 : 0;
   group.isTorn = isOpen && isLarge && !mayBreak && !burdened && (!touched || isBlocked(data, group));
   const isLong = group.stuck === STUCK_STEPS && !(isLarge && touched);
-  group.isUnmet = group.isTorn || isLong || (isOpen && !isLarge && fresh);
+  group.isUnmet = group.isTorn || isLong || (isBetween && !isLarge && fresh);
 }
 
 /** In this step corrections of none of its joints make momentum. What is torn would get the more the longer it is. */
