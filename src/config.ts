@@ -174,6 +174,12 @@ export const IMPACT_SHARE = 0.25;
  */
 export const IMPACT_SHARE_THIN = 0.95;
 
+/** IMPACT_DEPTH is no more than this share of half the thickness of the thinner shape, but IMPACT_LEAST: boxes of 0.1 m that landed on a corner, and turned onto another, were half in the floor as a step ended. */
+export const IMPACT_SHARE_SMALL = 0.2;
+
+/** m. What lies on something or slides over it overlaps by less. */
+export const IMPACT_LEAST = 0.01;
+
 /** rad. IMPACT_SHARE_THIN is not asked of shapes that turn against each other by so much in the step: these would be stopped in it again and again, and stay in the air. */
 export const IMPACT_TURN = 0.3;
 

@@ -1,5 +1,14 @@
 import { findImpactDepth, impactDepth } from '../../collide/gap.js';
-import { FORESIGHT_DEPTH, IMPACT_SHARE_THIN, IMPACT_TURN, JOINT_PATIENCE, TOUCH_DEPTH } from '../../config.js';
+import {
+  FORESIGHT_DEPTH,
+  IMPACT_DEPTH,
+  IMPACT_LEAST,
+  IMPACT_SHARE_SMALL,
+  IMPACT_SHARE_THIN,
+  IMPACT_TURN,
+  JOINT_PATIENCE,
+  TOUCH_DEPTH,
+} from '../../config.js';
 import { PRE_SOLVE } from '../../listeners.js';
 import { mixElasticity } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
@@ -22,6 +31,14 @@ export function findRequired(a: Shape, b: Shape, one: Mover, two: Mover, depth: 
   const mayBeMissed = required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
   const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
   required.depth = (isEitherInTrain(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, impactDepth[0]!, thinner);
+}
+
+/** m. IMPACT_DEPTH, but for small shapes that land on each other, rather than slide over from another ground: these would be seen to sink in. Stopping jointed bodies alone would open their joints. */
+export function landingDepth(a: Shape, b: Shape): number {
+  const thinner = Math.min(halfWidthOf(a), halfWidthOf(b));
+  return isEitherInTrain(a, b)
+    ? IMPACT_DEPTH
+    : Math.min(IMPACT_DEPTH, Math.max(IMPACT_LEAST, IMPACT_SHARE_SMALL * thinner));
 }
 
 /**

@@ -8,6 +8,8 @@ export class Meeting {
   time = 0.5;
   /** The time is not yet known, only that it is no earlier. */
   isOpen = false;
+  /** One lands on the other: they were close as the step began, or neither is near any ground, from which it would slide over to the other. */
+  lands = false;
   /** Place in the heap, −1 while it is not in it. */
   slot = -1;
   /** The next meeting of each of the two bodies. */

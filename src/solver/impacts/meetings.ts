@@ -26,7 +26,15 @@ import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
-import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requireLess } from './impact-depth.js';
+import {
+  areElastic,
+  findRequired,
+  isEitherInTrain,
+  landingDepth,
+  mayBeRefused,
+  required,
+  requireLess,
+} from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { growBounds, isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
@@ -253,6 +261,7 @@ function note(world: World, one: Shape, two: Shape): void {
   }
   const pair = pairs.find(a, b);
   const waits = isKnown(pair, movers);
+  meeting.lands = isSeen(pair) || !(isGrounded(world, a) || isGrounded(world, b));
   if ((waits && !pair!.is(ACCEPTED)) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
@@ -335,7 +344,7 @@ function add({ movers }: World, meeting: Meeting): void {
  * as they go sideways, times the turn.
  */
 function isKnown(pair: Arbiter | null, movers: Movers): boolean {
-  if (pair === null || !(pair.active || pair.is(NEAR))) {
+  if (!isSeen(pair)) {
     return false;
   }
   if (!pair.is(ACCEPTED) || movers.ahead > 0) {
@@ -344,8 +353,18 @@ function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  findRequired(pair.shapeA, pair.shapeB, a, b, IMPACT_DEPTH, false);
+  findRequired(pair.shapeA, pair.shapeB, a, b, landingDepth(pair.shapeA, pair.shapeB), false);
   return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
+}
+
+/** Whether shapes touch as the step begins, or almost do. */
+function isSeen(pair: Arbiter | null): pair is Arbiter {
+  return pair !== null && (pair.active || pair.is(NEAR));
+}
+
+/** Whether a dynamic shape lies on or near anything static or kinematic. */
+function isGrounded({ timeStamp }: World, { groundStamp }: Shape): boolean {
+  return groundStamp === timeStamp;
 }
 
 /** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and than is `required`: what is hit hard towards a wall may not stop there. */
@@ -390,7 +409,8 @@ export function meets({ movers }: World, meeting: Meeting): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findRequired(a, b, one, two, movers.ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, true);
+  const depth = meeting.lands ? landingDepth(a, b) : IMPACT_DEPTH;
+  findRequired(a, b, one, two, movers.ahead > 0 ? FORESIGHT_DEPTH : depth, true);
   sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;
