@@ -1,5 +1,5 @@
 // Shows an example that is a page: node examples/serve.mjs rollback, or worker. Needs a build of the package.
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -33,8 +33,13 @@ export const HEADERS = { 'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Ori
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [, , name = 'rollback', port = '8080'] = process.argv;
-  createServer(async (request, response) => {
-    const file = request.url === '/' ? 'index.html' : request.url.slice(1);
+  if (!existsSync(join(root, 'examples', name, 'index.html'))) {
+    console.error(`There is no page examples/${name}/index.html.`);
+    process.exit(1);
+  }
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url, 'http://localhost');
+    const file = pathname === '/' ? 'index.html' : pathname.slice(1);
     try {
       if (!/^[\w-]+\.(?:html|js)$/.test(file)) {
         throw new Error(`there is no ${file}`);
@@ -44,7 +49,12 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     } catch (error) {
       response.writeHead(404).end(String(error));
     }
-  }).listen(Number(port), '127.0.0.1', () => {
+  });
+  server.on('error', ({ message }) => {
+    console.error(`${message}: node examples/serve.mjs ${name} 8081 takes another port.`);
+    process.exit(1);
+  });
+  server.listen(Number(port), '127.0.0.1', () => {
     console.log(`examples/${name}: http://127.0.0.1:${port}/`);
   });
 }

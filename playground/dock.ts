@@ -39,10 +39,25 @@ export class Dock {
     for (const [tool, label] of Object.entries(TOOLS) as [Tool, string][]) {
       const choice = iconButton(tool, label, { role: 'radio', 'aria-checked': 'false', id: `tool-${tool}` });
       choice.append(make('span', {}, label));
-      choice.addEventListener('click', () => actions.setTool(tool));
+      choice.addEventListener('click', ({ detail }) => {
+        actions.setTool(tool);
+        // By the pointer: arrows go on steering the scene.
+        if (detail > 0) choice.blur();
+      });
       this.tools.set(tool, choice);
       byId('tools').append(choice);
     }
+    const choices = [...this.tools.entries()];
+    byId('tools').addEventListener('keydown', (event) => {
+      const way = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+      const at = choices.findIndex(([, choice]) => choice === event.target);
+      if (way !== undefined && at >= 0) {
+        const [tool, choice] = choices[(at + way + choices.length) % choices.length]!;
+        actions.setTool(tool);
+        choice.focus();
+        event.preventDefault();
+      }
+    });
   }
 
   show(playing: boolean, speed: number, tool: Tool): void {
@@ -53,6 +68,7 @@ export class Dock {
     this.speed.value = String(speed);
     for (const [name, choice] of this.tools) {
       choice.setAttribute('aria-checked', String(name === tool));
+      choice.tabIndex = name === tool ? 0 : -1;
     }
   }
 }

@@ -18,16 +18,18 @@ const ARROWS: Readonly<Record<string, keyof Controls>> = {
 
 /** Calls shortcuts, and tells the scene which arrows are down. Keys that go to a control of the page are left alone. */
 export function listen(shortcuts: readonly Shortcut[], controls: Controls): void {
-  const takesKeys = (event: KeyboardEvent): boolean =>
-    event.target instanceof Element && event.target.closest('input, select, dialog') !== null;
+  const isWithin = ({ target }: KeyboardEvent, selector: string): boolean =>
+    target instanceof Element && target.closest(selector) !== null;
   addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || takesKeys(event)) {
+    if (event.ctrlKey || event.metaKey || event.altKey || isWithin(event, 'input, select, dialog')) {
       return;
     }
     const arrow = ARROWS[event.key];
     if (arrow !== undefined) {
-      controls[arrow] = true;
-      event.preventDefault();
+      if (!isWithin(event, '[role=radiogroup]')) {
+        controls[arrow] = true;
+        event.preventDefault();
+      }
       return;
     }
     const shortcut = shortcuts.find(({ key }) => key === event.key.toLowerCase());

@@ -44,7 +44,8 @@ export class View {
 
   private prepare(): void {
     const { gl, canvas } = this;
-    const lineWidth = Math.max(1, 1.25 * Math.min(2, devicePixelRatio));
+    this.ratio = Math.min(2, devicePixelRatio || 1);
+    const lineWidth = Math.max(1, 1.25 * this.ratio);
     this.surface =
       gl === null ? new CanvasSurface(canvas.getContext('2d')!, lineWidth) : new WebGLSurface(gl, lineWidth);
     this.debug = Physics2DDebugDraw.create({ graphicsDevice: this.surface.device });
@@ -53,9 +54,8 @@ export class View {
 
   setTheme(isDark: boolean): void {
     this.isDark = isDark;
-    const { debug } = this;
+    const { debug, ratio } = this;
     const { joint, other, error, contact, detail } = isDark ? DARK : LIGHT;
-    const ratio = Math.min(2, devicePixelRatio || 1);
     debug.constraintAnchorRadius = 1.75 * ratio;
     debug.constraintSpringRadius = 2.5 * ratio;
     debug.constraintSpiralMinRadius = 6 * ratio;
@@ -126,7 +126,10 @@ export class View {
   /** Takes the size of the element. @returns whether that has changed. */
   resize(): boolean {
     const { canvas } = this;
-    this.ratio = Math.min(2, devicePixelRatio || 1);
+    if (this.ratio !== Math.min(2, devicePixelRatio || 1)) {
+      // Zoomed, or on another screen: lines are as wide as before to the eye.
+      this.prepare();
+    }
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
       Math.max(1, Math.round(size * this.ratio)),
     );

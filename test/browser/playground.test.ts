@@ -253,8 +253,22 @@ describe('playing', () => {
     expect(await page.getByRole('dialog').isVisible()).toBe(false);
   });
 
+  it('chooses among the tools by arrows, for who comes to them with the keyboard', async () => {
+    await show('scene=platformer', 3);
+    const [grab, next] = [page.getByRole('radio').first(), page.getByRole('radio').nth(1)];
+    await grab.focus();
+    await page.keyboard.press('ArrowRight');
+    expect(await next.getAttribute('aria-checked')).toBe('true');
+    expect(await ask('document.activeElement.id')).toBe(await next.getAttribute('id'));
+    expect(await grab.getAttribute('tabindex')).toBe('-1');
+    await page.keyboard.press('ArrowLeft');
+    expect(await grab.getAttribute('aria-checked')).toBe('true');
+    expect(await ask('playground.simulation.controls.right')).toBe(false);
+  });
+
   it('leaves the keys to the scene after something was set with the pointer', async () => {
     await show('scene=platformer', 3);
+    await page.getByRole('radio').first().click();
     await page.getByLabel('Contacts').click();
     await page.keyboard.down('ArrowRight');
     expect(await ask('playground.simulation.controls.right')).toBe(true);
