@@ -279,9 +279,11 @@ function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
 
 /** What the grounds around fill at `point`. */
 function addAround(ground: Polygon): void {
+  const x = point.x + ground.owner!.x;
+  const y = point.y + ground.owner!.y;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
-    if (other.kind === POLYGON) {
+    if (other.kind === POLYGON && isInBounds(other, x, y)) {
       asked[0] = point.x + ground.owner!.x - other.owner!.x;
       asked[1] = point.y + ground.owner!.y - other.owner!.y;
       free.add(other, asked);
@@ -380,9 +382,11 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
 
 /** Whether `place` is within another ground than that to whose body it is relative. */
 function isInAnother(ground: Polygon): boolean {
+  const x = place.x + ground.owner!.x;
+  const y = place.y + ground.owner!.y;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
-    if (other !== ground && other.kind === POLYGON) {
+    if (other !== ground && other.kind === POLYGON && isInBounds(other, x, y)) {
       asked[0] = place.x + ground.owner!.x - other.owner!.x;
       asked[1] = place.y + ground.owner!.y - other.owner!.y;
       if (polygonContains(other, asked, FLUSH_TOLERANCE)) {
@@ -391,4 +395,9 @@ function isInAnother(ground: Polygon): boolean {
     }
   }
   return false;
+}
+
+/** Whether a point may be in a placed polygon: most of many grounds are told from it by their bounds. */
+function isInBounds({ numbers: n, at }: Polygon, x: number, y: number): boolean {
+  return x >= n[at]! - CORNER && x <= n[at + 2]! + CORNER && y >= n[at + 1]! - CORNER && y <= n[at + 3]! + CORNER;
 }
