@@ -134,6 +134,8 @@ export abstract class BaseConstraint {
   private fetched = 0;
   /** @internal for how many steps its whole impulse has been too large */
   overloadedSteps = 0;
+  /** @internal if it and those that it hangs together with could not be met in the last step: how often these hold on to something immovable; else 0 */
+  unmetAnchors = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;
   /** @internal … after a step in which it was solved: the way to what it asks for now takes a whole step */
@@ -340,6 +342,7 @@ export abstract class BaseConstraint {
       numbers.fill(0);
     }
     this.overloadedSteps = 0;
+    this.unmetAnchors = 0;
     this.fresh = true;
     this.shifted = false;
   }
@@ -358,6 +361,7 @@ export abstract class BaseConstraint {
     this.shifted = tape.flag(this.shifted);
     this.keepsAngle = tape.flag(this.keepsAngle);
     this.overloadedSteps = tape.integer(this.overloadedSteps, 0, 0x3fffffff);
+    this.unmetAnchors = tape.integer(this.unmetAnchors, 0, 0x3fffffff);
     this.stored = tape.number(this.stored);
     this.frequency = tape.number(this.frequency);
     this.damping = tape.number(this.damping);

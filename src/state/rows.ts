@@ -343,7 +343,6 @@ export function keepGroup(tape: Tape, group: Group): void {
   tape.begins();
   group.fresh = tape.flag(group.fresh);
   group.isNew = tape.flag(group.isNew);
-  group.isUnmet = tape.flag(group.isUnmet);
   group.toAndFro = tape.flag(group.toAndFro);
   group.burdened = tape.flag(group.burdened);
   group.mayGain = tape.flag(group.mayGain);

@@ -38,6 +38,8 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'isDriven',
       'isAnchored',
       'isBetween',
+      'isUnmet',
+      'anchors',
       'isTorn',
       'mayBreak',
       'frequency',

@@ -69,6 +69,8 @@ export class Group {
   readonly bodies = new List<number>();
   /** A joint holds something that does not move, too. */
   isAnchored = false;
+  /** How often its joints hold on to something that does not move. */
+  anchors = 0;
   /** m, rad. The part of the worst error for which it is swept over once more. */
   tolerance = 0;
   /** One of the joints was changed before this step, or they hang together in another way: some may have gone. */
@@ -81,7 +83,7 @@ export class Group {
   isBetween = false;
   /** For so many steps there was an error that no sweep removed. */
   stuck = 0;
-  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. After it: if so, they were not. */
+  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. */
   isUnmet = false;
   /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
   isTorn = false;

@@ -79,11 +79,21 @@ export function takeExcesses(data: SolverData): void {
     const group = groups[k]!;
     if (group.isUnmet || group.touched) goAsMoved(data, group);
     else group.untrue = 0;
-    group.isUnmet &&= group.error > STUCK_ERROR * STUCK_ERROR;
+    noteUnmet(data, group);
     if (group.isWatched && group.settling === 0) {
       takeExcess(data, group);
     } else if (!group.touched) {
       group.excess = 0;
+    }
+  }
+}
+
+/** Tells the joints of a group, which are told alike, whether they could not be met in this step, and how many anchors held them against each other. */
+function noteUnmet({ joints: { joints } }: SolverData, { isUnmet, error, anchors, start, end }: Group): void {
+  const unmet = isUnmet && error > STUCK_ERROR * STUCK_ERROR ? anchors : 0;
+  if (joints[start]!.constraint.unmetAnchors !== unmet) {
+    for (let k = start; k < end; k += 1) {
+      joints[k]!.constraint.unmetAnchors = unmet;
     }
   }
 }

@@ -29,9 +29,8 @@ export function orderJoints(world: World): void {
   }
   acting.sort(byOrder);
   const { joints } = world.solver;
-  const left = new Set(acting);
-  const released = findReleased(joints, left);
   joints.reset();
+  const left = new Set(acting);
   const unlisted = new Set(acting);
   const met = new Set<RigidBody>();
   const passed = new Set<RigidBody>();
@@ -39,8 +38,9 @@ export function orderJoints(world: World): void {
     if (left.has(constraint)) {
       const group = new Group(joints.joints.length);
       const together = hangingTogether(constraint, left, met);
+      group.anchors = countAnchors(together);
       // What they are still open by makes no momentum either.
-      if (together.some((other) => released.has(other))) group.settling = SETTLE_STEPS;
+      if (release(together, group.anchors)) group.settling = SETTLE_STEPS;
       joints.groups.push(group);
       addTurnsLast(joints, breadthFirst(together, unlisted, passed));
     }
@@ -49,20 +49,21 @@ export function orderJoints(world: World): void {
 }
 
 /**
- * What is left where joints could not be met, and one of them is gone: a rope that a hand drew too far, and let go. They forget what they gave against it, which would fling off what hangs there. @returns these.
+ * Joints that could not be met, and of what held them against each other something is gone, forget what they gave against it: a rope that a hand drew too far would be flung off as it lets go. What else leaves them, as a lamp does a taut rope, leaves
+ * them what they bear. @returns whether they are released.
  */
-function findReleased({ groups, joints }: JointData, acting: ReadonlySet<Constraint>): Set<Constraint> {
-  const released = new Set<Constraint>();
-  for (const { isUnmet, start, end } of groups) {
-    const kept = isUnmet ? joints.slice(start, end).filter(({ constraint }) => acting.has(constraint)) : [];
-    if (kept.length < end - start) {
-      for (const { constraint } of kept) {
-        released.add(constraint);
-        constraint.forget();
-      }
-    }
+function release(together: readonly Constraint[], anchors: number): boolean {
+  const unmet = together.reduce((most, constraint) => Math.max(most, constraint.unmetAnchors), 0);
+  for (const constraint of together) {
+    constraint.unmetAnchors = unmet;
+    if (unmet > anchors) constraint.forget();
   }
-  return released;
+  return unmet > anchors;
+}
+
+/** How often joints hold on to something immovable. */
+function countAnchors(constraints: readonly Constraint[]): number {
+  return constraints.reduce((count, { members }) => count + members.filter(isImmovable).length, 0);
 }
 
 /** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */
