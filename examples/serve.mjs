@@ -22,6 +22,7 @@ export async function readExample(name, file) {
     alias: {
       phys2d: join(root, 'dist/phys2d.js'),
       'phys2d/debug': join(root, 'dist/debug.js'),
+      'phys2d/runner': join(root, 'dist/runner.js'),
       'phys2d/state': join(root, 'dist/state.js'),
     },
   });

@@ -1,3 +1,8 @@
+/** Pixels of the device for each of the page: no more than two are drawn. */
+export function pixelRatio(): number {
+  return Math.min(2, devicePixelRatio || 1);
+}
+
 /** The element of that id. */
 export function byId<T extends HTMLElement>(id: string): T {
   const found = document.getElementById(id);

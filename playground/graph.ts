@@ -1,3 +1,4 @@
+import { pixelRatio } from './elements.js';
 import type { Times } from './simulation.js';
 
 /** Frames that are shown, and ms at the top: so many at least. */
@@ -47,7 +48,7 @@ export class Graph {
 
   draw(): void {
     const { canvas, context, frames } = this;
-    const ratio = Math.min(2, devicePixelRatio || 1);
+    const ratio = pixelRatio();
     const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
     if (canvas.width !== width || canvas.height !== height) {
       canvas.width = width;

@@ -1,6 +1,7 @@
 import { Physics2DDebugDraw } from '../src/debug/index.js';
 import type { Vec2 } from '../src/index.js';
 import { CanvasSurface } from './canvas.js';
+import { pixelRatio } from './elements.js';
 import type { DrawOption } from './settings.js';
 import type { Simulation } from './simulation.js';
 import type { Surface } from './surface.js';
@@ -44,7 +45,7 @@ export class View {
 
   private prepare(): void {
     const { gl, canvas } = this;
-    this.ratio = Math.min(2, devicePixelRatio || 1);
+    this.ratio = pixelRatio();
     const lineWidth = Math.max(1, 1.25 * this.ratio);
     this.surface =
       gl === null ? new CanvasSurface(canvas.getContext('2d')!, lineWidth) : new WebGLSurface(gl, lineWidth);
@@ -126,7 +127,7 @@ export class View {
   /** Takes the size of the element. @returns whether that has changed. */
   resize(): boolean {
     const { canvas } = this;
-    if (this.ratio !== Math.min(2, devicePixelRatio || 1)) {
+    if (this.ratio !== pixelRatio()) {
       // Zoomed, or on another screen: lines are as wide as before to the eye.
       this.prepare();
     }

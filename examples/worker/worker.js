@@ -1,5 +1,6 @@
 // The worker has the world, and steps it 60 times a second; at the end of each step the world writes where its bodies are.
 import { phys2D } from 'phys2d';
+import { FixedStepRunner } from 'phys2d/runner';
 import { PoseBuffer } from 'phys2d/state';
 import { COUNT, SIZE, STEPS } from './shared.js';
 
@@ -24,14 +25,12 @@ addEventListener('message', ({ data: { poses, counts } }) => {
     world.addRigidBody(body);
     world.poses.track(body);
   }
-  let [due, last] = [0, performance.now()];
+  const runner = FixedStepRunner.create({ world });
+  let last = performance.now();
   setInterval(() => {
     const now = performance.now();
-    // What is due beyond five steps is dropped: after a pause the world goes on, and does not hurry.
-    due = Math.min(5, due + ((now - last) * 60) / 1000);
-    for (last = now; due >= 1; due -= 1) {
-      world.step(1 / 60);
-      Atomics.store(counts, STEPS, world.timeStamp);
-    }
+    runner.advance((now - last) / 1000);
+    last = now;
+    Atomics.store(counts, STEPS, world.timeStamp);
   }, 8);
 });

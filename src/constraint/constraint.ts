@@ -134,7 +134,7 @@ export abstract class BaseConstraint {
   private fetched = 0;
   /** @internal for how many steps its whole impulse has been too large */
   overloadedSteps = 0;
-  /** @internal if it and those that it hangs together with could not be met in the last step: how often these hold on to something immovable; else 0 */
+  /** @internal if it and those that it hangs together with could not be met in the last step: how often these hold on to something static or kinematic; else 0 */
   unmetAnchors = 0;
   /** @internal was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { type PointConstraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
 import { add, boxBody, DT, heavy, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { generator } from '../scenes/mixed.js';
 
@@ -26,6 +26,21 @@ function kinematic(position: Vec2): RigidBody {
   return boxBody(0.1, 0.1, { type: 'kinematic', position });
 }
 
+/** Holds a point of each of two bodies together; they pass through each other. */
+function pin(world: World, bodyA: RigidBody, anchorA: Vec2, bodyB: RigidBody, anchorB: Vec2): PointConstraint {
+  const constraint = phys2D.createPointConstraint({ bodyA, bodyB, anchorA, anchorB, ignoreInteractions: true });
+  tie(world, constraint);
+  return constraint;
+}
+
+/** Pins links to each other in a row, end to end, and the first to a hook at the origin. */
+function pinInRow(world: World, links: readonly RigidBody[], [x, y]: Vec2): void {
+  links.forEach((link, i) => {
+    add(world, link);
+    pin(world, links[i - 1] ?? staticBody(), i === 0 ? [0, 0] : [x, y], link, [-x, -y]);
+  });
+}
+
 /** A chain of so many rods from a hook at the origin to a hand, straight along a direction. @returns the rods. */
 function addChain(world: World, lengths: readonly number[], angle: number, hand: RigidBody) {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -36,22 +51,12 @@ function addChain(world: World, lengths: readonly number[], angle: number, hand:
     const at = from + length / 2;
     const rod = boxBody(0.9 * length, 0.1, { position: [c * at, s * at], rotation: angle });
     add(world, rod);
-    const anchorA: Vec2 = i === 0 ? [0, 0] : [lengths[i - 1]! / 2, 0];
-    const pair = { bodyA: last, bodyB: rod, anchorA, ignoreInteractions: true };
-    tie(world, phys2D.createPointConstraint({ ...pair, anchorB: [-length / 2, 0] }));
+    pin(world, last, i === 0 ? [0, 0] : [lengths[i - 1]! / 2, 0], rod, [-length / 2, 0]);
     rods.push(rod);
     last = rod;
     from += length;
   }
-  tie(
-    world,
-    phys2D.createPointConstraint({
-      bodyA: last,
-      bodyB: hand,
-      anchorA: [lengths.at(-1)! / 2, 0],
-      ignoreInteractions: true,
-    }),
-  );
+  pin(world, last, [lengths.at(-1)! / 2, 0], hand, [0, 0]);
   return rods;
 }
 
@@ -125,63 +130,41 @@ describe('what hangs at rest, and a hand takes hold of and draws farther than it
     const [count, pitch] = [6, 0.4];
     const ground = staticBody();
     const bodies: RigidBody[] = [];
-    const pin = (bodyA: RigidBody, bodyB: RigidBody, at: Vec2) => {
-      const anchors = {
-        anchorA: bodyA.transformWorldPointToLocal(at),
-        anchorB: bodyB.transformWorldPointToLocal(at),
-      };
-      tie(world, phys2D.createPointConstraint({ bodyA, bodyB, ...anchors, ignoreInteractions: true }));
-    };
+    const pinAt = (bodyA: RigidBody, bodyB: RigidBody, at: Vec2) =>
+      pin(world, bodyA, bodyA.transformWorldPointToLocal(at), bodyB, bodyB.transformWorldPointToLocal(at));
     for (let i = 0; i < count * count; i += 1) {
       const [x, y] = [pitch * (i % count), pitch * Math.floor(i / count)];
       const shapes = [phys2D.createCircleShape({ radius: 0.12 })];
       const disc = phys2D.createRigidBody({ position: [x, y], shapes, linearDrag: 0.4 });
       add(world, disc);
       bodies.push(disc);
-      if (i % count > 0) pin(bodies[i - 1]!, disc, [x - pitch / 2, y]);
-      if (i >= count) pin(bodies[i - count]!, disc, [x, y - pitch / 2]);
-      if (i === 0 || i === count - 1) pin(ground, disc, [x, y]);
+      if (i % count > 0) pinAt(bodies[i - 1]!, disc, [x - pitch / 2, y]);
+      if (i >= count) pinAt(bodies[i - count]!, disc, [x, y - pitch / 2]);
+      if (i === 0 || i === count - 1) pinAt(ground, disc, [x, y]);
     }
     return { bodies, end: bodies.at(-3)!, anchor: [0, 0] };
   }
 
   function addRope(world: World, ball: number): { bodies: RigidBody[]; end: RigidBody; anchor: Vec2 } {
-    const bodies: RigidBody[] = [];
-    let last = staticBody();
-    let anchorA: Vec2 = [0, 0];
-    for (let i = 0; i < 10; i += 1) {
-      const link = boxBody(0.12, 0.4, { position: [0, 0.2 + 0.4 * i], linearDrag: 0.3 });
-      add(world, link);
-      const bodiesOf = { bodyA: last, bodyB: link, anchorA, ignoreInteractions: true };
-      tie(world, phys2D.createPointConstraint({ ...bodiesOf, anchorB: [0, -0.2] }));
-      bodies.push(link);
-      last = link;
-      anchorA = [0, 0.2];
+    const links = Array.from({ length: 10 }, (_, i) =>
+      boxBody(0.12, 0.4, { position: [0, 0.2 + 0.4 * i], linearDrag: 0.3 }),
+    );
+    pinInRow(world, links, [0, 0.2]);
+    const last = links.at(-1)!;
+    if (ball === 0) {
+      return { bodies: links, end: last, anchor: [0, 0.2] };
     }
-    if (ball > 0) {
-      const shapes = [phys2D.createCircleShape({ radius: ball })];
-      const load = phys2D.createRigidBody({ position: [0, 4 + ball], shapes, linearDrag: 0.4 });
-      add(world, load);
-      tie(
-        world,
-        phys2D.createPointConstraint({
-          bodyA: last,
-          bodyB: load,
-          anchorA,
-          anchorB: [0, -ball],
-          ignoreInteractions: true,
-        }),
-      );
-      bodies.push(load);
-      return { bodies, end: load, anchor: [0, 0] };
-    }
-    return { bodies, end: last, anchor: [0, 0.2] };
+    const shapes = [phys2D.createCircleShape({ radius: ball })];
+    const load = phys2D.createRigidBody({ position: [0, 4 + ball], shapes, linearDrag: 0.4 });
+    add(world, load);
+    pin(world, last, [0, 0.2], load, [0, -ball]);
+    return { bodies: [...links, load], end: load, anchor: [0, 0] };
   }
 
   function take(world: World, end: RigidBody, anchorB: Vec2, velocity: Vec2): RigidBody {
     const hand = kinematic(end.transformLocalPointToWorld(anchorB) as Vec2);
     add(world, hand);
-    tie(world, phys2D.createPointConstraint({ bodyA: hand, bodyB: end, anchorB, ignoreInteractions: true }));
+    pin(world, hand, [0, 0], end, anchorB);
     hand.setVelocity(velocity);
     return hand;
   }
@@ -234,14 +217,10 @@ describe('what hangs at rest, and a hand takes hold of and draws farther than it
   );
 
   it('goes on alike from a snapshot, of before, or of between the hand and the next step', () => {
-    const build = () => {
-      const world = heavy();
-      const { bodies, end } = addRope(world, 0);
-      bodies[9]!.setVelocity([3, 0]);
-      steps(world, 40);
-      return { world, end };
-    };
-    const { world, end } = build();
+    const world = heavy();
+    const { bodies, end } = addRope(world, 0);
+    bodies[9]!.setVelocity([3, 0]);
+    steps(world, 40);
     const swinging = world.snapshot();
     const hash = world.hash();
     steps(world, 1);
@@ -250,8 +229,7 @@ describe('what hangs at rest, and a hand takes hold of and draws farther than it
     steps(world, 30);
     hand.setVelocity([0, 0]);
     steps(world, 30);
-    const held = world.constraints.at(-1)!;
-    world.removeConstraint(held);
+    world.removeConstraint(world.constraints.at(-1)!);
     const released = world.snapshot();
     steps(world, 3);
     const flown = world.hash();
@@ -267,42 +245,22 @@ describe('what hangs at rest, and a hand takes hold of and draws farther than it
   it('bears what it bears when a lamp is taken off it', () => {
     const sag = (removes: boolean) => {
       const world = heavy();
-      const bodies: RigidBody[] = [];
-      let last = staticBody();
-      let anchorA: Vec2 = [0, 0];
       // Two straight halves, which go down and up.
       const [c, d] = [0.97, Math.sqrt(1 - 0.97 * 0.97)];
-      for (let i = 0; i < 8; i += 1) {
+      const bodies = Array.from({ length: 8 }, (_, i) => {
         const [along, down] = [0.2 + 0.4 * i, i < 4 ? 0.2 + 0.4 * i : 3 - 0.4 * i];
-        const link = boxBody(0.36, 0.08, {
+        return boxBody(0.36, 0.08, {
           position: [c * along, d * down],
           rotation: (i < 4 ? 1 : -1) * Math.acos(c),
         });
-        add(world, link);
-        tie(
-          world,
-          phys2D.createPointConstraint({
-            bodyA: last,
-            bodyB: link,
-            anchorA,
-            anchorB: [-0.2, 0],
-            ignoreInteractions: true,
-          }),
-        );
-        bodies.push(link);
-        last = link;
-        anchorA = [0.2, 0];
-      }
-      const ends = { bodyA: last, bodyB: staticBody(), anchorA, anchorB: [3.2 * c, 0] as Vec2 };
-      tie(world, phys2D.createPointConstraint({ ...ends, ignoreInteractions: true }));
+      });
+      pinInRow(world, bodies, [0.2, 0]);
+      pin(world, bodies[7]!, [0.2, 0], staticBody(), [3.2 * c, 0]);
       const hang = (to: RigidBody, size: number, mass: number) => {
         const [x, y] = to.getPosition();
         const load = boxBody(size, size, { position: [x, y + 0.6], mass, inertia: 0.04 * mass });
         add(world, load);
-        const pair = { bodyA: to, bodyB: load, anchorB: [0, -0.6] as Vec2, ignoreInteractions: true };
-        const constraint = phys2D.createPointConstraint(pair);
-        tie(world, constraint);
-        return constraint;
+        return pin(world, to, [0, 0], load, [0, -0.6]);
       };
       hang(bodies[4]!, 0.3, 200 * bodies[0]!.getMass());
       const lamp = hang(bodies[2]!, 0.05, 0.0025);

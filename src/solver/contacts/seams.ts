@@ -283,11 +283,7 @@ function addAround(ground: Polygon): void {
   const y = point.y + ground.owner!.y;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
-    if (other.kind === POLYGON && isInBounds(other, x, y)) {
-      asked[0] = point.x + ground.owner!.x - other.owner!.x;
-      asked[1] = point.y + ground.owner!.y - other.owner!.y;
-      free.add(other, asked);
-    }
+    if (mayHold(other, x, y)) free.add(other, asked);
   }
 }
 
@@ -386,18 +382,26 @@ function isInAnother(ground: Polygon): boolean {
   const y = place.y + ground.owner!.y;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
-    if (other !== ground && other.kind === POLYGON && isInBounds(other, x, y)) {
-      asked[0] = place.x + ground.owner!.x - other.owner!.x;
-      asked[1] = place.y + ground.owner!.y - other.owner!.y;
-      if (polygonContains(other, asked, FLUSH_TOLERANCE)) {
-        return true;
-      }
+    if (other !== ground && mayHold(other, x, y) && polygonContains(other, asked, FLUSH_TOLERANCE)) {
+      return true;
     }
   }
   return false;
 }
 
-/** Whether a point may be in a placed polygon: most of many grounds are told from it by their bounds. */
-function isInBounds({ numbers: n, at }: Polygon, x: number, y: number): boolean {
-  return x >= n[at]! - CORNER && x <= n[at + 2]! + CORNER && y >= n[at + 1]! - CORNER && y <= n[at + 3]! + CORNER;
+/** Whether a point of the world may be in a placed polygon: most of many grounds are told from it by their bounds. If so, `asked` is where it is relative to the body of that. */
+function mayHold(ground: Shape, x: number, y: number): ground is Polygon {
+  const { numbers: n, at } = ground;
+  if (
+    ground.kind !== POLYGON ||
+    x < n[at]! - CORNER ||
+    x > n[at + 2]! + CORNER ||
+    y < n[at + 1]! - CORNER ||
+    y > n[at + 3]! + CORNER
+  ) {
+    return false;
+  }
+  asked[0] = x - ground.owner!.x;
+  asked[1] = y - ground.owner!.y;
+  return true;
 }

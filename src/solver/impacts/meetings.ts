@@ -261,11 +261,11 @@ function note(world: World, one: Shape, two: Shape): void {
   }
   const pair = pairs.find(a, b);
   const waits = isKnown(pair, movers);
-  meeting.lands = isSeen(pair) || !(isGrounded(world, a) || isGrounded(world, b));
   if ((waits && !pair!.is(ACCEPTED)) || !(isSensed(a, b) || a.owner!.canBePushed() || b.owner!.canBePushed())) {
     return;
   }
   if (movers.ahead === 0 || waits || !bounces(pair, a, b)) {
+    meeting.lands = isSeen(pair) || !(isGrounded(world, a) || isGrounded(world, b));
     list(world, meeting, waits);
   }
 }

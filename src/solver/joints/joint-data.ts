@@ -69,7 +69,7 @@ export class Group {
   readonly bodies = new List<number>();
   /** A joint holds something that does not move, too. */
   isAnchored = false;
-  /** How often its joints hold on to something that does not move. */
+  /** How often its joints hold on to something static or kinematic. */
   anchors = 0;
   /** m, rad. The part of the worst error for which it is swept over once more. */
   tolerance = 0;

@@ -61,7 +61,7 @@ function release(together: readonly Constraint[], anchors: number): boolean {
   return unmet > anchors;
 }
 
-/** How often joints hold on to something immovable. */
+/** How often joints hold on to something static or kinematic. */
 function countAnchors(constraints: readonly Constraint[]): number {
   return constraints.reduce((count, { members }) => count + members.filter(isImmovable).length, 0);
 }
