@@ -197,15 +197,15 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   private renewMoved(): void {
-    const { moved, states } = this;
-    for (let i = 0; i < this.movedCount; i += 1) {
+    const { moved, states, movedCount } = this;
+    this.movedCount = 0;
+    for (let i = 0; i < movedCount; i += 1) {
       const handle = moved[i]!;
       states[handle * STATE + MOVED] = NONE;
       if (states[handle * STATE + LEAF] !== NONE) {
         this.renewPairs(handle);
       }
     }
-    this.movedCount = 0;
   }
 
   private reportPairs(

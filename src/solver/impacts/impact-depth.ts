@@ -1,7 +1,6 @@
 import { findImpactDepth, impactDepth } from '../../collide/gap.js';
 import {
   FORESIGHT_DEPTH,
-  IMPACT_DEPTH,
   IMPACT_LEAST,
   IMPACT_SHARE_SMALL,
   IMPACT_SHARE_THIN,
@@ -22,23 +21,31 @@ import type { Mover } from './movers.js';
 export const required = { turn: 0.5, depth: 0.5 };
 
 /**
- * How deep two shapes have to get for an impact, to `required`, and how far they turn: circles do not. At most as deep as `depth`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
- * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Jointed bodies more, as stopping one of them alone opens its joints.
+ * How deep two shapes have to get for an impact, to `required`, and how far they turn: circles do not. At most as deep as `most`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
+ * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Small shapes that land on each other, rather than slide over from
+ * another ground, less, as they would be seen to sink in. Jointed bodies more, as stopping one of them alone opens its joints.
  */
-export function findRequired(a: Shape, b: Shape, one: Mover, two: Mover, depth: number, isNew: boolean): void {
+export function findRequired(
+  a: Shape,
+  b: Shape,
+  one: Mover,
+  two: Mover,
+  most: number,
+  isNew: boolean,
+  lands: boolean,
+): void {
   findImpactDepth(a, b);
   required.turn = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
-  const mayBeMissed = required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b));
-  const thinner = mayBeMissed ? IMPACT_SHARE_THIN * Math.min(halfWidthOf(a), halfWidthOf(b)) : Infinity;
-  required.depth = (isEitherInTrain(a, b) ? JOINT_PATIENCE : 1) * Math.min(depth, impactDepth[0]!, thinner);
-}
-
-/** m. IMPACT_DEPTH, but for small shapes that land on each other, rather than slide over from another ground: these would be seen to sink in. Stopping jointed bodies alone would open their joints. */
-export function landingDepth(a: Shape, b: Shape): number {
+  const isJointed = isEitherInTrain(a, b);
   const thinner = Math.min(halfWidthOf(a), halfWidthOf(b));
-  return isEitherInTrain(a, b)
-    ? IMPACT_DEPTH
-    : Math.min(IMPACT_DEPTH, Math.max(IMPACT_LEAST, IMPACT_SHARE_SMALL * thinner));
+  let depth = Math.min(most, impactDepth[0]!);
+  if (required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b))) {
+    depth = Math.min(depth, IMPACT_SHARE_THIN * thinner);
+  }
+  if (lands && !isJointed) {
+    depth = Math.min(depth, Math.max(IMPACT_LEAST, IMPACT_SHARE_SMALL * thinner));
+  }
+  required.depth = isJointed ? JOINT_PATIENCE * depth : depth;
 }
 
 /**

@@ -26,15 +26,7 @@ import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
-import {
-  areElastic,
-  findRequired,
-  isEitherInTrain,
-  landingDepth,
-  mayBeRefused,
-  required,
-  requireLess,
-} from './impact-depth.js';
+import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requireLess } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { growBounds, isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
@@ -353,7 +345,7 @@ function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  findRequired(pair.shapeA, pair.shapeB, a, b, landingDepth(pair.shapeA, pair.shapeB), false);
+  findRequired(pair.shapeA, pair.shapeB, a, b, IMPACT_DEPTH, false, true);
   return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
 }
 
@@ -409,8 +401,7 @@ export function meets({ movers }: World, meeting: Meeting): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  const depth = meeting.lands ? landingDepth(a, b) : IMPACT_DEPTH;
-  findRequired(a, b, one, two, movers.ahead > 0 ? FORESIGHT_DEPTH : depth, true);
+  findRequired(a, b, one, two, movers.ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, true, meeting.lands);
   sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;

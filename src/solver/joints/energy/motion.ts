@@ -28,28 +28,28 @@ export function goAsMoved(data: SolverData, group: Group): void {
 }
 
 /** Twice the energy that velocities tell of, that of the motion in the step, and that of the difference. */
-function weighMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, { bodies }: Group): void {
-  const dt = h * substeps;
-  let told = 0;
-  let moved = 0;
-  let apart = 0;
+function weighMotion(data: SolverData, { bodies }: Group): void {
+  motion.fill(0);
   for (let n = 0; n < bodies.count; n += 1) {
-    const i = bodies.items[n]!;
-    const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
-    const inertia = v[i + d.INV_INERTIA]! > 0 ? 1 / v[i + d.INV_INERTIA]! : 0;
-    const vx = v[i + d.VX]!;
-    const vy = v[i + d.VY]!;
-    const vw = v[i + d.W]!;
-    const x = q[i + d.DX]! / dt;
-    const y = q[i + d.DY]! / dt;
-    const w = turnOf(q[i + d.DW]!, vw * dt) / dt;
-    told += m * (vx * vx + vy * vy) + inertia * vw * vw;
-    moved += m * (x * x + y * y) + inertia * w * w;
-    apart += m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
+    weigh(data, bodies.items[n]!);
   }
-  motion[TOLD] = told;
-  motion[MOVED] = moved;
-  motion[APART] = apart;
+}
+
+/** A function of its own, as `addBody` is. */
+function weigh({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, i: number): void {
+  const dt = h * substeps;
+  const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
+  const inertia = v[i + d.INV_INERTIA]! > 0 ? 1 / v[i + d.INV_INERTIA]! : 0;
+  const vx = v[i + d.VX]!;
+  const vy = v[i + d.VY]!;
+  const vw = v[i + d.W]!;
+  const x = q[i + d.DX]! / dt;
+  const y = q[i + d.DY]! / dt;
+  const w = turnOf(q[i + d.DW]!, vw * dt) / dt;
+  motion[TOLD] = motion[TOLD]! + (m * (vx * vx + vy * vy) + inertia * vw * vw);
+  motion[MOVED] = motion[MOVED]! + (m * (x * x + y * y) + inertia * w * w);
+  const apart = m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
+  motion[APART] = motion[APART]! + apart;
 }
 
 function takeMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, { bodies }: Group): void {

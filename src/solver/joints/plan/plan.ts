@@ -147,13 +147,17 @@ function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
 const range = new Float64Array(2);
 
-function isBurdened(data: SolverData, { start, end }: Group): boolean {
+function isBurdened(data: SolverData, group: Group): boolean {
   range[0] = Infinity;
   range[1] = 0;
+  weighAll(data, group);
+  return range[1]! > HEAVY * range[0]!;
+}
+
+function weighAll(data: SolverData, { start, end }: Group): void {
   for (let k = start; k < end; k += 1) {
     weighMembers(data, data.joints.joints[k]!);
   }
-  return range[1]! > HEAVY * range[0]!;
 }
 
 /** A function of its own, as one that is called for each joint is soon compiled, and what loops over them once in a while is not. */
