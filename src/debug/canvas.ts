@@ -9,8 +9,11 @@ export interface CanvasContextLike {
   lineWidth: number;
   lineCap: string;
   lineJoin: string;
+  globalAlpha: number;
+  globalCompositeOperation: string;
   save(): void;
   restore(): void;
+  setLineDash(lengths: number[]): void;
   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void;
   beginPath(): void;
   moveTo(x: number, y: number): void;
@@ -71,6 +74,9 @@ export class CanvasDebugDevice implements DebugGraphicsDevice {
     context.lineWidth = this.lineWidth;
     context.lineCap = 'butt';
     context.lineJoin = 'round';
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+    context.globalCompositeOperation = 'source-over';
     let color = -1;
     let length = 0;
     let x = NaN;

@@ -199,10 +199,18 @@ describe('SVG', () => {
 class FakeContext implements CanvasContextLike {
   readonly canvas = { width: 100, height: 80 };
   readonly log: string[] = [];
+  /** All manners in which it stroked. */
+  readonly inks = new Set<string>();
   strokeStyle: unknown = 'black';
   lineWidth = 7;
   lineCap = 'square';
   lineJoin = 'miter';
+  globalAlpha = 0.25;
+  globalCompositeOperation = 'multiply';
+  dash = [4, 2];
+  setLineDash(lengths: number[]): void {
+    this.dash = lengths;
+  }
   save(): void {
     this.log.push('save');
   }
@@ -223,6 +231,7 @@ class FakeContext implements CanvasContextLike {
   }
   stroke(): void {
     this.log.push(`stroke ${this.strokeStyle} ${this.lineWidth}`);
+    this.inks.add(`${this.globalAlpha} ${this.globalCompositeOperation} [${this.dash}]`);
   }
 }
 
@@ -253,6 +262,8 @@ describe('Canvas', () => {
       'begin',
       'restore',
     ]);
+    // Whatever the page left in the context.
+    expect([...context.inks]).toEqual(['1 source-over []']);
   });
 
   it('divides long paths, and loses nothing', () => {
