@@ -66,6 +66,7 @@ export class MeetingQueue {
     meeting.b = one.id < two.id ? two : one;
     meeting.slot = -1;
     meeting.isOpen = false;
+    meeting.lands = false;
     return meeting;
   }
 
