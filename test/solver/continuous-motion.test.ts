@@ -317,6 +317,24 @@ describe('in any setting', () => {
     }
   });
 
+  it('what turns by more than whole turns in a step', () => {
+    for (const length of [1, 8]) {
+      for (let turn = 0.5; turn < 20; turn += 0.25) {
+        const world = weightless();
+        const bar = phys2D.createRigidBody({ shapes: [box(length, 0.1)], angularVelocity: 60 * turn, ...FREE });
+        const tie = phys2D.createPointConstraint({ bodyA: phys2D.createRigidBody({ type: 'static' }), bodyB: bar });
+        world.addRigidBody(bar);
+        world.addConstraint(tie);
+        const peg = phys2D.createRigidBody({ type: 'static', position: [0, 0.375 * length], shapes: [disc(0.02)] });
+        world.addRigidBody(peg);
+        for (let i = 0; i < 5; i += 1) {
+          world.step(1 / 60);
+          expect(Math.abs(bar.getRotation()), `${length} m, ${turn} rad a step`).toBeLessThan(Math.PI / 2);
+        }
+      }
+    }
+  });
+
   it('far from the origin, small and large', () => {
     for (const [x, y] of [
       [0, 0],

@@ -1,4 +1,4 @@
-import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
+import { DYNAMIC, STATIC } from '../../body-kind.js';
 import { letsMeet } from '../../broadphase/broadphase.js';
 import { Along, reachAlong, separationAlong } from '../../collide/along.js';
 import { polygonContains } from '../../collide/contains.js';
@@ -11,6 +11,7 @@ import { ACCEPTED, NEAR } from '../../contact/bits.js';
 import { touch, touchAlong } from '../../contact/touch.js';
 import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import { List } from '../../math/list.js';
+import { cosSin } from '../../math/trig.js';
 import type { Polygon } from '../../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
@@ -51,6 +52,10 @@ const free = new FreeDirections();
 const point = new Spot();
 const place = new Spot();
 const asked = new Float64Array(2);
+/** How far the grounds have come since the step began, x and y, and what a shape may be wider by in their eyes, as they turn: scratch. */
+const came = new Float64Array(3);
+/** Angle, cosine, sine: scratch. */
+const turned = new Float64Array(3);
 const bounds = new Float64Array(4);
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. */
 const around = /* @__PURE__ */ new List<Shape>();
@@ -109,57 +114,93 @@ function smooth(pair: Arbiter): void {
   if (pair.count === 0) pair.unmark(NEAR);
 }
 
-/** Whether neither moves against the other in this step, as far as is told at once. */
-function moveAlike(a: Shape, b: Shape): boolean {
-  return a.owner === b.owner || (standsStill(a) && standsStill(b));
+/** Whether neither ground moves against the other in this step. */
+function moveAlike({ owner: a }: Shape, { owner: b }: Shape): boolean {
+  return (
+    a === b ||
+    (a!.kind !== DYNAMIC && b!.kind !== DYNAMIC && a!.vx === b!.vx && a!.vy === b!.vy && a!.w === 0 && b!.w === 0)
+  );
 }
 
-/** The same for a contact that was just found where a body is in the course of the step, with all shapes there that stand still. */
+/** The same for a contact that was just found where bodies are in the course of the step, with all shapes there that move as its ground does. */
 export function smoothMeeting(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
-  if (ground.kind !== POLYGON || !standsStill(ground)) {
+  around.clear();
+  if (ground.kind !== POLYGON) {
     return;
   }
-  around.clear();
+  const isGoing = ground.owner!.isGoing();
+  if (isGoing) findWay(world, ground, dynamicOf(pair));
   addNearby(world, pair);
+  if (isGoing) putAround(world, ground, world.movers.of(ground.owner!).at);
   if (isHidden(world, pair)) {
     turn(pair);
     if (pair.count === 0) touch(pair);
   }
+  came.fill(0);
+}
+
+/** Finds from where on since the step began a ground has carried the place at which a shape is. */
+function findWay({ movers }: World, { owner }: Shape, { numbers: n, at }: Shape): void {
+  const { x, y, cos, sin } = owner!;
+  const { startX, startY, startAngle } = movers.of(owner!);
+  const armX = (n[at]! + n[at + 2]!) / 2 - x;
+  const armY = (n[at + 1]! + n[at + 3]!) / 2 - y;
+  turned[0] = startAngle;
+  cosSin(turned);
+  const turnCos = turned[1]! * cos + turned[2]! * sin;
+  const turnSin = turned[2]! * cos - turned[1]! * sin;
+  came[0] = x + armX - startX - (turnCos * armX - turnSin * armY);
+  came[1] = y + armY - startY - (turnSin * armX + turnCos * armY);
+  came[2] = Math.abs(turnSin) * Math.max(n[at + 2]! - n[at]!, n[at + 3]! - n[at + 1]!);
+}
+
+/** Places the other grounds around, which go as one does, where they are at a time. */
+function putAround({ movers }: World, ground: Shape, time: number): void {
+  for (let i = 0; i < around.count; i += 1) {
+    const other = around.items[i]!;
+    if (other.owner !== ground.owner) {
+      movers.of(other.owner!).putAt(time);
+    } else if (other !== ground && other.owner!.w !== 0) {
+      other.place(other.owner!);
+    }
+  }
+}
+
+/** After `smoothMeeting`: as the pair, the grounds around are where the step began again. */
+export function putGroundsBack(world: World, pair: Arbiter): void {
+  const ground = groundOf(pair);
+  if (ground.owner!.isGoing()) putAround(world, ground, 0);
 }
 
 /** What the shape of a contact is near but need not touch: where it has left a face by a corner nothing tells of that. */
 function addNearby(world: World, pair: Arbiter): void {
   const shape = dynamicOf(pair);
+  const ground = groundOf(pair);
   const { numbers: n, at } = shape;
-  const reach = SPECULATIVE_MARGIN + halfWidthOf(shape);
-  bounds[0] = n[at]! - reach;
-  bounds[1] = n[at + 1]! - reach;
-  bounds[2] = n[at + 2]! + reach;
-  bounds[3] = n[at + 3]! + reach;
-  const size = findNearby(world, bounds, groundOf(pair).owner!.kind !== STATIC);
+  const reach = SPECULATIVE_MARGIN + halfWidthOf(shape) + came[2]!;
+  // Grounds that go are found where the step began.
+  bounds[0] = n[at]! - reach - came[0]!;
+  bounds[1] = n[at + 1]! - reach - came[1]!;
+  bounds[2] = n[at + 2]! + reach - came[0]!;
+  bounds[3] = n[at + 3]! + reach - came[1]!;
+  const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;
-    if (bears(world, shape, other) && !around.has(other)) {
+    if (moveAlike(ground, other) && bears(world, shape, other) && !around.has(other)) {
       around.add(other);
     }
   }
   areAllKnown = true;
 }
 
-/** Whether a shape stands still, and what touches it is not let through. */
+/** Whether what touches a shape is not let through. */
 function bears(world: World, shape: Shape, other: Shape): boolean {
-  if (!standsStill(other) || other.sensor || !letsMeet(shape, other)) {
+  if (other.sensor || !letsMeet(shape, other)) {
     return false;
   }
   const pair = shape.id < other.id ? world.pairs.find(shape, other) : world.pairs.find(other, shape);
   return !pair?.active || pair.is(ACCEPTED);
-}
-
-/** Whether a shape is where the step began, all the time. */
-function standsStill({ owner }: Shape): boolean {
-  const { kind } = owner!;
-  return kind === STATIC || (kind === KINEMATIC && !owner!.isGoing());
 }
 
 function dynamicOf(pair: Arbiter): Shape {
@@ -392,13 +433,9 @@ function isInAnother(ground: Polygon): boolean {
 /** Whether a point of the world may be in a placed polygon: most of many grounds are told from it by their bounds. If so, `asked` is where it is relative to the body of that. */
 function mayHold(ground: Shape, x: number, y: number): ground is Polygon {
   const { numbers: n, at } = ground;
-  if (
-    ground.kind !== POLYGON ||
-    x < n[at]! - CORNER ||
-    x > n[at + 2]! + CORNER ||
-    y < n[at + 1]! - CORNER ||
-    y > n[at + 3]! + CORNER
-  ) {
+  const isOut = x < n[at]! - CORNER || x > n[at + 2]! + CORNER || y < n[at + 1]! - CORNER || y > n[at + 3]! + CORNER;
+  // What has come from there has left its bounds behind.
+  if (ground.kind !== POLYGON || (isOut && came[0] === 0 && came[1] === 0)) {
     return false;
   }
   asked[0] = x - ground.owner!.x;

@@ -13,7 +13,7 @@ import { asksFirst } from '../../events/pre-solve.js';
 import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
-import { smoothMeeting } from '../contacts/seams.js';
+import { putGroundsBack, smoothMeeting } from '../contacts/seams.js';
 import { canGiveWay } from '../interaction.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings, isClear, listWays } from './meetings.js';
@@ -202,6 +202,7 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   two.putAt(0);
   a.place(one.body);
   b.place(two.body);
+  putGroundsBack(world, pair);
   pair.put(NEAR, pair.count > 0 && !isLost);
   if (!pair.is(NEAR)) pair.foreseen = 0;
 }

@@ -15,7 +15,6 @@ import { ClearSpace } from './clear-space.js';
 import { type Meeting, MeetingQueue } from './meeting-queue.js';
 import { Ways } from './ways.js';
 
-/** Whole turns within a step change nothing. */
 const TURN = 2 * Math.PI;
 
 /**
@@ -121,10 +120,12 @@ export class Mover {
     this.start();
   }
 
-  /** Takes whole turns from `turn`. */
+  /** Takes whole turns from `turn`, but for the first one, in which it comes by all that is around. */
   private unwind(): void {
     this.spin = Math.abs(this.turn);
-    this.turn %= TURN;
+    if (this.spin >= TURN) {
+      this.turn = (this.turn % TURN) + Math.sign(this.turn) * TURN;
+    }
   }
 
   /** The way starts where it was set to. Without arguments, as `unwind`: numbers with a fraction are boxed for each call that is not inlined. */
