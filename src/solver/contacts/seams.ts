@@ -152,7 +152,7 @@ function bears(world: World, shape: Shape, other: Shape): boolean {
   if (!standsStill(other) || other.sensor || !letsMeet(shape, other)) {
     return false;
   }
-  const pair = shape.id < other.id ? world.pairs.find(shape, other) : world.pairs.find(other, shape);
+  const pair = world.pairs.find(shape, other);
   return !pair?.active || pair.is(ACCEPTED);
 }
 

@@ -109,10 +109,10 @@ export function isClear(world: World, body: RigidBody): boolean {
 
 /** All that is still and may come into `bounds` is sensors that the shape is in already: zones, which take no notice of its way. */
 function isAmidSensors(world: World, shape: Shape): boolean {
-  const { nearby, meetings } = world.movers;
+  const { nearby } = world.movers;
   for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
-    const { a, b } = meetings.draft(shape, nearby.shapes[k]!);
-    if (!nearby.shapes[k]!.sensor || !world.pairs.find(a, b)?.active) {
+    const other = nearby.shapes[k]!;
+    if (!other.sensor || !world.pairs.find(shape, other)?.active) {
       return false;
     }
   }
