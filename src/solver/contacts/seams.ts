@@ -15,6 +15,7 @@ import type { Polygon } from '../../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
 import type { World } from '../../world.js';
+import { growBounds } from '../bounds.js';
 import { findNearby } from '../nearby.js';
 import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
 
@@ -52,6 +53,7 @@ const point = new Spot();
 const place = new Spot();
 const asked = new Float64Array(2);
 const bounds = new Float64Array(4);
+const near = { reach: 0.5 };
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. */
 const around = /* @__PURE__ */ new List<Shape>();
 let areAllKnown = false;
@@ -131,12 +133,8 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
 /** What the shape of a contact is near but need not touch: where it has left a face by a corner nothing tells of that. */
 function addNearby(world: World, pair: Arbiter): void {
   const shape = dynamicOf(pair);
-  const { numbers: n, at } = shape;
-  const reach = SPECULATIVE_MARGIN + halfWidthOf(shape);
-  bounds[0] = n[at]! - reach;
-  bounds[1] = n[at + 1]! - reach;
-  bounds[2] = n[at + 2]! + reach;
-  bounds[3] = n[at + 3]! + reach;
+  near.reach = SPECULATIVE_MARGIN + halfWidthOf(shape);
+  growBounds(shape, near, bounds);
   const size = findNearby(world, bounds, groundOf(pair).owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;

@@ -24,6 +24,7 @@ import { findImpact, findNext, Sweep } from '../../geometry/sweep.js';
 import { materials } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
+import { growBounds } from '../bounds.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
 import {
@@ -37,7 +38,7 @@ import {
 } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
-import { growBounds, isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
+import { isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 const middle = /* @__PURE__ */ new Middle();
