@@ -291,7 +291,7 @@ export class SolverData {
   }
 
   /** Gives the arrays back. */
-  release(): void {
+  returnArrays(): void {
     if (this.scratch !== null) {
       this.scratch.user = null;
     }

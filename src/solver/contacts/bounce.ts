@@ -388,7 +388,7 @@ function fliesApart(data: SolverData, k: number): boolean {
  * Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height; unless they are so deep
  * that an impact would have come before.
  */
-export function releaseBounces(data: SolverData): void {
+export function spareBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
     if (list.bias[k] === d.OFF || fliesApart(data, k)) {
