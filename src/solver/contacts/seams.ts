@@ -9,7 +9,7 @@ import { FACE_GAP, FACE_LOOKS, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../../contact/bits.js';
 import { touch, touchAlong } from '../../contact/touch.js';
-import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import { List } from '../../math/list.js';
 import type { Polygon } from '../../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
@@ -325,10 +325,10 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
   const end = endOfEdges(ground);
   let isFound = false;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
-    along.x = edges[k + 2]!;
-    along.y = edges[k + 3]!;
+    along.x = edges[k + EDGE_NX]!;
+    along.y = edges[k + EDGE_NY]!;
     const found = separationFrom(ground, shape, along);
-    const looks = free.x * edges[k + 2]! + free.y * edges[k + 3]!;
+    const looks = free.x * edges[k + EDGE_NX]! + free.y * edges[k + EDGE_NY]!;
     if (
       looks >= least &&
       found > face.separation &&
@@ -337,8 +337,8 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
       isOpen(shape, ground, k)
     ) {
       face.separation = found;
-      up.x = edges[k + 2]!;
-      up.y = edges[k + 3]!;
+      up.x = edges[k + EDGE_NX]!;
+      up.y = edges[k + EDGE_NY]!;
       isFound = true;
     }
   }
@@ -349,8 +349,8 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
 function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
   const { numbers: edges, at } = ground;
   const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
-  const nx = edges[edge + 2]!;
-  const ny = edges[edge + 3]!;
+  const nx = edges[edge + EDGE_NX]!;
+  const ny = edges[edge + EDGE_NY]!;
   // From one end of the edge to the other, as far as the shape reaches, but not so near to an end that what hides it is no thicker than the surface there.
   along.x = -ny;
   along.y = nx;

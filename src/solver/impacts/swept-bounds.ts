@@ -1,7 +1,7 @@
 import { endOfEdges } from '../../collide/polygons.js';
 import { SPECULATIVE_MARGIN } from '../../config.js';
 import { crosses, crossing } from '../../geometry/crossing.js';
-import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
 import { growBounds, HALF_MARGIN, squareAround } from '../bounds.js';
@@ -57,8 +57,8 @@ export function isBeyondEdge(mover: Mover, shape: Shape, bounds: Float64Array): 
   const halfX = 0.5 * (bounds[2]! - bounds[0]!);
   const halfY = 0.5 * (bounds[3]! - bounds[1]!);
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
-    const nx = edges[k + 2]!;
-    const ny = edges[k + 3]!;
+    const nx = edges[k + EDGE_NX]!;
+    const ny = edges[k + EDGE_NY]!;
     const height = nx * (x - edges[k]!) + ny * (y - edges[k + 1]!) - Math.abs(nx) * halfX - Math.abs(ny) * halfY;
     if (height > Math.max(0, nx * dx + ny * dy) + slack) {
       return true;
