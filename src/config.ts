@@ -255,8 +255,8 @@ export const SHOCK_SPEED = 0.3;
 /** Most contacts and joints that are solved together for it: more are a heap, where what presses is not over in a step. */
 export const SHOCK_CONTACTS = 32;
 
-/** Most turns of contacts and joints for it, about 0.05 ms: fewer may have more sweeps. With 120 for two a body that falls on a fiftieth of its mass comes up by a sixth. */
-export const SHOCK_TURNS = 2000;
+/** Most solutions of single contacts and joints for it, about 0.05 ms: fewer may have more sweeps. With 120 for two a body that falls on a fiftieth of its mass comes up by a sixth. */
+export const SHOCK_WORK = 2000;
 
 /**
  * Parts of the list of contacts that are hard to solve are swept over this many times as often. With 1 a house of cards slips apart as it is put into

@@ -16,7 +16,7 @@ import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { insertHandle } from './solver/refresh.js';
 import { quieten, sleepBody, sleepConstraint, wakeAll, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
-import { countIgnoring, enlivenTied, release, switchOff, switchOn, tie, untie } from './solver/ties.js';
+import { countIgnoring, enlivenTied, leaveWorld, switchOff, switchOn, tie, untie } from './solver/ties.js';
 import {
   boolean,
   callable,
@@ -192,7 +192,7 @@ export class World extends WorldState {
     }
     for (const constraint of this.constraints) {
       countIgnoring(constraint, -1);
-      release(constraint);
+      leaveWorld(constraint);
     }
     this.broadphase.clear();
     this.constraints.length = 0;

@@ -1,5 +1,5 @@
 import { COINCIDENT, SPECULATIVE_MARGIN } from '../config.js';
-import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
@@ -72,7 +72,8 @@ function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: num
   let separation = -Infinity;
   let best = 0;
   for (let i = 0; i < offsets.length; i += 1) {
-    const s = edges[from + EDGE_STRIDE * i + 2]! * cx + edges[from + EDGE_STRIDE * i + 3]! * cy - offsets[i]!;
+    const s =
+      edges[from + EDGE_STRIDE * i + EDGE_NX]! * cx + edges[from + EDGE_STRIDE * i + EDGE_NY]! * cy - offsets[i]!;
     if (s > limit) {
       return;
     }
@@ -81,8 +82,8 @@ function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: num
       best = i;
     }
   }
-  let nx = edges[from + EDGE_STRIDE * best + 2]!;
-  let ny = edges[from + EDGE_STRIDE * best + 3]!;
+  let nx = edges[from + EDGE_STRIDE * best + EDGE_NX]!;
+  let ny = edges[from + EDGE_STRIDE * best + EDGE_NY]!;
   if (separation > 0) {
     const next = best + 1 === offsets.length ? 0 : best + 1;
     const along = nx * cy - ny * cx;

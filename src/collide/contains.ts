@@ -1,5 +1,5 @@
 import { CIRCLE_POINT_TOLERANCE, POLYGON_POINT_TOLERANCE } from '../config.js';
-import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
@@ -25,7 +25,7 @@ export function polygonContains({ numbers: n, at, offsets }: Polygon, point: Flo
   const y = point[1]!;
   for (let i = 0; i < offsets.length; i += 1) {
     const edge = at + EDGES + EDGE_STRIDE * i;
-    const height = n[edge + 2]! * x + n[edge + 3]! * y - offsets[i]!;
+    const height = n[edge + EDGE_NX]! * x + n[edge + EDGE_NY]! * y - offsets[i]!;
     if (height > tolerance) {
       return false;
     }

@@ -1,5 +1,5 @@
 import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
-import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 import { faceChosen, keepsFace } from './manifold.js';
@@ -17,8 +17,8 @@ function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number,
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
   const edges = q.numbers;
-  const nx = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 2]!;
-  const ny = p.numbers[p.at + EDGES + EDGE_STRIDE * i + 3]!;
+  const nx = p.numbers[p.at + EDGES + EDGE_STRIDE * i + EDGE_NX]!;
+  const ny = p.numbers[p.at + EDGES + EDGE_STRIDE * i + EDGE_NY]!;
   const end = endOfEdges(q);
   let least = Infinity;
   for (let k = q.at + EDGES; k < end; k += EDGE_STRIDE) {
@@ -74,7 +74,7 @@ function opposedEdge(q: Polygon, nx: number, ny: number): number {
   let least = Infinity;
   let found = first;
   for (let k = first; k < end; k += EDGE_STRIDE) {
-    const d = nx * edges[k + 2]! + ny * edges[k + 3]!;
+    const d = nx * edges[k + EDGE_NX]! + ny * edges[k + EDGE_NY]!;
     if (d < least) {
       least = d;
       found = k;
@@ -178,8 +178,8 @@ export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o:
   look(a, n, o);
   const atA = a.at + EDGES + EDGE_STRIDE * edgeA;
   const atB = b.at + EDGES + EDGE_STRIDE * edgeB;
-  const alongA = a.numbers[atA + 2]! * nx + a.numbers[atA + 3]! * ny;
-  const alongB = b.numbers[atB + 2]! * nx + b.numbers[atB + 3]! * ny;
+  const alongA = a.numbers[atA + EDGE_NX]! * nx + a.numbers[atA + EDGE_NY]! * ny;
+  const alongB = b.numbers[atB + EDGE_NX]! * nx + b.numbers[atB + EDGE_NY]! * ny;
   n[o + g.FACE] = alongA >= -alongB - FACE_TIE ? 0 : 1;
   faceChosen(n, o, a.geometryStamp + b.geometryStamp);
   clipToFace(a, b, n, o);

@@ -1,4 +1,4 @@
-import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
@@ -32,8 +32,8 @@ function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean
   let entered = 0;
   let left = 0;
   for (let i = 0; i < offsets.length; i += 1) {
-    const nx = n[at + EDGES + EDGE_STRIDE * i + 2]!;
-    const ny = n[at + EDGES + EDGE_STRIDE * i + 3]!;
+    const nx = n[at + EDGES + EDGE_STRIDE * i + EDGE_NX]!;
+    const ny = n[at + EDGES + EDGE_STRIDE * i + EDGE_NY]!;
     const height = nx * ox + ny * oy - offsets[i]!;
     const rate = nx * dx + ny * dy;
     if (rate === 0) {
@@ -56,7 +56,7 @@ function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean
   const outer = enter >= 0;
   const edge = at + EDGES + EDGE_STRIDE * (outer ? entered : left);
   const side = outer ? 1 : -1;
-  return accept(ray, outer, outer ? enter : leave, side * n[edge + 2]!, side * n[edge + 3]!);
+  return accept(ray, outer, outer ? enter : leave, side * n[edge + EDGE_NX]!, side * n[edge + EDGE_NY]!);
 }
 
 /** The ray is nearest to the centre at `middle`; the surface lies as far before and behind that as the chord is long. */

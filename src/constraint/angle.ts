@@ -1,4 +1,4 @@
-import { ANGLE, POSE } from './layout.js';
+import { ANGLE, POSE, ROW_AW, ROW_BW } from './layout.js';
 import { type Bounds, RatioConstraint, type RatioParams, takeBounds } from './two-body.js';
 
 /** Options of `createAngleConstraint`. Bounds in rad; both are 0 by default, which turns the bodies to the same angle. */
@@ -43,7 +43,7 @@ export class AngleConstraint extends RatioConstraint {
   /** @internal */
   measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
     out[c] = this.ratio * pose[POSE + ANGLE]! - pose[ANGLE]!;
-    out[j + 2] = -1;
-    out[j + 5] = this.ratio;
+    out[j + ROW_AW] = -1;
+    out[j + ROW_BW] = this.ratio;
   }
 }

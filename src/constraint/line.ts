@@ -1,7 +1,7 @@
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
 import type { Tape } from '../state/tape.js';
 import { rangeError, vector } from '../validate.js';
-import { COS, POSE, SIN, X, Y } from './layout.js';
+import { COS, POSE, ROW_AW, ROW_AX, ROW_AY, ROW_BW, ROW_BX, ROW_BY, ROW_SIZE, SIN, X, Y } from './layout.js';
 import { BoundedConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
 
 /** Options of `createLineConstraint`: bounds in m, none by default. */
@@ -14,8 +14,9 @@ export interface LineConstraintParams extends TwoAnchorParams, Bounds {
  * A point of body B stays on a line of body A, between bounds along it: a slider, a wheel's guide.
  *
  *     C = a × d = 0,   lower ≤ a·d ≤ upper,   a = R(θA) · axis,   d = wB − wA
+ *     J = [a.y, −a.x, −arm·a, −a.y, a.x, rB·a;  −a, −arm × a, a, rB × a],   arm = rA + d
  *
- * Body A gets the impulse at B's anchor, so its arm is rA + d.
+ * The line turns with body A, which gets the impulse at B's anchor: so that is where its arm leads.
  */
 export class LineConstraint extends BoundedConstraint {
   /** Tells the kinds apart. */
@@ -76,28 +77,20 @@ export class LineConstraint extends BoundedConstraint {
     const dy = armY - (sinA * anchors[0]! + cosA * anchors[1]!);
     out[c] = ax * dy - ay * dx;
     out[c + 1] = ax * dx + ay * dy;
-    lineRow(out, j, -ay, ax, armX, armY, bx, by);
-    lineRow(out, j + 6, ax, ay, armX, armY, bx, by);
+    out[j + ROW_AX] = ay;
+    out[j + ROW_AY] = -ax;
+    out[j + ROW_AW] = -armY * ay - armX * ax;
+    out[j + ROW_BX] = -ay;
+    out[j + ROW_BY] = ax;
+    out[j + ROW_BW] = bx * ax + by * ay;
+    const k = j + ROW_SIZE;
+    out[k + ROW_AX] = -ax;
+    out[k + ROW_AY] = -ay;
+    out[k + ROW_AW] = armY * ax - armX * ay;
+    out[k + ROW_BX] = ax;
+    out[k + ROW_BY] = ay;
+    out[k + ROW_BW] = bx * ay - by * ax;
   }
-}
-
-/** The row of n·d where n turns with A: [−n, −arm × n, n, rB × n]. */
-function lineRow(
-  out: Float64Array,
-  j: number,
-  nx: number,
-  ny: number,
-  armX: number,
-  armY: number,
-  bx: number,
-  by: number,
-): void {
-  out[j] = -nx;
-  out[j + 1] = -ny;
-  out[j + 2] = armY * nx - armX * ny;
-  out[j + 3] = nx;
-  out[j + 4] = ny;
-  out[j + 5] = bx * ny - by * nx;
 }
 
 /** x, y and length of an axis, computed so that it neither overflows nor vanishes. */

@@ -1,5 +1,6 @@
 import type { Tape } from '../state/tape.js';
 import { finite, optional } from '../validate.js';
+import { ROW_AW, ROW_BW } from './layout.js';
 import { RatioConstraint, type RatioParams } from './two-body.js';
 
 /** Options of `createMotorConstraint`. */
@@ -55,7 +56,7 @@ export class MotorConstraint extends RatioConstraint {
   /** @internal */
   measure(_pose: Float64Array, out: Float64Array, c: number, j: number): void {
     out[c] = -this.rate;
-    out[j + 2] = -1;
-    out[j + 5] = this.ratio;
+    out[j + ROW_AW] = -1;
+    out[j + ROW_BW] = this.ratio;
   }
 }

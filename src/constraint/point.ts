@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import type { Constraint } from './constraint.js';
-import { COS, POSE, SIN, X, Y } from './layout.js';
+import { COS, POSE, ROW_AW, ROW_AX, ROW_AY, ROW_BW, ROW_BX, ROW_BY, ROW_SIZE, SIN, X, Y } from './layout.js';
 import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
 
 /** Options of `createPointConstraint`. */
@@ -55,12 +55,13 @@ export function pointRows(pose: Float64Array, anchors: Float64Array, out: Float6
   const by = sinB * anchors[2]! + cosB * anchors[3]!;
   out[c] = out[c]! - (pose[X]! + ax) + (pose[POSE + X]! + bx);
   out[c + 1] = out[c + 1]! - (pose[Y]! + ay) + (pose[POSE + Y]! + by);
-  out[j] = -1;
-  out[j + 2] = ay;
-  out[j + 3] = 1;
-  out[j + 5] = -by;
-  out[j + 7] = -1;
-  out[j + 8] = -ax;
-  out[j + 10] = 1;
-  out[j + 11] = bx;
+  out[j + ROW_AX] = -1;
+  out[j + ROW_AW] = ay;
+  out[j + ROW_BX] = 1;
+  out[j + ROW_BW] = -by;
+  const k = j + ROW_SIZE;
+  out[k + ROW_AY] = -1;
+  out[k + ROW_AW] = -ax;
+  out[k + ROW_BY] = 1;
+  out[k + ROW_BW] = bx;
 }

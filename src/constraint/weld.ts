@@ -1,7 +1,7 @@
 import { FAR } from '../config.js';
 import type { Tape } from '../state/tape.js';
 import { optional, within } from '../validate.js';
-import { ANGLE, POSE } from './layout.js';
+import { ANGLE, POSE, ROW_AW, ROW_BW, ROW_SIZE } from './layout.js';
 import { pointRows } from './point.js';
 import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
 
@@ -53,7 +53,7 @@ export class WeldConstraint extends AnchoredConstraint {
   measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
     pointRows(pose, this.anchors, out, c, j);
     out[c + 2] = pose[POSE + ANGLE]! - pose[ANGLE]! - this.phase;
-    out[j + 14] = -1;
-    out[j + 17] = 1;
+    out[j + 2 * ROW_SIZE + ROW_AW] = -1;
+    out[j + 2 * ROW_SIZE + ROW_BW] = 1;
   }
 }

@@ -1,6 +1,6 @@
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
-import { EDGE_STRIDE } from '../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE } from '../geometry/layout.js';
 import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
@@ -80,7 +80,7 @@ function hasEdge(shape: Shape, nx: number, ny: number, angle: number): boolean {
   const { localEdges: edges } = shape;
   let found = false;
   for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
-    found ||= Math.abs(edges[k + 2]! - x) < SAME && Math.abs(edges[k + 3]! - y) < SAME;
+    found ||= Math.abs(edges[k + EDGE_NX]! - x) < SAME && Math.abs(edges[k + EDGE_NY]! - y) < SAME;
   }
   return found;
 }

@@ -44,19 +44,14 @@ export class Crowd {
     return this.lists[at]!;
   }
 
-  /** Tells which pairs are to be made, some twice; of each the shape with the lower id comes first. */
+  /** Tells which pairs are to be made, some twice. */
   drainTo(pairs: Pairs): void {
     for (let i = 0; i < this.shapes.count; i += 1) {
       const shape = this.shapes.items[i]!;
       const partners = this.lists[i]!;
       keepFirst(partners, shape);
       for (let k = 0; k < partners.count; k += 1) {
-        const partner = partners.items[k]!;
-        if (shape.id < partner.id) {
-          pairs.note(shape, partner);
-        } else {
-          pairs.note(partner, shape);
-        }
+        pairs.note(shape, partners.items[k]!);
       }
       partners.clear();
       shape.partners = null;

@@ -1,7 +1,7 @@
 import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
 import { List, takeOut } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
-import type { Shape } from '../shape/shape.js';
+import { isOlder, type Shape } from '../shape/shape.js';
 import { Arbiter, type Before } from './arbiter.js';
 import { ACTIVE, AWAKE, DEAD, LISTED, SHOWN, SLEEPING } from './bits.js';
 import { Crowd } from './crowd.js';
@@ -65,16 +65,16 @@ export class Pairs {
   /** @internal */
   cutBefore: Arbiter[] = [];
 
-  /** The pair of two shapes, if there is one. */
-  find(shapeA: Shape, shapeB: Shape): Arbiter | null {
-    return this.table.find(shapeA, shapeB);
+  /** The pair of two shapes, in any order, if there is one. */
+  find(one: Shape, two: Shape): Arbiter | null {
+    return isOlder(one, two) ? this.table.find(one, two) : this.table.find(two, one);
   }
 
-  /** The pair of two shapes, made if needed. */
-  obtain(shapeA: Shape, shapeB: Shape): Arbiter {
-    let pair = this.table.find(shapeA, shapeB);
+  /** The same, made if needed. */
+  obtain(one: Shape, two: Shape): Arbiter {
+    let pair = this.find(one, two);
     if (pair === null) {
-      pair = this.make(shapeA, shapeB);
+      pair = isOlder(one, two) ? this.make(one, two) : this.make(two, one);
       this.table.add(pair);
       this.arrive(pair);
     }
@@ -112,22 +112,25 @@ export class Pairs {
     return isKnown;
   }
 
-  /** The broadphase reports two shapes that may interact, of which the first has the lower id. @returns the number of the pair, 0 if it is yet to be made. */
-  report(shapeA: Shape, shapeB: Shape, stamp: number): number {
-    const pair = this.table.find(shapeA, shapeB);
+  /** The broadphase reports two shapes that may interact, in any order. @returns the number of the pair, 0 if it is yet to be made. */
+  report(one: Shape, two: Shape, stamp: number): number {
+    const pair = this.find(one, two);
     if (pair !== null) {
       this.sightings[pair.number] = stamp;
       this.arrive(pair);
       return pair.number;
     }
-    if (!this.crowd.take(shapeA, shapeB)) {
-      this.note(shapeA, shapeB);
+    if (!this.crowd.take(one, two)) {
+      this.note(one, two);
     }
     return 0;
   }
 
-  /** @internal the pair of two shapes is to be made */
-  note(shapeA: Shape, shapeB: Shape): void {
+  /** @internal the pair of two shapes, in any order, is to be made */
+  note(one: Shape, two: Shape): void {
+    const isFirst = isOlder(one, two);
+    const shapeA = isFirst ? one : two;
+    const shapeB = isFirst ? two : one;
     if (this.reportedCount === this.reported.length) {
       this.reported.push({ shapeA, shapeB });
     }

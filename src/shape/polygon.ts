@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { MAX_SIZE } from '../config.js';
-import { EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
 import type { Outline } from '../geometry/outline.js';
 import { convexVertices, createBoxVertices, repeatedVertex } from '../geometry/vertices.js';
@@ -67,8 +67,8 @@ function makeForm(corners: ArrayLike<number>): Form {
     const ny = -ex / size;
     localEdges[2 * i] = x;
     localEdges[2 * i + 1] = y;
-    localEdges[2 * i + 2] = nx;
-    localEdges[2 * i + 3] = ny;
+    localEdges[2 * i + EDGE_NX] = nx;
+    localEdges[2 * i + EDGE_NY] = ny;
     offsets[i / 2] = nx * x + ny * y;
   }
   return { vertices, localEdges, offsets, halfWidth: leastWidth(localEdges, offsets) / 2 };
@@ -77,8 +77,8 @@ function makeForm(corners: ArrayLike<number>): Form {
 function leastWidth(localEdges: Float64Array, offsets: Float64Array): number {
   let width = Infinity;
   for (let i = 0; i < offsets.length; i += 1) {
-    const nx = localEdges[EDGE_STRIDE * i + 2]!;
-    const ny = localEdges[EDGE_STRIDE * i + 3]!;
+    const nx = localEdges[EDGE_STRIDE * i + EDGE_NX]!;
+    const ny = localEdges[EDGE_STRIDE * i + EDGE_NY]!;
     let depth = 0;
     for (let k = 0; k < localEdges.length; k += EDGE_STRIDE) {
       depth = Math.max(depth, offsets[i]! - nx * localEdges[k]! - ny * localEdges[k + 1]!);
@@ -191,13 +191,13 @@ export class Polygon extends BaseShape {
       const ly = local[i + 1]!;
       const px = c * lx - s * ly;
       const py = s * lx + c * ly;
-      const nx = local[i + 2]!;
-      const ny = local[i + 3]!;
+      const nx = local[i + EDGE_NX]!;
+      const ny = local[i + EDGE_NY]!;
       const to = o + EDGES + i;
       n[to] = px;
       n[to + 1] = py;
-      n[to + 2] = c * nx - s * ny;
-      n[to + 3] = s * nx + c * ny;
+      n[to + EDGE_NX] = c * nx - s * ny;
+      n[to + EDGE_NY] = s * nx + c * ny;
       if (px < minX) minX = px;
       if (px > maxX) maxX = px;
       if (py < minY) minY = py;

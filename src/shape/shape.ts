@@ -371,7 +371,7 @@ export abstract class BaseShape {
 /** For `instanceof`, which tells a `Circle | Polygon`. Shapes are made by `createCircleShape` and `createPolygonShape`. */
 export const Shape = BaseShape as unknown as abstract new (...args: never[]) => Shape;
 
-/** Whether a shape comes before another wherever the order must not matter: in that in which they were made. */
+/** Whether a shape comes before another wherever the order must not matter: in that in which they were made. Of a pair the older one comes first. */
 export function isOlder(a: Shape, b: Shape): boolean {
   return a.id < b.id;
 }

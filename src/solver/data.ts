@@ -73,8 +73,8 @@ export class BounceList {
   shift = new Int32Array(16);
   /** Offsets of the records of the two bodies of each. */
   bodies = new Int32Array(32);
-  /** Its NX, NY, RN_A1 and RN_B1 once more, four numbers each: all of them are looked at twice in a sub-step, and most do not bounce. */
-  arms = new Float64Array(64);
+  /** The normal and arms of its contact once more, see `layout.ts`: all of them are looked at twice in a sub-step, and most do not bounce. */
+  arms = new Float64Array(16 * d.BOUNCE_STRIDE);
   bias = new Float64Array(16);
   /** m/s. With what speed a point that bounced was to leave. */
   leaves = new Float64Array(16);
@@ -98,10 +98,11 @@ export class BounceList {
     this.bodies[2 * i + 1] = batch.bodies[2 * index + 1]!;
     const { records, stride } = batch;
     const record = recordAt(index, stride);
-    this.arms[4 * i] = records[record + d.NX]!;
-    this.arms[4 * i + 1] = records[record + d.NY]!;
-    this.arms[4 * i + 2] = records[record + shift + d.RN_A1]!;
-    this.arms[4 * i + 3] = records[record + shift + d.RN_B1]!;
+    const at = d.BOUNCE_STRIDE * i;
+    this.arms[at + d.BOUNCE_NX] = records[record + d.NX]!;
+    this.arms[at + d.BOUNCE_NY] = records[record + d.NY]!;
+    this.arms[at + d.BOUNCE_RN_A] = records[record + shift + d.RN_A1]!;
+    this.arms[at + d.BOUNCE_RN_B] = records[record + shift + d.RN_B1]!;
     this.bias[i] = 0;
     this.count = i + 1;
     return i;
@@ -112,7 +113,7 @@ export class BounceList {
     this.index = widened(this.index, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
     this.bodies = widened(this.bodies, new Int32Array(2 * size));
-    this.arms = widened(this.arms, new Float64Array(4 * size));
+    this.arms = widened(this.arms, new Float64Array(d.BOUNCE_STRIDE * size));
     this.bias = widened(this.bias, new Float64Array(size));
     this.leaves = new Float64Array(size);
     this.bouncing = new Int32Array(size);
@@ -121,19 +122,16 @@ export class BounceList {
   }
 }
 
-/** How many numbers are kept of each. */
-export const TURNING_STRIDE = 7;
-
 /** Contacts of bodies that turn together, see `turning.ts`. What lies beyond the count is old. */
 export class TurningList {
   /** As `batchOf` is told them. */
   readonly contacts: number[] = [];
-  kept = new Float64Array(8 * TURNING_STRIDE);
+  kept = new Float64Array(8 * d.TURNING_STRIDE);
   count = 0;
 
   /** @returns where its numbers are to be kept. */
   add(contact: number): number {
-    const at = TURNING_STRIDE * this.count;
+    const at = d.TURNING_STRIDE * this.count;
     if (at === this.kept.length) {
       this.kept = widened(this.kept, new Float64Array(2 * at));
     }
@@ -291,7 +289,7 @@ export class SolverData {
   }
 
   /** Gives the arrays back. */
-  release(): void {
+  returnArrays(): void {
     if (this.scratch !== null) {
       this.scratch.user = null;
     }

@@ -31,7 +31,7 @@ function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle):
   if (!canInteract(a, b)) {
     return 0;
   }
-  return a.id < b.id ? this.pairs.report(a, b, this.timeStamp) : this.pairs.report(b, a, this.timeStamp);
+  return this.pairs.report(a, b, this.timeStamp);
 }
 
 function reportAgain(this: World, note: number): boolean {

@@ -27,7 +27,7 @@ function hold({ velocity, motion, drive }: SolverData, at: number): void {
 }
 
 /** Ends the step of the frozen bodies: they rest where they were, without what drove them, and joints and contacts forget what they did to them. */
-export function settleFrozen(world: World): void {
+export function restFrozen(world: World): void {
   for (const body of world.frozen) {
     body.vx = 0;
     body.vy = 0;

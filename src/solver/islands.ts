@@ -3,13 +3,15 @@ import { DYNAMIC, KINEMATIC } from '../body-kind.js';
 import { REST_RATE, SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
 import { SLEEP } from '../listeners.js';
+import { grown } from '../math/doubles.js';
+import { rootOf, unite } from '../math/sets.js';
 import type { World } from '../world.js';
 import { acts } from './joints/order/order.js';
 import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
 
 /** Where the islands of a step are worked out: arrays by index in `liveDynamics`, kept from step to step. */
 export class IslandWork {
-  /** Union-find: the way to the root, which is the lowest index of its island. */
+  /** Sets of `math/sets.ts`: the root of an island is its lowest index. */
   parent = new Int32Array(64);
   /** By root: the latest wake time of the island. Integers: other numbers would be boxed, here and in the bodies that get them. */
   wakeTime = new Int32Array(64);
@@ -20,31 +22,10 @@ export class IslandWork {
 
   ensure(count: number): void {
     if (this.parent.length < count) {
-      const size = Math.max(count, this.parent.length * 2);
+      const size = grown(count);
       this.parent = new Int32Array(size);
       this.wakeTime = new Int32Array(size);
       this.ready = new Uint8Array(size);
-    }
-  }
-
-  /** The root of an index, halving the path on the way (Tarjan & van Leeuwen 1984). */
-  root(index: number): number {
-    const parent = this.parent;
-    let i = index;
-    while (parent[i] !== i) {
-      parent[i] = parent[parent[i]!]!;
-      i = parent[i]!;
-    }
-    return i;
-  }
-
-  join(a: number, b: number): void {
-    const rootA = this.root(a);
-    const rootB = this.root(b);
-    if (rootA < rootB) {
-      this.parent[rootB] = rootA;
-    } else {
-      this.parent[rootA] = rootB;
     }
   }
 }
@@ -106,18 +87,18 @@ export function sleepIslands(world: World, dt: number): void {
     wakeTime[i] = 0;
     ready[i] = 1;
   }
-  joinTouching(world, work);
-  joinTied(world, work);
+  joinTouching(world, parent);
+  joinTied(world, parent);
   let someReady = false;
   for (let i = 0; i < count; i += 1) {
-    const root = work.root(i);
+    const root = rootOf(parent, i);
     const woken = live[i]!.wakeTime;
     if (woken > wakeTime[root]!) wakeTime[root] = woken;
     if (stamp <= woken + SLEEP_DELAY) ready[root] = 0;
     else someReady = true;
   }
   for (let i = 0; i < count; i += 1) {
-    live[i]!.wakeTime = wakeTime[work.root(i)]!;
+    live[i]!.wakeTime = wakeTime[rootOf(parent, i)]!;
     work.awake += parent[i] === i && ready[i] === 0 ? 1 : 0;
   }
   if (someReady) {
@@ -140,7 +121,7 @@ function keepAwake({ members }: Constraint, stamp: number): void {
   }
 }
 
-function joinTied(world: World, work: IslandWork): void {
+function joinTied(world: World, parent: Int32Array): void {
   const { liveConstraints } = world;
   for (let i = 0; i < liveConstraints.length; i += 1) {
     const { members } = liveConstraints[i]!;
@@ -150,7 +131,7 @@ function joinTied(world: World, work: IslandWork): void {
         const body = members[k]!;
         if (body.kind === DYNAMIC && body.liveIndex >= 0) {
           if (joined >= 0) {
-            work.join(joined, body.liveIndex);
+            unite(parent, joined, body.liveIndex);
           }
           joined = body.liveIndex;
         }
@@ -172,7 +153,7 @@ function sleepIdle(world: World): void {
 }
 
 /** Joins what touches; what touches a kinematic body that moves, or was just put there, is not at rest. */
-function joinTouching(world: World, work: IslandWork): void {
+function joinTouching(world: World, parent: Int32Array): void {
   const stamp = world.timeStamp;
   const { sorted } = world.pairs;
   for (let i = 0; i < sorted.count; i += 1) {
@@ -188,17 +169,17 @@ function joinTouching(world: World, work: IslandWork): void {
       } else if (b.kind !== DYNAMIC) {
         a.wakeTime = stamp;
       } else {
-        work.join(a.liveIndex, b.liveIndex);
+        unite(parent, a.liveIndex, b.liveIndex);
       }
     }
   }
 }
 
-function sleepReady(world: World, work: IslandWork): void {
+function sleepReady(world: World, { parent, ready }: IslandWork): void {
   const islands = new Map<number, Island>();
   world.liveDynamics.forEach((body, i) => {
-    const root = work.root(i);
-    if (work.ready[root] === 1) {
+    const root = rootOf(parent, i);
+    if (ready[root] === 1) {
       const island = islands.get(root);
       if (island === undefined) {
         islands.set(root, { number: -1, bodies: [body], constraints: [] });
@@ -210,7 +191,7 @@ function sleepReady(world: World, work: IslandWork): void {
   for (const constraint of world.liveConstraints) {
     const body = constraint.members.find(({ kind, liveIndex }) => kind === DYNAMIC && liveIndex >= 0);
     if (body !== undefined && acts(world, constraint)) {
-      islands.get(work.root(body.liveIndex))?.constraints.push(constraint);
+      islands.get(rootOf(parent, body.liveIndex))?.constraints.push(constraint);
     }
   }
   for (const island of islands.values()) {

@@ -153,6 +153,24 @@ export const FROM_ONE = 2;
 export const TO_ONE = 3;
 export const HARD_STRIDE = 4;
 
+/** What is kept of a contact that turns with its bodies, in `TurningList`: its normal, the separations of both points, what its surfaces move by … */
+export const TURNING_NX = 0;
+export const TURNING_NY = 1;
+export const TURNING_START1 = 2;
+export const TURNING_START2 = 3;
+export const TURNING_SURFACE_N = 4;
+export const TURNING_SURFACE_T = 5;
+/** m. … and how far its points are from the pivots of circles. */
+export const TURNING_PIVOTS = 6;
+export const TURNING_STRIDE = 7;
+
+/** What a point that may bounce has of its contact once more, in `BounceList.arms`. */
+export const BOUNCE_NX = 0;
+export const BOUNCE_NY = 1;
+export const BOUNCE_RN_A = 2;
+export const BOUNCE_RN_B = 3;
+export const BOUNCE_STRIDE = 4;
+
 /** kg⁻¹. Stands for an infinite inverse mass, but may be multiplied by zero. */
 export const IMMOVABLE = 1e30;
 /** m. A separation that no motion of a step can close: switches a point off. */

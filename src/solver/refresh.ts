@@ -1,7 +1,7 @@
 import type { RigidBody } from '../body.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { growBounds, HALF_MARGIN } from './impacts/swept-bounds.js';
+import { growBounds, HALF_MARGIN } from './bounds.js';
 
 const bounds = new Float64Array(4);
 

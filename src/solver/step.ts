@@ -1,8 +1,8 @@
 import { CONTACT_SWEEPS } from '../config.js';
 import type { World } from '../world.js';
-import { applyBounces, planBounces, releaseBounces } from './contacts/bounce.js';
+import { applyBounces, planBounces, spareBounces } from './contacts/bounce.js';
 import { partCrowds, solvePositionContacts, solveVelocityContacts, warmStartContacts } from './contacts/contacts.js';
-import { settleShocks } from './contacts/shocks.js';
+import { solveShocks } from './contacts/shocks.js';
 import { turnContacts } from './contacts/turning.js';
 import { findPairs } from './find-pairs.js';
 import { continuous } from './impacts/continuous.js';
@@ -43,7 +43,7 @@ export function step(world: World, dt: number): void {
   profile?.lap('store');
   continuous(world, dt);
   // Impacts still ask what forces add, and their handlers may step another world.
-  solver.release();
+  solver.returnArrays();
   world.events.noteWoken(world);
   sleepKinematics(world);
   profile?.lap('continuous');
@@ -60,19 +60,19 @@ function integrate(world: World, h: number): void {
     jointSolver?.warmStart(solver, substep === 0);
     warmStartContacts(solver, h);
     applyBounces(solver);
-    const turns = share(world.velocityIterations, substep, substeps);
-    // Joints take all their turns; contacts are swept over half as often again, but no longer once nothing changes.
+    const iterations = share(world.velocityIterations, substep, substeps);
+    // Joints are swept over in each iteration; contacts are swept over half as often again, but no longer once nothing changes.
     let changed = true;
-    for (let i = 0; i < CONTACT_SWEEPS * turns; i += 1) {
-      const isTurn = i < turns;
-      if (!changed && !(isTurn && solver.joints.runs.length > 0)) break;
-      if (isTurn) jointSolver?.solveVelocities(solver, i, turns);
+    for (let i = 0; i < CONTACT_SWEEPS * iterations; i += 1) {
+      const isOfJoints = i < iterations;
+      if (!changed && !(isOfJoints && solver.joints.runs.length > 0)) break;
+      if (isOfJoints) jointSolver?.solveVelocities(solver, i, iterations);
       changed = solveVelocityContacts(solver, h);
     }
-    settleShocks(solver, jointSolver);
+    solveShocks(solver, jointSolver);
     profile?.lap('velocities');
     integratePositions(solver, h);
-    releaseBounces(solver);
+    spareBounces(solver);
     const pushes = share(world.positionIterations, substep, substeps);
     let pushed = true;
     for (let i = 0; i < pushes && pushed; i += 1) {

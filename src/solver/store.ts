@@ -7,9 +7,9 @@ import * as c from '../contact/layout.js';
 import type { World } from '../world.js';
 import { storeOne, storeTwo } from './contacts/store-contacts.js';
 import type { ContactBatch, SolverData } from './data.js';
-import { settleFrozen } from './freeze.js';
+import { restFrozen } from './freeze.js';
 import { endForesight } from './impacts/foresee.js';
-import { noteMet, settleMet } from './impacts/late.js';
+import { noteMet, strikeMet } from './impacts/late.js';
 import * as d from './layout.js';
 
 /** Writes the outcome of a step back to bodies, contacts and arbiters. */
@@ -19,9 +19,9 @@ export function store(world: World): void {
   storeBodies(world, world.liveKinematics);
   storeContacts(world, data, data.two);
   storeContacts(world, data, data.one);
-  settleMet(world);
+  strikeMet(world);
   if (world.frozen.size > 0) {
-    settleFrozen(world);
+    restFrozen(world);
   }
 }
 
@@ -81,7 +81,7 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
     if (isTwo) storeTwo(data, k, timeStamp);
     else storeOne(data, k, timeStamp);
     if ((batch.bits[k]! & NEAR) !== 0) {
-      meet(world, batch.arbiters[k]!);
+      noteIfMet(world, batch.arbiters[k]!);
     }
   }
 }
@@ -90,8 +90,8 @@ function holdsFrozen(frozen: Set<RigidBody>, { bodyA, bodyB }: Arbiter): boolean
   return frozen.has(bodyA) || frozen.has(bodyB);
 }
 
-/** The surfaces were apart when the step began: whether they met during it. */
-function meet(world: World, pair: Arbiter): void {
+/** The surfaces were apart when the step began: notes them if they met during it. */
+function noteIfMet(world: World, pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   if (n[o + c.STEP_NORMAL] === 0 && (pair.count === 1 || n[o + c.STEP_NORMAL + c.IMPULSES] === 0)) {
     return;

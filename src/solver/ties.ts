@@ -38,11 +38,11 @@ export function untie(world: World, constraint: Constraint): void {
   }
   const moved = takeOut(world.constraints, constraint.index);
   if (moved !== null) moved.index = constraint.index;
-  release(constraint);
+  leaveWorld(constraint);
 }
 
 /** Resets what a constraint had from its world. */
-export function release(constraint: Constraint): void {
+export function leaveWorld(constraint: Constraint): void {
   for (const { constraints } of distinct(constraint)) {
     // The others keep their order, which hashes tell: a body that is in no world may have constraints of several.
     constraints.splice(constraints.indexOf(constraint), 1);

@@ -5,7 +5,7 @@ import { Shape } from '../shape/shape.js';
 import { Group } from '../solver/joints/joint-data.js';
 import { orderJoints } from '../solver/joints/order/order.js';
 import { insertHandle } from '../solver/refresh.js';
-import { countIgnoring, release } from '../solver/ties.js';
+import { countIgnoring, leaveWorld } from '../solver/ties.js';
 import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
@@ -147,7 +147,7 @@ function walkGroups(on: Tape, world: World): void {
 function empty(world: World, { bodies, inside }: Scene): void {
   for (const constraint of world.constraints) {
     countIgnoring(constraint, -1);
-    release(constraint);
+    leaveWorld(constraint);
   }
   takeOutOthers(world, bodies, inside);
   beginClaims(world.pairs);

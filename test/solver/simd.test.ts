@@ -143,7 +143,7 @@ describe.each(LOOPS)('%s', (loop) => {
                 Array.from({ length: stride }, (_, n) => r[recordAt(k, stride) + 2 * n]),
               ),
             );
-            data.release();
+            data.returnArrays();
             return { result, velocity: velocity.slice(), motion: motion.slice(), records, crowded };
           });
           // `toEqual` tells −0 from 0.
@@ -193,7 +193,7 @@ describe.each<[string, (data: SolverData, h: number) => void]>([
             }
             loop(data, h);
             const arrays = [data.velocity, data.motion, data.pose, data.drive].map((numbers) => numbers.slice());
-            data.release();
+            data.returnArrays();
             return arrays;
           });
           expect(found).toEqual(expected);
@@ -299,7 +299,7 @@ describe.each([
               Array.from({ length: POINT_STRIDE }, (_, n) => points[recordAt(slot, POINT_STRIDE) + 2 * n]),
             );
             paired += joints.joints[0]!.isPaired ? 1 : 0;
-            data.release();
+            data.returnArrays();
             return { result, velocity: velocity.slice(), motion: motion.slice(), records, worst: joints.worst.slice() };
           });
           expect(found).toEqual(expected);

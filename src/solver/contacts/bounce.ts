@@ -27,11 +27,12 @@ const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
 function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: number): void {
   const a = bodies[2 * k]! & d.OFFSET;
   const b = bodies[2 * k + 1]! & d.OFFSET;
+  const at = d.BOUNCE_STRIDE * k;
   plan.comes =
-    arms[4 * k]! * (v[b + d.VX]! - v[a + d.VX]!) +
-    arms[4 * k + 1]! * (v[b + d.VY]! - v[a + d.VY]!) +
-    arms[4 * k + 3]! * v[b + d.W]! -
-    arms[4 * k + 2]! * v[a + d.W]!;
+    arms[at + d.BOUNCE_NX]! * (v[b + d.VX]! - v[a + d.VX]!) +
+    arms[at + d.BOUNCE_NY]! * (v[b + d.VY]! - v[a + d.VY]!) +
+    arms[at + d.BOUNCE_RN_B]! * v[b + d.W]! -
+    arms[at + d.BOUNCE_RN_A]! * v[a + d.W]!;
 }
 
 /** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
@@ -388,7 +389,7 @@ function fliesApart(data: SolverData, k: number): boolean {
  * Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height; unless they are so deep
  * that an impact would have come before.
  */
-export function releaseBounces(data: SolverData): void {
+export function spareBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
     if (list.bias[k] === d.OFF || fliesApart(data, k)) {

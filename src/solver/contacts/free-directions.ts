@@ -1,5 +1,5 @@
 import { FACE_SLIT, FLUSH_TOLERANCE } from '../../config.js';
-import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Polygon } from '../../shape/polygon.js';
 
 // Where grounds lie side by side only part of their corners is surface. Around a point each of them fills a wedge of directions; what all of them leave is free, and the
@@ -49,8 +49,8 @@ export class FreeDirections {
     let highest = -Infinity;
     for (let i = 0; i < offsets.length; i += 1) {
       const k = at + EDGES + EDGE_STRIDE * i;
-      const nx = edges[k + 2]!;
-      const ny = edges[k + 3]!;
+      const nx = edges[k + EDGE_NX]!;
+      const ny = edges[k + EDGE_NY]!;
       const height = nx * px + ny * py - offsets[i]!;
       if (height > FLUSH_TOLERANCE) {
         return;
@@ -61,7 +61,7 @@ export class FreeDirections {
         const isPast = nx * (py - edges[next + 1]!) - ny * (px - edges[next]!) > FLUSH_TOLERANCE;
         const isBefore = nx * (py - edges[k + 1]!) - ny * (px - edges[k]!) < -FLUSH_TOLERANCE;
         if (!isPast && !isBefore) {
-          cut(w, to, edges, k + 2, isWedge);
+          cut(w, to, edges, k + EDGE_NX, isWedge);
           isWedge = true;
         }
       }

@@ -133,7 +133,7 @@ function hasTwoPoints(pair: Arbiter): boolean {
  */
 function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
-  const at = ((index & d.EVEN) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
+  const at = recordAt(index, d.TWO_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { numbers: n } = pair;
   const o = pair.at & d.OFFSET;
@@ -202,7 +202,7 @@ function packTwo(data: SolverData, index: number): void {
 /** The same for a contact of one point; of two points the deeper one. */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
-  const at = ((index & d.EVEN) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
+  const at = recordAt(index, d.ONE_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;
   const { count, numbers: n, at: o } = pair;
   const r = batch.records;

@@ -9,13 +9,14 @@ import { FACE_GAP, FACE_LOOKS, FLUSH_TOLERANCE, IMPACT_DEPTH, SPECULATIVE_MARGIN
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../../contact/bits.js';
 import { touch, touchAlong } from '../../contact/touch.js';
-import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import { List } from '../../math/list.js';
 import { cosSin } from '../../math/trig.js';
 import type { Polygon } from '../../shape/polygon.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
 import type { World } from '../../world.js';
+import { growBounds } from '../bounds.js';
 import { findNearby } from '../nearby.js';
 import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
 
@@ -57,6 +58,7 @@ const came = new Float64Array(3);
 /** Angle, cosine, sine: scratch. */
 const turned = new Float64Array(3);
 const bounds = new Float64Array(4);
+const near = { reach: 0.5 };
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. */
 const around = /* @__PURE__ */ new List<Shape>();
 let areAllKnown = false;
@@ -177,13 +179,12 @@ export function putGroundsBack(world: World, pair: Arbiter): void {
 function addNearby(world: World, pair: Arbiter): void {
   const shape = dynamicOf(pair);
   const ground = groundOf(pair);
-  const { numbers: n, at } = shape;
-  const reach = SPECULATIVE_MARGIN + halfWidthOf(shape) + came[2]!;
+  near.reach = SPECULATIVE_MARGIN + halfWidthOf(shape) + came[2]!;
+  growBounds(shape, near, bounds);
   // Grounds that go are found where the step began.
-  bounds[0] = n[at]! - reach - came[0]!;
-  bounds[1] = n[at + 1]! - reach - came[1]!;
-  bounds[2] = n[at + 2]! + reach - came[0]!;
-  bounds[3] = n[at + 3]! + reach - came[1]!;
+  for (let i = 0; i < 4; i += 1) {
+    bounds[i] = bounds[i]! - came[i & 1]!;
+  }
   const size = findNearby(world, bounds, ground.owner!.kind !== STATIC);
   for (let i = 0; i < size; i += 1) {
     const other = world.movers.nearby.shapes[i]!;
@@ -199,7 +200,7 @@ function bears(world: World, shape: Shape, other: Shape): boolean {
   if (other.sensor || !letsMeet(shape, other)) {
     return false;
   }
-  const pair = shape.id < other.id ? world.pairs.find(shape, other) : world.pairs.find(other, shape);
+  const pair = world.pairs.find(shape, other);
   return !pair?.active || pair.is(ACCEPTED);
 }
 
@@ -368,10 +369,10 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
   const end = endOfEdges(ground);
   let isFound = false;
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
-    along.x = edges[k + 2]!;
-    along.y = edges[k + 3]!;
+    along.x = edges[k + EDGE_NX]!;
+    along.y = edges[k + EDGE_NY]!;
     const found = separationFrom(ground, shape, along);
-    const looks = free.x * edges[k + 2]! + free.y * edges[k + 3]!;
+    const looks = free.x * edges[k + EDGE_NX]! + free.y * edges[k + EDGE_NY]!;
     if (
       looks >= least &&
       found > face.separation &&
@@ -380,8 +381,8 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
       isOpen(shape, ground, k)
     ) {
       face.separation = found;
-      up.x = edges[k + 2]!;
-      up.y = edges[k + 3]!;
+      up.x = edges[k + EDGE_NX]!;
+      up.y = edges[k + EDGE_NY]!;
       isFound = true;
     }
   }
@@ -392,8 +393,8 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
 function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
   const { numbers: edges, at } = ground;
   const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
-  const nx = edges[edge + 2]!;
-  const ny = edges[edge + 3]!;
+  const nx = edges[edge + EDGE_NX]!;
+  const ny = edges[edge + EDGE_NY]!;
   // From one end of the edge to the other, as far as the shape reaches, but not so near to an end that what hides it is no thicker than the surface there.
   along.x = -ny;
   along.y = nx;

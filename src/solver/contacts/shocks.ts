@@ -1,4 +1,4 @@
-import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_TURNS } from '../../config.js';
+import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_WORK } from '../../config.js';
 import { JOINT_TORN } from '../../config-joints.js';
 import * as c from '../../contact/layout.js';
 import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData } from '../data.js';
@@ -18,7 +18,7 @@ const NONE = -1;
 const REFUSED = 1;
 
 /** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
-export function settleShocks(data: SolverData, jointSolver: JointSolver | null): void {
+export function solveShocks(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
   shocks.round += 1;
   for (let i = 0; i < shocks.struck.count; i += 1) {
@@ -27,16 +27,16 @@ export function settleShocks(data: SolverData, jointSolver: JointSolver | null):
       const { bodies } = batchOf(data, contact);
       const a = bodies[contact & d.EVEN]! & d.OFFSET;
       const body = canMove(data, a) ? a : bodies[contact | 1]!;
-      if (settleAround(data, body, jointSolver, SHOCK_CONTACTS)) forgetAll(data);
+      if (solveAround(data, body, jointSolver, SHOCK_CONTACTS)) forgetAll(data);
     }
   }
   if (jointSolver !== null) {
-    settleFrames(data, jointSolver);
+    solveFrames(data, jointSolver);
   }
 }
 
 /** Those that were found with what was struck are solved already; and those that bear each other are not, as few sweeps are enough for so many joints, and towers of frames would fall. */
-function settleFrames(data: SolverData, jointSolver: JointSolver): void {
+function solveFrames(data: SolverData, jointSolver: JointSolver): void {
   const { shocks } = data;
   const { groups } = data.joints;
   for (let i = 0; i < groups.length; i += 1) {
@@ -45,7 +45,7 @@ function settleFrames(data: SolverData, jointSolver: JointSolver): void {
   }
   for (let i = 0; i < groups.length; i += 1) {
     const body = someBodyOfFrame(data, groups[i]!);
-    if (body > 0 && settleAround(data, body, jointSolver, 1)) {
+    if (body > 0 && solveAround(data, body, jointSolver, 1)) {
       jointSolver.steadyFrame(data, groups[i]!);
       goOn(data);
     }
@@ -65,7 +65,7 @@ function someBodyOfFrame(data: SolverData, group: Group): number {
 }
 
 /** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, has too many groups of joints, or was found before. */
-function settleAround(data: SolverData, body: number, jointSolver: JointSolver | null, mostGroups: number): boolean {
+function solveAround(data: SolverData, body: number, jointSolver: JointSolver | null, mostGroups: number): boolean {
   if (!data.shocks.isLinked) {
     link(data);
     jointSolver?.linkShocks(data);
@@ -214,7 +214,7 @@ function solve(data: SolverData, jointSolver: JointSolver | null): void {
   const { contacts, groups } = shocks;
   const size = SHOCK_CONTACTS - shocks.room;
   let changed = true;
-  for (let turns = size; turns <= SHOCK_TURNS && changed; turns += size) {
+  for (let work = size; work <= SHOCK_WORK && changed; work += size) {
     changed = false;
     for (let i = 0; i < groups.count; i += 1) {
       jointSolver!.sweepShock(data, groups.items[i]!);

@@ -13,7 +13,7 @@ import {
 import { clearPoint } from '../../contact/arbiter.js';
 import { FRESH, ROCKS, STRAINS, USE, USED } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
-import type { ContactBatch, SolverData } from '../data.js';
+import { type ContactBatch, recordAt, type SolverData } from '../data.js';
 import * as d from '../layout.js';
 
 // Straight-line, as packing is: they run once a step for every contact. Zeros are never negative, as users and snapshots read them. The next step does not start from
@@ -23,7 +23,7 @@ import * as d from '../layout.js';
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const batch = data.two;
   const { records: r, bodies } = batch;
-  const i = ((index & d.EVEN) * d.TWO_STRIDE + (index & 1)) & d.OFFSET;
+  const i = recordAt(index, d.TWO_STRIDE) & d.OFFSET;
   const a = bodies[2 * index]! & d.OFFSET;
   const b = bodies[2 * index + 1]!;
   const n = batch.numbers[index]!;
@@ -56,16 +56,15 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
     p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
     (areUnlike(data, a, b, STRAIN_UNLIKE) ||
       p1 + p2 > STRAIN_PART * Math.min(data.drive[a + d.LOAD]!, data.drive[b + d.LOAD]!));
-  const before = (batch.bits[index]! >> USED) & 3;
   const used = (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0);
-  noteUse(batch, index, before, used, isRocking(data, a, b, p1 + p2), isStrained, stamp);
+  noteUse(batch, index, used, isRocking(data, a, b, p1 + p2), isStrained, stamp);
 }
 
 /** The same for a contact of one point; a second point that the solver did not see has no impulse. */
 export function storeOne(data: SolverData, index: number, stamp: number): void {
   const batch = data.one;
   const { records: r, bodies, point } = batch;
-  const i = ((index & d.EVEN) * d.ONE_STRIDE + (index & 1)) & d.OFFSET;
+  const i = recordAt(index, d.ONE_STRIDE) & d.OFFSET;
   const n = batch.numbers[index]!;
   const o = batch.at[index]! & d.OFFSET;
   const which = point[index]! & 1;
@@ -92,7 +91,7 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
     p > STRAIN_SPEED * r[i + d.NORMAL_MASS]! &&
     areUnlike(data, bodies[2 * index]! & d.OFFSET, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
   const used = (usedBefore & ~(1 << which)) | (isUsed ? 1 << which : 0);
-  noteUse(batch, index, usedBefore, used, false, isStrained, stamp);
+  noteUse(batch, index, used, false, isStrained, stamp);
 }
 
 /**
@@ -102,14 +101,13 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
 function noteUse(
   { bits, arbiters }: ContactBatch,
   index: number,
-  before: number,
   used: number,
   rocks: boolean,
   isStrained: boolean,
   stamp: number,
 ): void {
   const was = bits[index]!;
-  const is = (was & ~USE) | (used << USED) | ((used & ~before) << FRESH) | (rocks ? ROCKS : 0);
+  const is = (was & ~USE) | (used << USED) | ((used & ~(was >> USED)) << FRESH) | (rocks ? ROCKS : 0);
   if (is !== was) {
     const pair = arbiters[index]!;
     pair.bits = (pair.bits & ~USE) | (is & USE);

@@ -1,5 +1,5 @@
 import { BOUNCE_THRESHOLD, MOST_BEND } from '../../config.js';
-import { batchOf, recordAt, type SolverData, TURNING_STRIDE } from '../data.js';
+import { batchOf, recordAt, type SolverData } from '../data.js';
 import * as d from '../layout.js';
 
 // Normals and arms of contacts are those with which the step began. Two bodies that turn together at a rate w, their centres d apart, would so be told to come together at w²·d·t after a time t: what contacts make of that takes from the turn, and in seconds stops a ship of welded blocks.
@@ -14,13 +14,13 @@ export function keepNormal(data: SolverData, contact: number): void {
   const other = stride === d.TWO_STRIDE ? at + d.SECOND : at;
   const k = turning.add(contact);
   const { kept } = turning;
-  kept[k] = r[at + d.NX]!;
-  kept[k + 1] = r[at + d.NY]!;
-  kept[k + 2] = r[at + d.START1]!;
-  kept[k + 3] = r[other + d.START1]!;
-  kept[k + 4] = r[at + d.SURFACE_N]!;
-  kept[k + 5] = r[at + d.SURFACE_T]!;
-  kept[k + 6] =
+  kept[k + d.TURNING_NX] = r[at + d.NX]!;
+  kept[k + d.TURNING_NY] = r[at + d.NY]!;
+  kept[k + d.TURNING_START1] = r[at + d.START1]!;
+  kept[k + d.TURNING_START2] = r[other + d.START1]!;
+  kept[k + d.TURNING_SURFACE_N] = r[at + d.SURFACE_N]!;
+  kept[k + d.TURNING_SURFACE_T] = r[at + d.SURFACE_T]!;
+  kept[k + d.TURNING_PIVOTS] =
     stride === d.TWO_STRIDE ? 0 : r[at + d.RT_B]! - r[at + d.PIVOT_B]! - r[at + d.RT_A]! + r[at + d.PIVOT_A]!;
 }
 
@@ -28,7 +28,7 @@ export function keepNormal(data: SolverData, contact: number): void {
 export function turnContacts(data: SolverData, h: number): void {
   const { contacts, count } = data.turning;
   for (let i = 0; i < count; i += 1) {
-    turn(data, contacts[i]!, TURNING_STRIDE * i, h);
+    turn(data, contacts[i]!, d.TURNING_STRIDE * i, h);
   }
 }
 
@@ -45,8 +45,8 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const other = stride === d.TWO_STRIDE ? at + d.SECOND : at;
   const a = bodies[contact & d.EVEN]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
-  const nx = kept[k]!;
-  const ny = kept[k + 1]!;
+  const nx = kept[k + d.TURNING_NX]!;
+  const ny = kept[k + d.TURNING_NY]!;
   // From A's centre to B's, along n and t, as the step began and now.
   const beganN = r[at + d.RT_A]! - r[at + d.RT_B]!;
   const beganT = r[at + d.RN_B1]! - r[at + d.RN_A1]!;
@@ -64,11 +64,11 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const c = Math.sqrt(Math.max(0, 1 - s * s));
   const turnedX = c * nx - s * ny;
   const turnedY = s * nx + c * ny;
-  const apart = (nx - turnedX) * dx + (ny - turnedY) * dy + (c - 1) * kept[k + 6]!;
+  const apart = (nx - turnedX) * dx + (ny - turnedY) * dy + (c - 1) * kept[k + d.TURNING_PIVOTS]!;
   r[at + d.NX] = turnedX;
   r[at + d.NY] = turnedY;
-  r[at + d.START1] = kept[k + 2]! + apart;
-  r[other + d.START1] = kept[k + 3]! + apart;
+  r[at + d.START1] = kept[k + d.TURNING_START1]! + apart;
+  r[other + d.START1] = kept[k + d.TURNING_START2]! + apart;
   const vx = v[b + d.VX]! - v[a + d.VX]!;
   const vy = v[b + d.VY]! - v[a + d.VY]!;
   const vn = turnedX * vx + turnedY * vy;
@@ -76,8 +76,8 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const revolves = square > 0 ? (alongN * (nx * vy - ny * vx) - alongT * (nx * vx + ny * vy)) / square : 0;
   const w = comes > -BOUNCE_THRESHOLD ? leastOf(v[a + d.W]!, v[b + d.W]!, revolves) : 0;
   const bend = substeps * h * Math.abs(w) < MOST_BEND ? 0.5 * h * w * w : 0;
-  r[at + d.SURFACE_N] = kept[k + 4]! + bend * (c * alongN + s * alongT);
-  r[at + d.SURFACE_T] = kept[k + 5]! + bend * (c * alongT - s * alongN);
+  r[at + d.SURFACE_N] = kept[k + d.TURNING_SURFACE_N]! + bend * (c * alongN + s * alongT);
+  r[at + d.SURFACE_T] = kept[k + d.TURNING_SURFACE_T]! + bend * (c * alongT - s * alongN);
 }
 
 /** That which is nearest to 0 of three of one sign, else 0. */

@@ -2,8 +2,8 @@ import type { RigidBody } from '../../body.js';
 import { CLEAR_STEPS } from '../../config.js';
 import { grown, widened } from '../../math/doubles.js';
 import type { World } from '../../world.js';
+import { squareAround } from '../bounds.js';
 import { findNearby } from '../nearby.js';
-import { squareAround } from './swept-bounds.js';
 
 const bounds = new Float64Array(4);
 

@@ -34,7 +34,7 @@ export function continuous(world: World, dt: number): void {
     movers.of(world.liveKinematics[i]!);
   }
   findMeetings(world);
-  settle(world);
+  strikeInOrder(world);
   const { meetings } = movers;
   for (let i = 0; i < meetings.count; i += 1) {
     const { a, b, time } = meetings.all[i]!;
@@ -52,7 +52,7 @@ function comesTo(world: World, shape: Shape, time: number): boolean {
 }
 
 /** Lets the impacts happen in the order in which they come; each changes what comes after it. */
-function settle(world: World): void {
+function strikeInOrder(world: World): void {
   const { movers } = world;
   const { meetings } = movers;
   for (let next = meetings.first(); next !== null && next.time < Infinity; next = meetings.first()) {
@@ -60,7 +60,7 @@ function settle(world: World): void {
       findTime(world, next);
       continue;
     }
-    gather(world, next);
+    takeTogether(world, next);
     const struck = strike(world, movers.together);
     for (let i = 0; i < struck.count; i += 1) {
       const { bodyA, bodyB } = struck.items[i]!;
@@ -80,7 +80,7 @@ function settle(world: World): void {
 }
 
 /** Takes out of the queue, to `together`, a meeting and those of its dynamic bodies that come at once with it, and puts all bodies to where they are then. */
-function gather(world: World, first: Meeting): void {
+function takeTogether(world: World, first: Meeting): void {
   world.movers.together.clear();
   take(world, first, first);
   addThoseOf(world, first.a.owner!, first);

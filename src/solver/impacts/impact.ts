@@ -279,11 +279,11 @@ function keepEnergy(): void {
 }
 
 function mayGain({ pair: { bodyA, bodyB, numbers: n, at: o } }: Impact): boolean {
-  return drives(bodyA) || drives(bodyB) || n[o + c.ELASTICITY]! > 1;
+  return addsEnergy(bodyA) || addsEnergy(bodyB) || n[o + c.ELASTICITY]! > 1;
 }
 
 /** By a motion that nothing stops, or by its surface. */
-function drives(body: RigidBody): boolean {
+function addsEnergy(body: RigidBody): boolean {
   return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : body.drives();
 }
 

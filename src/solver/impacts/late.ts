@@ -25,7 +25,7 @@ export function noteMet(pair: Arbiter): void {
 }
 
 /** Gives all that met the impulses of their impacts, and tells of them. */
-export function settleMet(world: World): void {
+export function strikeMet(world: World): void {
   if (met.count === 0) {
     return;
   }
@@ -39,7 +39,7 @@ export function settleMet(world: World): void {
   }
   for (let k = 0; k < met.count; k += 1) {
     if (!isSolved[k]) {
-      gather(k);
+      listTogether(k);
       solveImpacts(world, pairs);
     }
   }
@@ -59,7 +59,7 @@ function link(side: number, { kind, slot }: RigidBody): void {
 }
 
 /** Lists, as `pairs`, a pair and all others of its dynamic body that are with the same partner or, if that partner does not give way, with any other that does not. */
-function gather(first: number): void {
+function listTogether(first: number): void {
   pairs.clear();
   const { bodyA, bodyB } = met.items[first]!;
   const isA = bodyA.kind === DYNAMIC;

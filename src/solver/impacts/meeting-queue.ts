@@ -1,5 +1,5 @@
 import { DYNAMIC, KINEMATIC } from '../../body-kind.js';
-import type { Shape } from '../../shape/shape.js';
+import { isOlder, type Shape } from '../../shape/shape.js';
 import type { Mover } from './movers.js';
 
 /** Two shapes that meet on their ways, and when. Used again and again. */
@@ -62,8 +62,9 @@ export class MeetingQueue {
       this.all.push(new Meeting(one, two));
     }
     const meeting = this.all[this.count]!;
-    meeting.a = one.id < two.id ? one : two;
-    meeting.b = one.id < two.id ? two : one;
+    const isFirst = isOlder(one, two);
+    meeting.a = isFirst ? one : two;
+    meeting.b = isFirst ? two : one;
     meeting.slot = -1;
     meeting.isOpen = false;
     meeting.lands = false;

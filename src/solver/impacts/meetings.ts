@@ -24,12 +24,13 @@ import { findImpact, findNext, Sweep } from '../../geometry/sweep.js';
 import { materials } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
+import { growBounds } from '../bounds.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
 import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requireLess } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
-import { growBounds, isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
+import { isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 const middle = /* @__PURE__ */ new Middle();
@@ -101,10 +102,10 @@ export function isClear(world: World, body: RigidBody): boolean {
 
 /** All that is still and may come into `bounds` is sensors that the shape is in already: zones, which take no notice of its way. */
 function isAmidSensors(world: World, shape: Shape): boolean {
-  const { nearby, meetings } = world.movers;
+  const { nearby } = world.movers;
   for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
-    const { a, b } = meetings.draft(shape, nearby.shapes[k]!);
-    if (!nearby.shapes[k]!.sensor || !world.pairs.find(a, b)?.active) {
+    const other = nearby.shapes[k]!;
+    if (!other.sensor || !world.pairs.find(shape, other)?.active) {
       return false;
     }
   }

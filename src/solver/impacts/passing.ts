@@ -24,7 +24,7 @@ export function passes(pair: Arbiter, dt: number): boolean {
     return false;
   }
   if (shapeA.kind === CIRCLE && shapeB.kind === CIRCLE) {
-    return !meets(pair, a, b, dt);
+    return !circlesMeet(pair, a, b, dt);
   }
   if (!(goesFar(a, dt) || goesFar(b, dt))) {
     return false;
@@ -39,7 +39,7 @@ export function passes(pair: Arbiter, dt: number): boolean {
 }
 
 /** Whether two circles meet within a step; turns their contact so that it closes when they do, along the line of their centres of then: |d + v·t| = r. */
-function meets({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
+function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
   const ax = shapeA.numbers[shapeA.at + CENTRE_X]!;
   const ay = shapeA.numbers[shapeA.at + CENTRE_Y]!;
   const bx = shapeB.numbers[shapeB.at + CENTRE_X]!;

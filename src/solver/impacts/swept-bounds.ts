@@ -1,9 +1,10 @@
 import { endOfEdges } from '../../collide/polygons.js';
 import { SPECULATIVE_MARGIN } from '../../config.js';
 import { crosses, crossing } from '../../geometry/crossing.js';
-import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
+import { growBounds, HALF_MARGIN, squareAround } from '../bounds.js';
 import type { Mover } from './movers.js';
 
 // Shapes are placed where the step began; from there their bodies go straight on and turn.
@@ -28,30 +29,7 @@ export function mayMeet(one: Mover, { numbers: a, at: i }: Shape, two: Mover, { 
   return crosses(a, i, b, j);
 }
 
-/** m. By how much bounds are wider; a number of its own would be boxed where it is handed on. */
-export interface Reach {
-  readonly reach: number;
-}
-
-/** Half the margin within which pairs are solved: two shapes within that overlap. */
-export const HALF_MARGIN: Reach = { reach: SPECULATIVE_MARGIN / 2 };
 const way = { reach: 0.5 };
-
-/** Writes the bounds of a shape, so much wider on all sides. */
-export function growBounds({ numbers: n, at }: Shape, { reach }: Reach, out: Float64Array): void {
-  out[0] = n[at]! - reach;
-  out[1] = n[at + 1]! - reach;
-  out[2] = n[at + 2]! + reach;
-  out[3] = n[at + 3]! + reach;
-}
-
-/** Writes the square that reaches so far from a point. */
-export function squareAround(x: number, y: number, reach: number, out: Float64Array): void {
-  out[0] = x - reach;
-  out[1] = y - reach;
-  out[2] = x + reach;
-  out[3] = y + reach;
-}
 
 /** Writes a square that holds all places of a body on the rest of its way, however it turns. */
 export function squareOfWay({ body, x, y, dx, dy }: Mover, out: Float64Array): void {
@@ -79,8 +57,8 @@ export function isBeyondEdge(mover: Mover, shape: Shape, bounds: Float64Array): 
   const halfX = 0.5 * (bounds[2]! - bounds[0]!);
   const halfY = 0.5 * (bounds[3]! - bounds[1]!);
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
-    const nx = edges[k + 2]!;
-    const ny = edges[k + 3]!;
+    const nx = edges[k + EDGE_NX]!;
+    const ny = edges[k + EDGE_NY]!;
     const height = nx * (x - edges[k]!) + ny * (y - edges[k + 1]!) - Math.abs(nx) * halfX - Math.abs(ny) * halfY;
     if (height > Math.max(0, nx * dx + ny * dy) + slack) {
       return true;

@@ -16,33 +16,25 @@ import { findCompanies, findGuests } from './energy/company.js';
 import { noteEnergy, takeExcesses } from './energy/energy.js';
 import { beginSprings, enterSprings, noteVelocities } from './energy/springs.js';
 import { turnStress } from './energy/stress.js';
-import { type Group, type Joint, keepsNumbers, packHead, type Run } from './joint-data.js';
-import { ANCHORED, CUSTOM, POINT, PUSH, ROW, TURN } from './joint-layout.js';
+import type { Group, Joint } from './joint-data.js';
+import { CUSTOM, POINT, PUSH } from './joint-layout.js';
 import { listBodies, steady } from './joint-numbers.js';
-import { finishAnchored } from './kernels/anchored.js';
-import {
-  finishBlock,
-  lineariseBlock,
-  packBlock,
-  pushBlock,
-  solveVelocityBlock,
-  storeBlock,
-  warmStartBlock,
-} from './kernels/blocks.js';
+import { lineariseBlock, pushBlock, solveVelocityBlock } from './kernels/blocks.js';
 import { breakOverloaded } from './kernels/breaking.js';
-import {
-  beginPoints,
-  finishPoints,
-  keepPoints,
-  packPoint,
-  pushPoints,
-  solveVelocityPoints,
-  warmStartPoints,
-} from './kernels/points.js';
+import { finishPoints, pushPoints, solveVelocityPoints, warmStartPoints } from './kernels/points.js';
 import { advancePoses, hidePoses, packPoses } from './kernels/pose.js';
-import { finishRows, warmStartRows } from './kernels/rows.js';
-import { linearise, pushRun, pushRunLinearly, pushTurnedRun, solveVelocityRun, sweepOver } from './kernels/sweeps.js';
-import { beginTurns, finishTurns, packTurn, warmStartTurns } from './kernels/turns.js';
+import {
+  finishRun,
+  linearise,
+  packRun,
+  pushRun,
+  pushRunLinearly,
+  pushTurnedRun,
+  solveVelocityRun,
+  storeRun,
+  sweepOver,
+  warmStartRun,
+} from './kernels/sweeps.js';
 import { orderJoints } from './order/order.js';
 import { beginGradients, goOn, noteStart } from './plan/gradients.js';
 import { beginGroup, correctShare, lookAtKinds, plan } from './plan/plan.js';
@@ -116,33 +108,6 @@ function watchTouched(world: World): void {
       if (group.isWatched) noteEnergy(solver, group);
     }
   }
-}
-
-/** @returns whether one of the bodies is in contact. */
-function packRun(data: SolverData, { kernel, start, end }: Run, isChanged: boolean): boolean {
-  const { joints } = data.joints;
-  let isInContact = false;
-  for (let k = start; k < end && (isChanged || !keepsNumbers(kernel)); k += 1) {
-    isInContact = packJoint(data, joints[k]!) || isInContact;
-  }
-  if (kernel === POINT) {
-    return beginPoints(data, start, end);
-  }
-  return kernel === TURN ? beginTurns(data, start, end) : isInContact;
-}
-
-/** @returns whether one of the bodies is in contact, if its numbers do not stay here. */
-function packJoint(data: SolverData, joint: Joint): boolean {
-  if (joint.kernel === POINT) {
-    packPoint(data, joint);
-    return false;
-  }
-  if (joint.kernel === TURN) {
-    packTurn(data, joint);
-    return false;
-  }
-  packHead(data.joints, joint);
-  return packBlock(data, joint);
 }
 
 /** What was changed is corrected without momentum in this step, and as all others from the next one on. */
@@ -220,20 +185,6 @@ function planChain(data: SolverData, group: Group, isFirst: boolean): void {
   beginGroup(data, group);
   group.runs[0]!.isOff = group.error > data.joints.asked[0]!;
   plan(data, group, isFirst);
-}
-
-function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: boolean): void {
-  if (kernel === POINT) {
-    warmStartPoints(data, start, end);
-  } else if (kernel === TURN) {
-    warmStartTurns(data, start, end);
-  } else if (kernel === ROW) {
-    warmStartRows(data, start, end);
-  } else {
-    for (let k = start; k < end; k += 1) {
-      warmStartBlock(data, k, isFirst);
-    }
-  }
 }
 
 /** Velocity iteration `i` of `count`. */
@@ -388,23 +339,9 @@ function areAlike(one: Group, other: Group): boolean {
 
 function finishGroup(data: SolverData, group: Group): void {
   const { runs } = group;
-  const { joints } = data.joints;
   findShare(data, group);
   for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
-    if (kernel === POINT) {
-      finishPoints(data, start, end);
-    } else if (kernel === TURN) {
-      finishTurns(data, start, end);
-    } else if (kernel === ANCHORED) {
-      finishAnchored(data, start, end);
-    } else if (kernel === ROW) {
-      finishRows(data, start, end);
-    } else {
-      for (let k = start; k < end; k += 1) {
-        finishBlock(data, joints[k]!);
-      }
-    }
+    finishRun(data, runs[i]!);
   }
 }
 
@@ -442,13 +379,7 @@ function storeJoints(world: World): void {
   joints.solved += 1;
   breakOverloaded(data);
   for (let i = 0; i < joints.runs.length; i += 1) {
-    const { kernel, start, end } = joints.runs[i]!;
-    if (kernel === POINT) {
-      keepPoints(data, start, end);
-    }
-    for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
-      storeBlock(data, joints.joints[k]!);
-    }
+    storeRun(data, joints.runs[i]!);
   }
   for (let k = 0; k < joints.joints.length && world.jointsStale; k += 1) {
     // A callback may have switched it off, which forgot its impulses then.

@@ -1,5 +1,6 @@
 import { MOST_GUESTS } from '../../../config-joints.js';
 import { grown } from '../../../math/doubles.js';
+import { rootOf, unite } from '../../../math/sets.js';
 import type { World } from '../../../world.js';
 import { type ContactBatch, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
@@ -10,7 +11,7 @@ import { markBodies } from '../joint-numbers.js';
 
 // Scratch, by slot, for all worlds.
 
-/** Union–find: a body of the same company, itself of the one that stands for it. */
+/** Sets of `math/sets.ts`: a company each. */
 let parent = new Int32Array(0);
 /** The next body of the same company. */
 let next = new Int32Array(0);
@@ -45,7 +46,7 @@ export function findCompanies({ solver, liveDynamics }: World): void {
   joinTouching(solver.two, liveDynamics.length);
   joinTied(solver, liveDynamics.length);
   for (let slot = liveDynamics.length; slot > 0; slot -= 1) {
-    const root = rootOf(slot);
+    const root = rootOf(parent, slot);
     driven[root] = driven[root]! | driven[slot]!;
     held[root] = held[root]! | held[slot]!;
     next[slot] = first[root]!;
@@ -62,7 +63,7 @@ export function findGuests(data: SolverData, group: Group): boolean {
   for (let n = 0; n < bodies.count && velocity[at + d.INV_MASS] === 0; n += 1) {
     at = bodies.items[n]!;
   }
-  const root = rootOf(at / d.BODY_STRIDE);
+  const root = rootOf(parent, at / d.BODY_STRIDE);
   group.isAfloat = held[root] === 0;
   if (driven[root] === 1 || size[root]! > group.end - group.start + 1 + MOST_GUESTS) {
     return false;
@@ -75,19 +76,10 @@ export function findGuests(data: SolverData, group: Group): boolean {
   return true;
 }
 
-function rootOf(slot: number): number {
-  let root = slot;
-  while (parent[root] !== root) {
-    parent[root] = parent[parent[root]!]!;
-    root = parent[root]!;
-  }
-  return root;
-}
-
 /** Two bodies are with each other if both are dynamic; else one holds the other, and may drive it. */
 function join(a: number, b: number, dynamics: number): void {
   if (a > 0 && b > 0 && a <= dynamics && b <= dynamics) {
-    parent[rootOf(a)] = rootOf(b);
+    unite(parent, a, b);
     return;
   }
   held[a] = 1;

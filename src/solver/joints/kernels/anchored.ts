@@ -1,3 +1,4 @@
+import { ROW_AW, ROW_BW, ROW_SIZE } from '../../../constraint/layout.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import * as j from '../joint-layout.js';
@@ -8,11 +9,6 @@ import { applyRows } from './jacobian.js';
  * Welds, and points that are soft or may break: block joints whose first two rows keep two anchors together, and so have unit columns, and whose third, of a weld, keeps an angle. Straight-line;
  * what they have in common with all others is done there.
  */
-
-/** How many numbers a row of the Jacobian has, and which of them are those of what turns A and B. */
-const ROW_SIZE = 6;
-const ANGULAR_A = 2;
-const ANGULAR_B = 5;
 
 /** One sweep, from the first to the last, or back: over velocities as `solveVelocityBlock` or, if `moving`, over the motion of the sub-step as `pushBlock`. */
 export function sweepAnchored(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
@@ -35,10 +31,10 @@ export function sweepAnchored(data: SolverData, start: number, end: number, isBa
     const e = (i + (moving ? error : bias)) & d.OFFSET;
     const softness = moving ? -1 : -r[i + j.SOFTNESS]!;
     const kept = moving ? 1 : 1 - r[i + j.FEEDBACK]!;
-    const ax = r[p + ANGULAR_A]!;
-    const bx = r[p + ANGULAR_B]!;
-    const ay = r[p + ROW_SIZE + ANGULAR_A]!;
-    const by = r[p + ROW_SIZE + ANGULAR_B]!;
+    const ax = r[p + ROW_AW]!;
+    const bx = r[p + ROW_BW]!;
+    const ay = r[p + ROW_SIZE + ROW_AW]!;
+    const by = r[p + ROW_SIZE + ROW_BW]!;
     const vax = v[a + d.VX]!;
     const vay = v[a + d.VY]!;
     const wA = v[a + d.W]!;
@@ -101,10 +97,10 @@ export function finishAnchored(data: SolverData, start: number, end: number): vo
     const i = joint.at & d.OFFSET;
     const p = (i + jacobian) & d.OFFSET;
     const g = (i + given) & d.OFFSET;
-    const ax = r[p + ANGULAR_A]!;
-    const bx = r[p + ANGULAR_B]!;
-    const ay = r[p + ROW_SIZE + ANGULAR_A]!;
-    const by = r[p + ROW_SIZE + ANGULAR_B]!;
+    const ax = r[p + ROW_AW]!;
+    const bx = r[p + ROW_BW]!;
+    const ay = r[p + ROW_SIZE + ROW_AW]!;
+    const by = r[p + ROW_SIZE + ROW_BW]!;
     const carry = share[0]! * r[i + j.CARRY]!;
     const heldX = r[i + impulse]!;
     const heldY = r[i + impulse + 1]!;

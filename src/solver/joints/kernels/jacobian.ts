@@ -26,15 +26,7 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   const { rows, members, matrix } = layout;
   const row = 3 * members;
   if (members === 2 && rows <= 3) {
-    writePairMatrix(
-      r,
-      v,
-      (at + jacobian) & d.OFFSET,
-      (at + matrix) & d.OFFSET,
-      rows,
-      bodies[first]! & d.OFFSET,
-      bodies[first + 1]! & d.OFFSET,
-    );
+    writePairMatrix(data, joint, jacobian);
     return;
   }
   for (let n = 0; n < rows; n += 1) {
@@ -53,16 +45,15 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   factor(r, at + matrix, rows, MIN_INVERSE_MASS);
 }
 
-/** The same for two bodies, whose records begin at `a` and `b`, and three rows at most, which begin at `p`: straight-line. */
-function writePairMatrix(
-  r: Float64Array,
-  v: Float64Array,
-  p: number,
-  k: number,
-  rows: number,
-  a: number,
-  b: number,
-): void {
+/** The same for two bodies and three rows at most: straight-line. */
+function writePairMatrix(data: SolverData, { at, layout, first }: Joint, jacobian: number): void {
+  const { records: r, bodies } = data.joints;
+  const v = data.velocity;
+  const { rows } = layout;
+  const p = (at + jacobian) & d.OFFSET;
+  const k = (at + layout.matrix) & d.OFFSET;
+  const a = bodies[first]! & d.OFFSET;
+  const b = bodies[first + 1]! & d.OFFSET;
   const mA = v[a + d.INV_MASS]!;
   const iA = v[a + d.INV_INERTIA]!;
   const mB = v[b + d.INV_MASS]!;
@@ -109,7 +100,7 @@ function writePairMatrix(
   r[k + 8] = pivot2 > MIN_INVERSE_MASS && pivot2 > DEPENDENT * k22 && pivot2 < Infinity ? 1 / pivot2 : 0;
 }
 
-/** All rows of J, times velocities or times the motion of the sub-step, to the numbers at `work`. */
+/** All rows of J, times velocities or times the motion of the sub-step, whose three numbers lie alike, to the numbers at `work`. */
 export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, motion: boolean): void {
   const { records: r, bodies } = data.joints;
   const v = motion ? data.motion : data.velocity;
@@ -120,7 +111,7 @@ export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, m
     let sum = 0;
     for (let k = first; k < first + members; k += 1, p += 3) {
       const b = bodies[k]!;
-      sum += r[p]! * v[b]! + r[p + 1]! * v[b + 1]! + r[p + 2]! * v[b + 2]!;
+      sum += r[p]! * v[b + d.VX]! + r[p + 1]! * v[b + d.VY]! + r[p + 2]! * v[b + d.W]!;
     }
     r[at + work + n] = sum;
   }
@@ -143,9 +134,9 @@ export function applyRows(
     const b = bodies[first + k]!;
     const inverseMass = scale * v[b + d.INV_MASS]!;
     const inverseInertia = scale * v[b + d.INV_INERTIA]!;
-    let x = v[b]!;
-    let y = v[b + 1]!;
-    let w = v[b + 2]!;
+    let x = v[b + d.VX]!;
+    let y = v[b + d.VY]!;
+    let w = v[b + d.W]!;
     let p = at + jacobian + 3 * k;
     for (let n = 0; n < rows; n += 1, p += 3 * members) {
       const lambda = r[at + from + n]!;
@@ -153,9 +144,9 @@ export function applyRows(
       y += inverseMass * lambda * r[p + 1]!;
       w += inverseInertia * lambda * r[p + 2]!;
     }
-    v[b] = x;
-    v[b + 1] = y;
-    v[b + 2] = w;
+    v[b + d.VX] = x;
+    v[b + d.VY] = y;
+    v[b + d.W] = w;
   }
 }
 

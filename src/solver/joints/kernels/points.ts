@@ -76,7 +76,7 @@ export function beginPoints(data: SolverData, start: number, end: number): boole
   let touched = 0;
   for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET, n = (n + 2) & d.OFFSET) {
     const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
-    const i = ((slot & d.EVEN) * j.POINT_STRIDE + (slot & 1)) & d.OFFSET;
+    const i = recordAt(slot, j.POINT_STRIDE) & d.OFFSET;
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
     touched |= drive[a + d.TOUCHED]! | drive[b + d.TOUCHED]!;
@@ -119,7 +119,7 @@ export function keepPoints(data: SolverData, start: number, end: number): void {
   let o = joints[start]!.at;
   for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET) {
     const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
-    const i = ((slot & d.EVEN) * j.POINT_STRIDE + (slot & 1)) & d.OFFSET;
+    const i = recordAt(slot, j.POINT_STRIDE) & d.OFFSET;
     kept[o + j.KEPT_IMPULSE_X] = r[i + j.IMPULSE_X]!;
     kept[o + j.KEPT_IMPULSE_Y] = r[i + j.IMPULSE_Y]!;
     kept[o + j.KEPT_SUM_X] = r[i + j.SUM_X]!;

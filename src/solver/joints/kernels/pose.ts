@@ -2,7 +2,7 @@ import type { RigidBody } from '../../../body.js';
 import { MAX_SPEED } from '../../../config.js';
 import { WHIRL } from '../../../config-joints.js';
 import { type Constraint, isCustom } from '../../../constraint/constraint.js';
-import { ANGLE, COS, POSE, SIN, X, Y } from '../../../constraint/layout.js';
+import { ANGLE, COS, POSE, ROW_AW, ROW_BW, ROW_SIZE, SIN, X, Y } from '../../../constraint/layout.js';
 import { cosSin } from '../../../math/trig.js';
 import type { World } from '../../../world.js';
 import type { SolverData } from '../../data.js';
@@ -280,14 +280,15 @@ function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joi
   const b = bodies[first + 1]!;
   // What cannot be turned takes what the other one gives.
   if (v[a + d.INV_INERTIA] === 0 || v[b + d.INV_INERTIA] === 0) return;
-  const k = at + layout.jacobian;
+  const one = at + layout.jacobian;
+  const two = one + ROW_SIZE;
   const wA = v[a + d.W]!;
   const wB = v[b + d.W]!;
   const x = r[at + layout.error]!;
   const y = r[at + layout.error + 1]!;
   const square = x * x + y * y;
-  const vx = v[b + d.VX]! - v[a + d.VX]! + r[k + 2]! * wA + r[k + 5]! * wB;
-  const vy = v[b + d.VY]! - v[a + d.VY]! + r[k + 8]! * wA + r[k + 11]! * wB;
+  const vx = v[b + d.VX]! - v[a + d.VX]! + r[one + ROW_AW]! * wA + r[one + ROW_BW]! * wB;
+  const vy = v[b + d.VY]! - v[a + d.VY]! + r[two + ROW_AW]! * wA + r[two + ROW_BW]! * wB;
   const turns = square > 0 ? (x * vy - y * vx) / square : 0;
   // What part of the way from A's anchor to B's it is.
   const between = wA === wB ? 0.5 : (turns - wB) / (wA - wB);
@@ -298,8 +299,8 @@ function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joi
   const part = turning > most ? most / turning : 1;
   const partA = part * share;
   const partB = part - partA;
-  r[k + 2] = r[k + 2]! + partA * y;
-  r[k + 5] = r[k + 5]! + partB * y;
-  r[k + 8] = r[k + 8]! - partA * x;
-  r[k + 11] = r[k + 11]! - partB * x;
+  r[one + ROW_AW] = r[one + ROW_AW]! + partA * y;
+  r[one + ROW_BW] = r[one + ROW_BW]! + partB * y;
+  r[two + ROW_AW] = r[two + ROW_AW]! - partA * x;
+  r[two + ROW_BW] = r[two + ROW_BW]! - partB * x;
 }

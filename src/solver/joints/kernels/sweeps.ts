@@ -1,14 +1,65 @@
 import type { SolverData } from '../../data.js';
-import type { Group, Run } from '../joint-data.js';
+import { type Group, keepsNumbers, packHead, type Run } from '../joint-data.js';
 import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout.js';
-import { sweepAnchored } from './anchored.js';
-import { lineariseBlock, pushBlock, solveVelocityBlock } from './blocks.js';
+import { finishAnchored, sweepAnchored } from './anchored.js';
+import {
+  finishBlock,
+  lineariseBlock,
+  packBlock,
+  pushBlock,
+  solveVelocityBlock,
+  storeBlock,
+  warmStartBlock,
+} from './blocks.js';
 import { sweepLines } from './lines.js';
-import { pushPoints, pushPointsLinearly, pushTurnedPoints, solveVelocityPoints } from './points.js';
-import { sweepRows } from './rows.js';
-import { pushTurns, solveVelocityTurns } from './turns.js';
+import {
+  beginPoints,
+  finishPoints,
+  keepPoints,
+  packPoint,
+  pushPoints,
+  pushPointsLinearly,
+  pushTurnedPoints,
+  solveVelocityPoints,
+  warmStartPoints,
+} from './points.js';
+import { finishRows, sweepRows, warmStartRows } from './rows.js';
+import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turns.js';
 
-// Sweeps over the runs of a group, each by its kernel.
+// What is done with a run, by its kernel; and sweeps over the runs of a group.
+
+/** Starts a step. Of joints that keep their numbers here what did not change is still there. @returns whether one of the bodies is in contact. */
+export function packRun(data: SolverData, { kernel, start, end }: Run, isChanged: boolean): boolean {
+  const { joints } = data.joints;
+  if (keepsNumbers(kernel)) {
+    const pack = kernel === POINT ? packPoint : packTurn;
+    for (let k = start; k < end && isChanged; k += 1) {
+      pack(data, joints[k]!);
+    }
+    return kernel === POINT ? beginPoints(data, start, end) : beginTurns(data, start, end);
+  }
+  let isInContact = false;
+  for (let k = start; k < end; k += 1) {
+    packHead(data.joints, joints[k]!);
+    isInContact = packBlock(data, joints[k]!) || isInContact;
+  }
+  return isInContact;
+}
+
+/** Starts a sub-step. */
+export function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFirst: boolean): void {
+  if (kernel === POINT) {
+    warmStartPoints(data, start, end);
+  } else if (kernel === TURN) {
+    warmStartTurns(data, start, end);
+  } else if (kernel === ROW) {
+    warmStartRows(data, start, end);
+  } else {
+    for (let k = start; k < end; k += 1) {
+      warmStartBlock(data, k, isFirst);
+    }
+  }
+}
 
 /** Solves a part of a run, from its first joint to its last, or back. @returns whether it was worth another sweep. */
 type Solve = (data: SolverData, kernel: number, start: number, end: number, isBack: boolean) => boolean;
@@ -41,6 +92,7 @@ function sweepBack(data: SolverData, runs: readonly Run[], solve: Solve): boolea
   return found;
 }
 
+/** One velocity sweep. */
 export function solveVelocityRun(
   data: SolverData,
   kernel: number,
@@ -52,21 +104,13 @@ export function solveVelocityRun(
     solveVelocityPoints(data, start, end, isBack);
   } else if (kernel === TURN) {
     solveVelocityTurns(data, start, end, isBack);
-  } else if (kernel === ROW) {
-    sweepRows(data, start, end, isBack, false);
-  } else if (kernel === LINE) {
-    sweepLines(data, start, end, isBack, false);
-  } else if (kernel === ANCHORED) {
-    sweepAnchored(data, start, end, isBack, false);
-  } else if (kernel === BLOCK) {
-    for (let k = start; k < end; k += 1) {
-      solveVelocityBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
-    }
+  } else {
+    sweepWritten(data, kernel, start, end, isBack, false);
   }
   return false;
 }
 
-/** What is left of the errors of rows and blocks is not known. */
+/** One position sweep. What is left of the errors of rows and blocks is not known. */
 export function pushRun(data: SolverData, kernel: number, start: number, end: number, isBack: boolean): boolean {
   if (kernel === POINT) {
     return pushPoints(data, start, end, isBack);
@@ -74,18 +118,31 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
   if (kernel === TURN) {
     return pushTurns(data, start, end, isBack);
   }
+  sweepWritten(data, kernel, start, end, isBack, true);
+  return kernel !== CUSTOM;
+}
+
+/** Joints whose Jacobian is written out, over velocities or, if `moving`, over the motion of the sub-step. Those of callbacks have iterations of their own. */
+function sweepWritten(
+  data: SolverData,
+  kernel: number,
+  start: number,
+  end: number,
+  isBack: boolean,
+  moving: boolean,
+): void {
   if (kernel === ROW) {
-    sweepRows(data, start, end, isBack, true);
+    sweepRows(data, start, end, isBack, moving);
   } else if (kernel === LINE) {
-    sweepLines(data, start, end, isBack, true);
+    sweepLines(data, start, end, isBack, moving);
   } else if (kernel === ANCHORED) {
-    sweepAnchored(data, start, end, isBack, true);
+    sweepAnchored(data, start, end, isBack, moving);
   } else if (kernel === BLOCK) {
+    const sweep = moving ? pushBlock : solveVelocityBlock;
     for (let k = start; k < end; k += 1) {
-      pushBlock(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
+      sweep(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
     }
   }
-  return kernel !== CUSTOM;
 }
 
 export function pushRunLinearly(
@@ -109,5 +166,32 @@ export function linearise(data: SolverData, { runs }: Group): void {
     for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
       lineariseBlock(data, joints[k]!);
     }
+  }
+}
+
+/** Ends a sub-step. */
+export function finishRun(data: SolverData, { kernel, start, end }: Run): void {
+  if (kernel === POINT) {
+    finishPoints(data, start, end);
+  } else if (kernel === TURN) {
+    finishTurns(data, start, end);
+  } else if (kernel === ANCHORED) {
+    finishAnchored(data, start, end);
+  } else if (kernel === ROW) {
+    finishRows(data, start, end);
+  } else {
+    for (let k = start; k < end; k += 1) {
+      finishBlock(data, data.joints.joints[k]!);
+    }
+  }
+}
+
+/** Ends a step: writes its outcome to what each joint keeps here, or back to the constraints. */
+export function storeRun(data: SolverData, { kernel, start, end }: Run): void {
+  if (kernel === POINT) {
+    keepPoints(data, start, end);
+  }
+  for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
+    storeBlock(data, data.joints.joints[k]!);
   }
 }

@@ -40,7 +40,7 @@ export function orderJoints(world: World): void {
       const together = hangingTogether(constraint, left, met);
       group.anchors = countAnchors(together);
       // What they are still open by makes no momentum either.
-      if (release(together, group.anchors)) group.settling = SETTLE_STEPS;
+      if (forgetUnmet(together, group.anchors)) group.settling = SETTLE_STEPS;
       joints.groups.push(group);
       addTurnsLast(joints, breadthFirst(together, unlisted, passed));
     }
@@ -50,9 +50,9 @@ export function orderJoints(world: World): void {
 
 /**
  * Joints that could not be met, and of what held them against each other something is gone, forget what they gave against it: a rope that a hand drew too far would be flung off as it lets go. What else leaves them, as a lamp does a taut rope, leaves
- * them what they bear. @returns whether they are released.
+ * them what they bear. @returns whether they forget.
  */
-function release(together: readonly Constraint[], anchors: number): boolean {
+function forgetUnmet(together: readonly Constraint[], anchors: number): boolean {
   const unmet = together.reduce((most, constraint) => Math.max(most, constraint.unmetAnchors), 0);
   for (const constraint of together) {
     constraint.unmetAnchors = unmet;

@@ -1,4 +1,5 @@
 import { HUB_SHARE } from '../../../config-joints.js';
+import { grown } from '../../../math/doubles.js';
 import { backward, forward } from '../../../math/solve.js';
 import { recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
@@ -12,8 +13,15 @@ import * as j from '../joint-layout.js';
 
 /**
  * How much of what a joint asks for is done by one of its bodies is S = M^−½·Jᵀ·K⁻¹·J·M^−½ of that body: 3 × 3, with eigenvalues from 0, the other does all, to 1. Of each body by its slot: how
- * many joints it has, and the sum of these matrices, [xx, xy, xw, yy, yw, ww].
+ * many joints it has, and the sum of these matrices.
  */
+const JOINTS = 0;
+const XX = 1;
+const XY = 2;
+const XW = 3;
+const YY = 4;
+const YW = 5;
+const WW = 6;
 const SUM = 7;
 let sums = new Float64Array(0);
 
@@ -24,7 +32,7 @@ let column = new Float64Array(8);
 export function hasHub(data: SolverData, group: Group): boolean {
   const { items, count } = group.bodies;
   if (sums.length < SUM * data.bodyCount) {
-    sums = new Float64Array(2 * SUM * data.bodyCount);
+    sums = new Float64Array(SUM * grown(data.bodyCount));
   }
   for (let n = 0; n < count; n += 1) {
     clear(sumAt(items[n]!));
@@ -34,7 +42,7 @@ export function hasHub(data: SolverData, group: Group): boolean {
   }
   for (let n = 0; n < count; n += 1) {
     const at = sumAt(items[n]!);
-    if (sums[at]! > 2 && isHub(at)) {
+    if (sums[at + JOINTS]! > 2 && isHub(at)) {
       return true;
     }
   }
@@ -99,13 +107,13 @@ function addPoint(
   const i12 = r[i + j.I12]!;
   const i22 = r[i + j.I22]!;
   const at = sumAt(b);
-  sums[at] = sums[at]! + 1;
-  sums[at + 1] = sums[at + 1]! + m * i11;
-  sums[at + 2] = sums[at + 2]! + m * i12;
-  sums[at + 3] = sums[at + 3]! + mixed * (i12 * x - i11 * y);
-  sums[at + 4] = sums[at + 4]! + m * i22;
-  sums[at + 5] = sums[at + 5]! + mixed * (i22 * x - i12 * y);
-  sums[at + 6] = sums[at + 6]! + w * (i11 * y * y - 2 * i12 * x * y + i22 * x * x);
+  sums[at + JOINTS] = sums[at + JOINTS]! + 1;
+  sums[at + XX] = sums[at + XX]! + m * i11;
+  sums[at + XY] = sums[at + XY]! + m * i12;
+  sums[at + XW] = sums[at + XW]! + mixed * (i12 * x - i11 * y);
+  sums[at + YY] = sums[at + YY]! + m * i22;
+  sums[at + YW] = sums[at + YW]! + mixed * (i22 * x - i12 * y);
+  sums[at + WW] = sums[at + WW]! + w * (i11 * y * y - 2 * i12 * x * y + i22 * x * x);
 }
 
 /** One that may be held at a bound, but is not, does nothing. */
@@ -121,8 +129,8 @@ function addTurn(
   if (isOneSided && r[i + j.TURN_IMPULSE] === 0) {
     return;
   }
-  sums[at] = sums[at]! + 1;
-  sums[at + 6] = sums[at + 6]! + v[bodies[first + member]! + d.INV_INERTIA]! * ratio * ratio * r[i + j.TURN_MASS]!;
+  sums[at + JOINTS] = sums[at + JOINTS]! + 1;
+  sums[at + WW] = sums[at + WW]! + v[bodies[first + member]! + d.INV_INERTIA]! * ratio * ratio * r[i + j.TURN_MASS]!;
 }
 
 function addBlock(
@@ -139,8 +147,9 @@ function addBlock(
   if (column.length < rows) {
     column = new Float64Array(rows);
   }
-  sums[at] = sums[at]! + 1;
-  let to = at + 1;
+  sums[at + JOINTS] = sums[at + JOINTS]! + 1;
+  // From XX to WW.
+  let to = at + XX;
   for (let c = 0; c < 3; c += 1) {
     for (let n = 0; n < rows; n += 1) {
       column[n] = (c < 2 ? m : w) * r[i + jacobian + 3 * (n * members + member) + c]!;
@@ -158,12 +167,12 @@ function addBlock(
 
 /** Whether the largest eigenvalue of the sum S is too large: if HUB_SHARE · 1 − S has leading minors that are not all positive (Sylvester's criterion). */
 function isHub(at: number): boolean {
-  const xx = HUB_SHARE - sums[at + 1]!;
-  const xy = sums[at + 2]!;
-  const xw = sums[at + 3]!;
-  const yy = HUB_SHARE - sums[at + 4]!;
-  const yw = sums[at + 5]!;
-  const ww = HUB_SHARE - sums[at + 6]!;
+  const xx = HUB_SHARE - sums[at + XX]!;
+  const xy = sums[at + XY]!;
+  const xw = sums[at + XW]!;
+  const yy = HUB_SHARE - sums[at + YY]!;
+  const yw = sums[at + YW]!;
+  const ww = HUB_SHARE - sums[at + WW]!;
   const minor = xx * yy - xy * xy;
   return !(xx > 0 && minor > 0 && ww * minor - xx * yw * yw - yy * xw * xw - 2 * xy * xw * yw > 0);
 }
