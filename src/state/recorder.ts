@@ -64,7 +64,7 @@ export interface RecordedStep {
 /**
  * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
  * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time, and what one
- * adds it has to make anew. A step before which something is added, or shapes of a body that is in no world are changed, keeps a snapshot of the world.
+ * adds it has to make anew, and find in the world later, rather than keep: with what is added through the recorder a replay takes the bodies of the recording. A step before which something is added, or shapes of a body that is in no world are changed, keeps a snapshot of the world.
  */
 export class Recorder {
   /** The world as it was when the recording began. */

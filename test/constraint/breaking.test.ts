@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D } from '../../src/index.js';
-import { DT, heavy, plainBody, staticBody, weightless } from '../conformance/setting.js';
+import { box, DT, heavy, plainBody, staticBody, weightless } from '../conformance/setting.js';
 
 // A sub-step begins with what the last one gave, once more. Of a joint that broke then that stayed: it had given up to twice its limit, and a rope that tore threw its load back up.
 
@@ -99,3 +99,38 @@ it.each([{ breakUnderForce: false }, { maxForce: Infinity }])(
     expect(rope.world).toBeNull();
   },
 );
+
+// All of them had too much for ten steps on end, and broke in the same one.
+it.each([
+  [12, 100],
+  [20, 300],
+])('of a bridge of %d planks that bears too much one joint breaks, which relieves the others', (planks, maxForce) => {
+  const world = heavy();
+  const bank = staticBody();
+  const broken: number[] = [];
+  let last = bank;
+  for (let i = 0; i <= planks; i += 1) {
+    const plank = i < planks ? phys2D.createRigidBody({ position: [i + 0.5, 0], shapes: [box(1, 0.2)] }) : bank;
+    const joint = phys2D.createPointConstraint({
+      bodyA: last,
+      bodyB: plank,
+      anchorA: last === bank ? [0, 0] : [0.5, 0],
+      anchorB: plank === bank ? [planks, 0] : [-0.5, 0],
+      maxForce,
+      breakUnderForce: true,
+      ignoreInteractions: true,
+    });
+    joint.addEventListener('break', () => broken.push(world.timeStamp));
+    if (plank !== bank) {
+      world.addRigidBody(plank);
+    }
+    world.addConstraint(joint);
+    last = plank;
+  }
+  for (let i = 0; i < 120; i += 1) {
+    world.step(DT);
+  }
+  expect(broken.length).toBeGreaterThan(0);
+  expect(broken.length).toBeLessThan(3);
+  expect(new Set(broken).size).toBe(broken.length);
+});

@@ -187,3 +187,49 @@ describe('a catapult whose arm falls onto its stop', () => {
     expect(most).toBeLessThan(0.1);
   });
 });
+
+describe('a chain that a cannon ball hits', () => {
+  it.each([
+    ['that hangs', 'hang'],
+    ['between two banks', 'bridge'],
+    ['that floats', 'free'],
+  ])('%s, torn open by it for a while, is not thrown together', (_, kind) => {
+    let most = 0;
+    for (const speed of [100, 200, 300, 600]) {
+      for (const shape of [disc(0.4), box(0.8, 0.8)]) {
+        for (const rate of [30, 60, 120]) {
+          const world = heavy({ gravity: [0, 10] });
+          const isFlat = kind === 'bridge';
+          const frame = anchor(world);
+          let last = frame;
+          for (let i = 0; i < 20; i += 1) {
+            const at = 0.5 * i;
+            const link = free({
+              position: isFlat ? [at + 0.25, 0] : [0, at + 0.25],
+              shapes: [isFlat ? box(0.46, 0.1) : box(0.1, 0.46)],
+            });
+            add(world, link);
+            if (kind !== 'free' || i > 0) pinAt(world, last, link, isFlat ? [at, 0] : [0, at]);
+            last = link;
+          }
+          if (isFlat) pinAt(world, last, frame, [10, 0]);
+          const ball = free({
+            bullet: true,
+            position: isFlat ? [5.1, -4] : [-5, 5.1],
+            velocity: isFlat ? [0, speed] : [speed, 0],
+            shapes: [shape.clone()],
+          });
+          add(world, ball);
+          const brought = (ball.getMass() * speed ** 2) / 2;
+          const before = energyOf(world);
+          for (let time = 0; time < 1.5; time += 1 / rate) {
+            world.step(1 / rate);
+            most = Math.max(most, (energyOf(world) - before) / brought);
+          }
+        }
+      }
+    }
+    console.log(`a chain (${kind}) that a cannon ball hits gains at most ${most.toFixed(3)} of what that brings`);
+    expect(most).toBeLessThan(0.3);
+  });
+});

@@ -46,22 +46,35 @@ export function tear(data: SolverData, joint: Joint): void {
   data.joints.break(joint);
 }
 
-/** Breaks what bore too much in this step, while the constraints still tell of the last one. */
+/**
+ * Breaks what bore too much in this step, while the constraints still tell of the last one: of what hangs together that which bore the most beyond its limit. The others may be relieved by that: else a taut rope or bridge, all of whose joints bear
+ * about the same, would go to pieces at once.
+ */
 export function breakOverloaded(data: SolverData): void {
   const { groups, joints } = data.joints;
   for (const { mayBreak, start, end } of groups) {
+    let worst: Joint | null = null;
+    let most = 0;
     for (let k = start; k < end && mayBreak; k += 1) {
-      if (joints[k]!.constraint.breakUnderForce) breakByWhole(data, joints[k]!, end - start <= FIRM_FEW);
+      const joint = joints[k]!;
+      if (joint.constraint.breakUnderForce && bearsTooMuch(data, joint, end - start <= FIRM_FEW)) {
+        const excess = length[0]! / data.joints.records[joint.at + j.BREAK]!;
+        if (excess > most) {
+          worst = joint;
+          most = excess;
+        }
+      }
     }
+    if (worst !== null) data.joints.break(worst);
   }
 }
 
 /**
  * Velocity iterations see only part of what a joint has to bear; what turns a swinging body comes half from corrections. But after a
  * sudden load these overshoot for a few steps, and where many hang together for more: only when the whole is too much for several steps on end does the joint
- * break by it; one of `few` for some, if it is about as much as it was.
+ * break by it; one of `few` for some, if it is about as much as it was. How much it is stands in `length`.
  */
-function breakByWhole(data: SolverData, joint: Joint, few: boolean): void {
+function bearsTooMuch(data: SolverData, joint: Joint, few: boolean): boolean {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   const { rows, work, total, carried } = layout;
@@ -70,9 +83,7 @@ function breakByWhole(data: SolverData, joint: Joint, few: boolean): void {
   }
   findLength(r, at + work, rows);
   constraint.overloadedSteps = length[0]! > r[at + j.BREAK]! ? constraint.overloadedSteps + 1 : 0;
-  if (constraint.overloadedSteps >= (few && isSteady(data, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS)) {
-    data.joints.break(joint);
-  }
+  return constraint.overloadedSteps >= (few && isSteady(data, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS);
 }
 
 /** Whether a joint pulls about as hard in this step as in the last one, of which the constraint still tells. */

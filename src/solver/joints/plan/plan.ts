@@ -192,11 +192,15 @@ function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void
   }
 }
 
-/** Where a change left large errors, all joints that hang together are corrected without momentum until they are small. */
+/**
+ * Where a change left large errors, or what let go in the last step, all joints that hang together are corrected without momentum until they are small: the links of a chain that a cannon ball had torn open by metres flew off at 500 m/s once
+ * it had let go of them.
+ */
 function settle(data: SolverData, group: Group): void {
   const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
   const isLarge = group.error > most * most;
-  group.settling = isLarge ? (group.fresh ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
+  const isNew = group.fresh || group.untouched === 1;
+  group.settling = isLarge ? (isNew ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
   group.fresh = false;
   if (group.settling > 0) {
     steadyAll(data, group, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
