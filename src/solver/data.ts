@@ -43,7 +43,7 @@ export class ContactBatch {
   add(pair: Arbiter): number {
     const index = this.count;
     if (index === this.capacity) {
-      this.owner.makeRoom();
+      this.owner.makeRoomForContacts(this.owner.one.count + 1, this.owner.two.count + 1);
     }
     this.arbiters[index] = pair;
     this.numbers[index] = pair.numbers;
@@ -274,10 +274,10 @@ export class SolverData {
     this.drive[d.REST_RADIUS] = -1;
   }
 
-  /** Makes room for one more contact of each kind. */
-  makeRoom(): void {
+  /** Makes room for so many contacts of one point and of two. */
+  makeRoomForContacts(ones: number, twos: number): void {
     const scratch = this.scratch!;
-    scratch.reserve(this.bodyCount, this.one.count + 1, this.two.count + 1, 0);
+    scratch.reserve(this.bodyCount, ones, twos, 0);
     this.lay(scratch);
   }
 
