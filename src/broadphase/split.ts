@@ -27,7 +27,12 @@ function middleOf(boxes: Float64Array, node: number, axis: number): number {
 export function split(boxes: Float64Array, list: number[], from: number, to: number): number {
   lay(boxes, list, from, to);
   sort(boxes, list, from, to);
-  const last = bestBin(to - from);
+  const second = part(boxes, list, from, to, bestBin(to - from));
+  return second > from && second < to ? second : (from + to) >> 1;
+}
+
+/** Brings what is in no slice after `last` to the front. @returns where the others begin. */
+function part(boxes: Float64Array, list: number[], from: number, to: number, last: number): number {
   let i = from;
   let j = to;
   while (i < j) {
@@ -40,28 +45,34 @@ export function split(boxes: Float64Array, list: number[], from: number, to: num
       list[j] = node;
     }
   }
-  return i > from && i < to ? i : (from + to) >> 1;
+  return i;
 }
 
 /** Lays slices over all boxes. */
 function lay(boxes: Float64Array, list: number[], from: number, to: number): void {
-  let minX = Infinity;
-  let minY = Infinity;
-  let maxX = -Infinity;
-  let maxY = -Infinity;
+  findMiddles(boxes, list, from, to);
+  const width = sum[2]! - sum[0]!;
+  const height = sum[3]! - sum[1]!;
+  slices.count = Math.min(BINS, to - from);
+  slices.axis = width > height ? 0 : 1;
+  slices.start = sum[slices.axis]!;
+  slices.scale = slices.count / Math.max(width, height);
+}
+
+/**
+ * Finds the box around the middles of all boxes, as `sum`. Nothing may follow the loop: the first list is long, and what V8 compiles while it runs is left by a bailout where it has not seen how it goes on, a thousand times while a
+ * large world is built.
+ */
+function findMiddles(boxes: Float64Array, list: number[], from: number, to: number): void {
+  clear(sum, 0);
   for (let i = from; i < to; i += 1) {
     const x = middleOf(boxes, list[i]!, 0);
     const y = middleOf(boxes, list[i]!, 1);
-    if (x < minX) minX = x;
-    if (x > maxX) maxX = x;
-    if (y < minY) minY = y;
-    if (y > maxY) maxY = y;
+    sum[0] = Math.min(sum[0]!, x);
+    sum[1] = Math.min(sum[1]!, y);
+    sum[2] = Math.max(sum[2]!, x);
+    sum[3] = Math.max(sum[3]!, y);
   }
-  const isWide = maxX - minX > maxY - minY;
-  slices.count = Math.min(BINS, to - from);
-  slices.axis = isWide ? 0 : 1;
-  slices.start = isWide ? minX : minY;
-  slices.scale = slices.count / (isWide ? maxX - minX : maxY - minY);
 }
 
 function binOf(boxes: Float64Array, node: number): number {
