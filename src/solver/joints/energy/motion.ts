@@ -35,7 +35,7 @@ function weighMotion(data: SolverData, { bodies }: Group): void {
   }
 }
 
-/** A function of its own, as `addBody` is. */
+/** A function of its own, which is soon compiled, see BATCH in `energy.ts`. */
 function weigh({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, i: number): void {
   const dt = h * substeps;
   const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
