@@ -128,7 +128,7 @@ function moveAlike({ owner: a }: Shape, { owner: b }: Shape): boolean {
 export function smoothMeeting(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
   around.clear();
-  if (ground.kind !== POLYGON) {
+  if (ground.kind !== POLYGON || ground.owner!.kind === DYNAMIC) {
     return;
   }
   const isGoing = ground.owner!.isGoing();
@@ -172,7 +172,7 @@ function putAround({ movers }: World, ground: Shape, time: number): void {
 /** After `smoothMeeting`: as the pair, the grounds around are where the step began again. */
 export function putGroundsBack(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
-  if (ground.owner!.isGoing()) putAround(world, ground, 0);
+  if (around.count > 0 && ground.owner!.isGoing()) putAround(world, ground, 0);
 }
 
 /** What the shape of a contact is near but need not touch: where it has left a face by a corner nothing tells of that. */
