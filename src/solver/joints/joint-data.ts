@@ -63,45 +63,28 @@ export interface Run {
 
 /** Joints that hang together. */
 export class Group {
+  // As long as the same joints hang together.
+
   end: number;
   readonly runs: Run[] = [];
+  /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once. */
+  isBeside = false;
+  /** Of the first of two that lie side by side, the other one, which comes next. */
+  beside: Group | null = null;
   /** Offsets of the bodies that move, each once. */
   readonly bodies = new List<number>();
   /** A joint holds something that does not move, too. */
   isAnchored = false;
   /** How often its joints hold on to something static or kinematic. */
   anchors = 0;
-  /** m, rad. The part of the worst error for which it is swept over once more. */
-  tolerance = 0;
-  /** One of the joints was changed before this step, or they hang together in another way: some may have gone. */
-  fresh = true;
-  /** For so many steps more large errors are corrected without momentum. */
-  settling = 0;
-  /** Some of its joints are custom constraints. */
-  hasCustoms = false;
   /** Joints hold it to what does not move at two places or more: they may not all be met. */
   isBetween = false;
-  /** For so many steps there was an error that no sweep removed. */
-  stuck = 0;
-  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. */
-  isUnmet = false;
-  /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
-  isTorn = false;
-  /** For so many steps its velocities told of far more motion than there was. */
-  untrue = 0;
-  /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
-  span = 0;
-  /** How often it is swept over in this sub-step, spread over the iterations. */
-  sweeps = 1;
-  /** Which of its joints these sweeps are over, but for the last one, which is over all. */
-  from = 0;
-  to = 0;
-  /** One of the bodies is in contact. */
-  touched = false;
-  /** So few of them are in contact that it stands on something, rather than lies in a heap; known of mechanisms. */
-  stands = false;
-  /** A frame that stands on something, and whose joints were open as the step began: see `touching/momentum.ts`. */
-  isBent = false;
+  /** Some body has three of its joints or more. */
+  branches = false;
+  /** Some of its joints are custom constraints. */
+  hasCustoms = false;
+  /** m, rad. The part of the worst error for which it is swept over once more. */
+  tolerance = 0;
   /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
   isDriven = false;
   /** One of its joints breaks under force. */
@@ -116,8 +99,53 @@ export class Group {
   isIndeterminate = false;
   /** There are, and of several kinds, as points and then angles. They are swept over to and fro: one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
   isMixed = false;
+
+  // Carried over from step to step, and so part of the state of a world: see `keepGroup` in `state/rows.ts`.
+
+  /** One of the joints was changed before this step, or they hang together in another way: some may have gone. */
+  fresh = true;
+  /** The heaviest of the bodies, and how they hang together, are yet to be looked at. */
+  isNew = true;
+  /** One body is far heavier than another: sweeps are slow to close the joints between these. */
+  burdened = false;
   /** Its joints may make energy, if sub-steps are too long for them. */
   mayGain = false;
+  /** Its joints leave little to move: if it stands on something, or is held, they are solved to their end, see `plan/gradients.ts`. */
+  isMechanism = false;
+  /** Few rigid joints that do not break, some of which hang on what does not move: what they leave to move is solved to its end, see `mayBeFirm` in `plan/plan.ts`. */
+  isHeld = false;
+  /** Some body is a hub, so that all joints are swept over to and fro: see `plan/hubs.ts`. */
+  toAndFro = false;
+  /** How often it is swept over in this sub-step, spread over the iterations. */
+  sweeps = 1;
+  /** Which of its joints these sweeps are over, but for the last one, which is over all. */
+  from = 0;
+  to = 0;
+  /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
+  span = 0;
+  /** For so many steps more large errors are corrected without momentum. */
+  settling = 0;
+  /** For so many steps there was an error that no sweep removed. */
+  stuck = 0;
+  /** For so many steps its velocities told of far more motion than there was. */
+  untrue = 0;
+  /** For so many steps it touched nothing, FIRM_STEPS at most: very few joints are solved to their end after as many. */
+  untouched = FIRM_STEPS;
+  /** J. What its joints made in the steps so far, and was not taken back yet; below 0 what was lost a short while ago. */
+  excess = 0;
+
+  // Of the step.
+
+  /** One of the bodies is in contact. */
+  touched = false;
+  /** So few of them are in contact that it stands on something, rather than lies in a heap; known of mechanisms. */
+  stands = false;
+  /** A frame that stands on something, and whose joints were open as the step began: see `touching/momentum.ts`. */
+  isBent = false;
+  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. */
+  isUnmet = false;
+  /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
+  isTorn = false;
   /** It is looked at in this step for the energy its joints make: see `energy/energy.ts`. */
   isWatched = false;
   /** Of what is watched and touches something: neither that nor what it is with touches or hangs on something that is not dynamic. */
@@ -126,32 +154,15 @@ export class Group {
   readonly guests = new List<number>();
   /** J. Of its bodies, as the step begins. */
   energy = 0.5;
-  /** J. What its joints made in the steps so far, and was not taken back yet; below 0 what was lost a short while ago. */
-  excess = 0;
+
+  // Of the sub-step.
+
   /** The square of the largest error at the start of the sub-step. */
   error = 0;
   /** The square of the largest error that the first position iteration found. */
   pushed = 0;
-  /** The heaviest of the bodies, and how they hang together, are yet to be looked at. */
-  isNew = true;
-  /** One body is far heavier than another: sweeps are slow to close the joints between these. */
-  burdened = false;
-  /** Its joints leave little to move: if it stands on something, or is held, they are solved to their end, see `plan/gradients.ts`. */
-  isMechanism = false;
-  /** It hangs on something that does not move. */
-  isHeld = false;
-  /** For so many steps it touched nothing, FIRM_STEPS at most: very few joints are solved to their end after as many. */
-  untouched = FIRM_STEPS;
   /** In this sub-step they are solved to their end. */
   isFirm = false;
-  /** Some body has three of its joints or more. */
-  branches = false;
-  /** Some body is a hub, so that all joints are swept over to and fro: see `plan/hubs.ts`. */
-  toAndFro = false;
-  /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once. */
-  isBeside = false;
-  /** Of the first of two that lie side by side, the other one, which comes next. */
-  beside: Group | null = null;
 
   /** Without joints, the first of which will be at `start`. */
   constructor(readonly start: number) {
