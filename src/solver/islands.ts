@@ -1,7 +1,10 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC, KINEMATIC } from '../body-kind.js';
-import { REST_RATE, SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
+import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
+import { CONTACT_SLOP, REST_RATE, SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
 import type { Constraint } from '../constraint/constraint.js';
+import type { Arbiter } from '../contact/arbiter.js';
+import { NEAR } from '../contact/bits.js';
 import { SLEEP } from '../listeners.js';
 import { grown } from '../math/doubles.js';
 import { rootOf, unite } from '../math/sets.js';
@@ -152,13 +155,22 @@ function sleepIdle(world: World): void {
   }
 }
 
+/** Whether bodies touch, or are as near as overlap that is left alone: what trembles is apart for a step now and then, and a ball would fall asleep by itself that lies on it, and hang in the air once that goes. */
+function areTogether(pair: Arbiter): boolean {
+  if (pair.isSolid() || !pair.is(NEAR)) {
+    return pair.isSolid();
+  }
+  findLeastSeparation(pair.numbers, pair.at);
+  return leastSeparation[0]! < CONTACT_SLOP;
+}
+
 /** Joins what touches; what touches a kinematic body that moves, or was just put there, is not at rest. */
 function joinTouching(world: World, parent: Int32Array): void {
   const stamp = world.timeStamp;
   const { sorted } = world.pairs;
   for (let i = 0; i < sorted.count; i += 1) {
     const pair = sorted.items[i]!;
-    if (pair.isSolid()) {
+    if (areTogether(pair)) {
       const a = pair.bodyA;
       const b = pair.bodyB;
       if (a.liveIndex < 0 || b.liveIndex < 0) {

@@ -88,3 +88,50 @@ it.each([0.05, 0.3, -0.3])(
     }
   },
 );
+
+it('tiles that are sent to places each step, by velocities that differ by rounding', () => {
+  for (const rate of [30, 60]) {
+    for (let start = 0; start < 1; start += 0.13) {
+      const world = heavy();
+      const cars = Array.from({ length: 20 }, (_, i) => {
+        const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(1.3, 1), material })];
+        const car = phys2D.createRigidBody({ type: 'kinematic', position: [1.3 * i - 3 + start, 0.5], shapes });
+        add(world, car);
+        return car;
+      });
+      const body = addSlider(world, slider('box', 0.6), 0.6, 0, [15, 0]);
+      for (let i = 1; i <= rate; i += 1) {
+        cars.forEach((car, k) => {
+          car.setVelocityFromPosition([1.3 * k - 3 + start + (3 * i) / rate, 0.5], 0, 1 / rate);
+        });
+        world.step(1 / rate);
+        expect(-0.3 - body.getPosition()[1], `from ${start}, step ${i}, ${rate} a second`).toBeLessThan(0.01);
+      }
+    }
+  }
+});
+
+it('bodies that go side by side go on so, whatever falls on them', () => {
+  const velocity: Vec2 = [6, -1];
+  for (const elasticity of [0, 0.5]) {
+    const world = heavy();
+    const rubber = phys2D.createMaterial({ elasticity });
+    const cars = Array.from({ length: 10 }, (_, i) => {
+      const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(2, 1), material: rubber })];
+      const car = phys2D.createRigidBody({ type: 'kinematic', position: [2 * i, 0], velocity, shapes });
+      add(world, car);
+      return car;
+    });
+    for (let i = 0; i < 60; i += 1) {
+      const shapes = [disc(0.3, { material: rubber })];
+      add(world, phys2D.createRigidBody({ shapes, position: [0.3 * i, -2 - (i % 7)], velocity: [6, 20] }));
+    }
+    for (let i = 1; i <= 120; i += 1) {
+      world.step(1 / 60);
+      cars.forEach((car, k) => {
+        const [x, y] = car.getPosition();
+        expect(Math.hypot(x - 2 * k - (6 * i) / 60, y + i / 60), `car ${k}, step ${i}`).toBeLessThan(1e-9);
+      });
+    }
+  }
+});

@@ -29,6 +29,9 @@ const SAME_DIRECTION = 1 - 1e-10;
 /** m. What is so near to a corner of a ground is with that. */
 const CORNER = 4 * FLUSH_TOLERANCE;
 
+/** m/s. What goes no faster against each other goes alike: velocities that are to bring bodies somewhere differ by rounding. */
+const ALIKE_SPEED = 1e-6;
+
 /** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
 const CLEAR = 2 * FLUSH_TOLERANCE;
 
@@ -120,7 +123,12 @@ function smooth(pair: Arbiter): void {
 function moveAlike({ owner: a }: Shape, { owner: b }: Shape): boolean {
   return (
     a === b ||
-    (a!.kind !== DYNAMIC && b!.kind !== DYNAMIC && a!.vx === b!.vx && a!.vy === b!.vy && a!.w === 0 && b!.w === 0)
+    (a!.kind !== DYNAMIC &&
+      b!.kind !== DYNAMIC &&
+      Math.abs(a!.vx - b!.vx) <= ALIKE_SPEED &&
+      Math.abs(a!.vy - b!.vy) <= ALIKE_SPEED &&
+      a!.w === 0 &&
+      b!.w === 0)
   );
 }
 
@@ -162,7 +170,10 @@ function putAround({ movers }: World, ground: Shape, time: number): void {
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
     if (other.owner !== ground.owner) {
-      movers.of(other.owner!).putAt(time);
+      const mover = movers.of(other.owner!);
+      mover.putAt(time);
+      // So that it is put to its end with what was met.
+      mover.met = true;
     } else if (other !== ground && other.owner!.w !== 0) {
       other.place(other.owner!);
     }

@@ -199,8 +199,8 @@ function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void
 function settle(data: SolverData, group: Group): void {
   const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
   const isLarge = group.error > most * most;
-  const isNew = group.fresh || group.untouched === 1;
-  group.settling = isLarge ? (isNew ? SETTLE_STEPS : Math.max(0, group.settling - 1)) : 0;
+  const first = group.fresh ? SETTLE_STEPS : group.untouched === 1 ? SETTLE_STEPS - SNAP_STEPS : 0;
+  group.settling = isLarge ? Math.max(first, group.settling - 1) : 0;
   group.fresh = false;
   if (group.settling > 0) {
     steadyAll(data, group, group.touched || group.settling <= SETTLE_STEPS - SNAP_STEPS ? 0 : 1);
