@@ -321,8 +321,8 @@ export const STRAIN_DELAY = 8;
 export const STRAIN_STEPS = 60;
 
 /**
- * In a step that is more than so many times as long as the last one nothing starts with the impulses of that: what is random in those of short steps does not become
- * smaller with the load, and would be multiplied. With 20 a tower of 10 trembles at 1.8 m/s instead of 0.14 where one step of 1/600 s comes before each four of 1/60 s.
+ * In a step whose sub-steps are more than so many times as long as those that impulses are remembered from, see `scaleImpulses` in `prepare.ts`, nothing starts with impulses: what is random in those of short steps does not become smaller with the load, and
+ * would be multiplied.
  */
 export const MAX_GROWTH = 4;
 

@@ -315,6 +315,7 @@ export abstract class WorldState {
     this.substepCount = tape.integer(this.substepCount, 1, 0x3fffffff);
     this.mayRest = tape.flag(this.mayRest);
     this.solver.previousH = tape.number(this.solver.previousH);
+    this.solver.span = tape.number(this.solver.span);
   }
 
   /** @internal wakes all bodies */

@@ -65,6 +65,11 @@ export class ContactBatch {
   }
 }
 
+/** What a contact or joint starts the next step with that started this one with `before`, and has `now`. Never −0. */
+export function remember({ remembered }: SolverData, before: number, now: number): number {
+  return (remembered > 0 ? now + remembered * (before - now) : now) + 0;
+}
+
 /** Points of bouncing materials: which contact of its batch, which of its points (`shift` 0 or SECOND), and what is planned for it. */
 export class BounceList {
   count = 0;
@@ -217,10 +222,13 @@ export class SolverData {
   crowded = false;
   /** How many sub-steps the step has: handlers may ask for others meanwhile. */
   substeps = 1;
-  /** s. Length of the sub-steps of the last step … */
+  /** s. Length of the sub-steps of the last step, and of those that impulses are remembered from: the longest of them lately. */
   previousH = 0;
+  span = 0;
+  /** Share of what a contact or joint gave before the step that it starts with after it as well: 0 but in sub-steps that are shorter than those that are remembered. */
+  remembered = 0.5;
   /**
-   * … and what its impulses are multiplied by to fit the present ones. Begins with a fraction: a field that turns from an integer into a number with one
+   * What the impulses of the last step are multiplied by to fit the present sub-steps. Begins with a fraction: a field that turns from an integer into a number with one
    * gives the object another layout, and what was compiled for the old one, the solver's loops, is never compiled as a whole again.
    */
   impulseScale = 0.5;

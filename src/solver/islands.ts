@@ -155,13 +155,13 @@ function sleepIdle(world: World): void {
   }
 }
 
-/** Whether bodies touch, or are as near as overlap that is left alone: what trembles is apart for a step now and then, and a ball would fall asleep by itself that lies on it, and hang in the air once that goes. */
+/** Whether bodies touch, or are nearer than half the overlap that is left alone: what trembles is apart for a step now and then, and a ball would fall asleep by itself that lies on it, and hang in the air once that goes. */
 function areTogether(pair: Arbiter): boolean {
   if (pair.isSolid() || !pair.is(NEAR)) {
     return pair.isSolid();
   }
   findLeastSeparation(pair.numbers, pair.at);
-  return leastSeparation[0]! < CONTACT_SLOP;
+  return leastSeparation[0]! < CONTACT_SLOP / 2;
 }
 
 /** Joins what touches; what touches a kinematic body that moves, or was just put there, is not at rest. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type NumberSink, phys2D, type RigidBody, type World } from '../../src/index.js';
-import { addFloor, boxBody, speed } from '../conformance/setting.js';
+import { type NumberSink, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
+import { addFloor, box, boxBody, disc, speed } from '../conformance/setting.js';
 
 describe('what sleeps through a change of the step', () => {
   it.each([1 / 240, 1 / 600, 1 / 20])(
@@ -204,4 +204,98 @@ describe('contacts in steps of other lengths', () => {
       });
     }
   }
+});
+
+/** What is rigid and what is loose, and stands. */
+const STANDS: Record<string, (world: World) => void> = {
+  'a pyramid': (world) => {
+    addFloor(world);
+    for (let row = 0; row < 10; row += 1) {
+      for (let i = 0; i < 10 - row; i += 1) {
+        world.addRigidBody(boxBody(1, 1, { position: [i - (9 - row) / 2, -row] }));
+      }
+    }
+  },
+  'a house of planks': (world) => {
+    addFloor(world);
+    for (let storey = 0; storey < 5; storey += 1) {
+      const y = 0.5 - 1.7 * storey;
+      for (const x of [-0.8, 0.8]) {
+        world.addRigidBody(boxBody(0.3, 1.5, { position: [x, y - 0.75] }));
+      }
+      world.addRigidBody(boxBody(2.2, 0.2, { position: [0, y - 1.6] }));
+    }
+  },
+  'a heap': (world) => {
+    const walls: [number, number, number, number][] = [
+      [0, 1, 20, 1],
+      [-3.5, -4, 1, 10],
+      [3.5, -4, 1, 10],
+    ];
+    for (const [x, y, width, height] of walls) {
+      world.addRigidBody(boxBody(width, height, { type: 'static', position: [x, y] }));
+    }
+    for (let i = 0; i < 100; i += 1) {
+      const position: Vec2 = [-2.5 + (i % 10) * 0.55 + (i % 3) * 0.01, -0.3 - Math.floor(i / 10) * 0.55];
+      const shapes = [i % 2 === 0 ? box(0.45, 0.45) : disc(0.25)];
+      world.addRigidBody(phys2D.createRigidBody({ position, shapes }));
+    }
+  },
+  'a welded beam on two blocks, with a stack on it': (world) => {
+    addFloor(world);
+    let last: RigidBody | null = null;
+    for (let i = 0; i < 8; i += 1) {
+      const piece = boxBody(1, 0.3, { position: [i - 3.5, -0.5] });
+      world.addRigidBody(piece);
+      if (last !== null) {
+        const anchors = { anchorA: [0.5, 0], anchorB: [-0.5, 0] } as const;
+        world.addConstraint(
+          phys2D.createWeldConstraint({ bodyA: last, bodyB: piece, ...anchors, ignoreInteractions: true }),
+        );
+      }
+      last = piece;
+    }
+    for (const x of [-3.5, 3.5]) {
+      world.addRigidBody(boxBody(0.5, 0.84, { position: [x, 0.08] }));
+    }
+    for (let i = 0; i < 3; i += 1) {
+      world.addRigidBody(boxBody(0.7, 0.7, { position: [0, -1 - 0.7 * i] }));
+    }
+  },
+};
+
+// Where a frame took a step and the rest of its time as another one, pyramids crept by a decimetre in half a minute, houses fell, and nothing slept.
+describe.each([
+  ['1/60 and 1/300 s by turns', [1 / 60, 1 / 300]],
+  ['1/60 and 1/144 s by turns', [1 / 60, 1 / 144]],
+  ['1/30 and 1/240 s by turns', [1 / 30, 1 / 240]],
+  ['1/60 s and the rest of a frame at 58 a second', [1 / 60, 1 / 58 - 1 / 60]],
+  ['1/60 s, and three of 1e-6 s now and then, as the game is paused', [...new Array(9).fill(1 / 60), 1e-6, 1e-6, 1e-6]],
+  ['1/60 s, and one of 1/600 s in thirty', [...new Array(29).fill(1 / 60), 1 / 600]],
+])('in steps of %s', (_, lengths: number[]) => {
+  it.each(Object.entries(STANDS))('%s comes to rest', (_name, build) => {
+    const world = phys2D.createWorld({ gravity: [0, 10] });
+    build(world);
+    const run = (seconds: number, look = () => {}) => {
+      let time = 0;
+      for (let i = 0; time < seconds; i += 1) {
+        const deltaTime = lengths[i % lengths.length]!;
+        world.step(deltaTime);
+        time += deltaTime;
+        look();
+      }
+    };
+    run(10);
+    const places = world.rigidBodies.map((body) => body.getPosition());
+    let fastest = 0;
+    run(10, () => {
+      fastest = Math.max(fastest, ...world.liveDynamics.map(speed));
+    });
+    const ways = world.rigidBodies.map((body, i) => {
+      const [x, y] = body.getPosition();
+      return Math.hypot(x - places[i]![0], y - places[i]![1]);
+    });
+    expect(fastest).toBeLessThan(0.01);
+    expect(Math.max(...ways)).toBeLessThan(0.005);
+  });
 });

@@ -13,7 +13,7 @@ import {
 import { clearPoint } from '../../contact/arbiter.js';
 import { FRESH, ROCKS, STRAINS, USE, USED } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
-import { type ContactBatch, recordAt, type SolverData } from '../data.js';
+import { type ContactBatch, recordAt, remember, type SolverData } from '../data.js';
 import * as d from '../layout.js';
 
 // Straight-line, as packing is: they run once a step for every contact. Zeros are never negative, as users and snapshots read them. The next step does not start from
@@ -42,12 +42,12 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const slid2 = (both > 0 ? total2 / both : 1 - part) * slid + 0;
   const before1 = n[o + c.NORMAL]! * scale;
   const before2 = n[o + c.NORMAL + c.IMPULSES]! * scale;
-  n[o + c.NORMAL] = Math.min(before1 + IMPULSE_MEMORY * (p1 - before1), 2 * p1);
-  n[o + c.TANGENT] = part * tangent + 0;
+  n[o + c.NORMAL] = remember(data, before1, Math.min(before1 + IMPULSE_MEMORY * (p1 - before1), 2 * p1));
+  n[o + c.TANGENT] = remember(data, n[o + c.TANGENT]! * scale, part * tangent);
   n[o + c.STEP_NORMAL] = total1;
   n[o + c.STEP_TANGENT] = slid1;
-  n[o + c.NORMAL + c.IMPULSES] = Math.min(before2 + IMPULSE_MEMORY * (p2 - before2), 2 * p2);
-  n[o + c.TANGENT + c.IMPULSES] = (1 - part) * tangent + 0;
+  n[o + c.NORMAL + c.IMPULSES] = remember(data, before2, Math.min(before2 + IMPULSE_MEMORY * (p2 - before2), 2 * p2));
+  n[o + c.TANGENT + c.IMPULSES] = remember(data, n[o + c.TANGENT + c.IMPULSES]! * scale, (1 - part) * tangent);
   n[o + c.STEP_NORMAL + c.IMPULSES] = total2;
   n[o + c.STEP_TANGENT + c.IMPULSES] = slid2;
   const isUsed1 = total1 !== 0 || slid1 !== 0 || !(n[o + g.S0]! > 0);
@@ -79,12 +79,13 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
   const total = r[i + d.NORMAL_SUM1]! + p;
   const slid = r[i + d.TANGENT_SUM]! + tangent + 0;
   const roll = r[i + d.ROLL]! + 0;
-  const before = n[to + c.NORMAL]! * data.impulseScale;
-  n[to + c.NORMAL] = Math.min(before + IMPULSE_MEMORY * (p - before), 2 * p);
-  n[to + c.TANGENT] = tangent + 0;
+  const scale = data.impulseScale;
+  const before = n[to + c.NORMAL]! * scale;
+  n[to + c.NORMAL] = remember(data, before, Math.min(before + IMPULSE_MEMORY * (p - before), 2 * p));
+  n[to + c.TANGENT] = remember(data, n[to + c.TANGENT]! * scale, tangent);
   n[to + c.STEP_NORMAL] = total;
   n[to + c.STEP_TANGENT] = slid;
-  n[o + c.ROLL] = roll;
+  n[o + c.ROLL] = remember(data, n[o + c.ROLL]! * scale, roll);
   n[o + c.STEP_ROLL] = r[i + d.ROLL_SUM]! + roll;
   const isUsed = total !== 0 || slid !== 0 || !(n[o + g.S0 + g.POINT * which]! > 0);
   const isStrained =

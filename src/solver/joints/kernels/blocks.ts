@@ -3,7 +3,7 @@ import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../../../config-joints.js';
 import { isCustom } from '../../../constraint/constraint.js';
 import type { CustomConstraint } from '../../../constraint/custom.js';
 import { backward, forward } from '../../../math/solve.js';
-import type { SolverData } from '../../data.js';
+import { remember, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
@@ -388,7 +388,7 @@ export function storeBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   for (let n = 0; n < layout.rows; n += 1) {
-    constraint.impulse[n] = r[at + layout.impulse + n]!;
+    constraint.impulse[n] = remember(data, constraint.impulse[n]! * data.impulseScale, r[at + layout.impulse + n]!);
   }
   for (let k = 0; k < 3 * layout.members; k += 1) {
     constraint.given[k] = r[at + layout.given + k]!;

@@ -1,6 +1,6 @@
 import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../../../config-joints.js';
 import type { PointConstraint } from '../../../constraint/point.js';
-import { recordAt, type SolverData } from '../../data.js';
+import { recordAt, remember, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
@@ -115,13 +115,13 @@ function missing(r: Float64Array, pointBodies: Int32Array, slot: number, i: numb
 /** Ends a step. */
 export function keepPoints(data: SolverData, start: number, end: number): void {
   const { records: kept, joints } = data.joints;
-  const { points: r } = data;
+  const { points: r, impulseScale: scale } = data;
   let o = joints[start]!.at;
   for (let k = start; k < end; k += 1, o = (o + j.KEPT_STRIDE) & d.OFFSET) {
     const slot = kept[o + j.KEPT_SLOT]! & d.OFFSET;
     const i = recordAt(slot, j.POINT_STRIDE) & d.OFFSET;
-    kept[o + j.KEPT_IMPULSE_X] = r[i + j.IMPULSE_X]!;
-    kept[o + j.KEPT_IMPULSE_Y] = r[i + j.IMPULSE_Y]!;
+    kept[o + j.KEPT_IMPULSE_X] = remember(data, kept[o + j.KEPT_IMPULSE_X]! * scale, r[i + j.IMPULSE_X]!);
+    kept[o + j.KEPT_IMPULSE_Y] = remember(data, kept[o + j.KEPT_IMPULSE_Y]! * scale, r[i + j.IMPULSE_Y]!);
     kept[o + j.KEPT_SUM_X] = r[i + j.SUM_X]!;
     kept[o + j.KEPT_SUM_Y] = r[i + j.SUM_Y]!;
     kept[o + j.KEPT_SUM_WA] = r[i + j.SUM_WA]!;

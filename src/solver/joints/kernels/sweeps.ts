@@ -24,7 +24,15 @@ import {
   warmStartPoints,
 } from './points.js';
 import { finishRows, sweepRows, warmStartRows } from './rows.js';
-import { beginTurns, finishTurns, packTurn, pushTurns, solveVelocityTurns, warmStartTurns } from './turns.js';
+import {
+  beginTurns,
+  finishTurns,
+  keepTurns,
+  packTurn,
+  pushTurns,
+  solveVelocityTurns,
+  warmStartTurns,
+} from './turns.js';
 
 // What is done with a run, by its kernel; and sweeps over the runs of a group.
 
@@ -190,6 +198,8 @@ export function finishRun(data: SolverData, { kernel, start, end }: Run): void {
 export function storeRun(data: SolverData, { kernel, start, end }: Run): void {
   if (kernel === POINT) {
     keepPoints(data, start, end);
+  } else if (kernel === TURN) {
+    keepTurns(data, start, end);
   }
   for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
     storeBlock(data, data.joints.joints[k]!);

@@ -4,7 +4,7 @@ import type { AngleConstraint } from '../../../constraint/angle.js';
 import { ANGLE } from '../../../constraint/layout.js';
 import type { MotorConstraint } from '../../../constraint/motor.js';
 import type { PointConstraint } from '../../../constraint/point.js';
-import type { SolverData } from '../../data.js';
+import { remember, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import { type Joint, packHead } from '../joint-data.js';
 import * as j from '../joint-layout.js';
@@ -98,6 +98,15 @@ export function beginTurns(data: SolverData, start: number, end: number): boolea
     }
   }
   return touched !== 0;
+}
+
+/** Ends a step. */
+export function keepTurns(data: SolverData, start: number, end: number): void {
+  const { records: r, joints } = data.joints;
+  for (let k = start; k < end; k += 1) {
+    const i = joints[k]!.at;
+    r[i + j.TURN_IMPULSE] = remember(data, r[i + j.TURN_BEGAN]!, r[i + j.TURN_IMPULSE]!);
+  }
 }
 
 /** What keeps an angle keeps the one that is nearest, of all that are whole turns apart. */
