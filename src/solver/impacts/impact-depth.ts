@@ -1,6 +1,7 @@
 import { findImpactDepth, impactDepth } from '../../collide/gap.js';
 import {
   FORESIGHT_DEPTH,
+  IMPACT_DEPTH,
   IMPACT_LEAST,
   IMPACT_SHARE_SMALL,
   IMPACT_SHARE_THIN,
@@ -13,7 +14,7 @@ import { mixElasticity } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { CIRCLE } from '../../shape/shape-kind.js';
 import { isInTrain } from '../ties.js';
-import type { Mover } from './movers.js';
+import type { Mover, Movers } from './movers.js';
 
 // How deep into each other shapes that meet in a step have to get for an impact: contacts see to what gets less deep.
 
@@ -21,16 +22,16 @@ import type { Mover } from './movers.js';
 export const required = { turn: 0.5, depth: 0.5 };
 
 /**
- * How deep two shapes have to get for an impact, to `required`, and how far they turn: circles do not. At most as deep as `most`. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
+ * How deep two shapes have to get for an impact, to `required`, and how far they turn: circles do not. What is foreseen less deep. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
  * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Small shapes that land on each other, rather than slide over from
  * another ground, less, as they would be seen to sink in. Jointed bodies more, as stopping one of them alone opens its joints.
  */
 export function findRequired(
+  { ahead }: Movers,
   a: Shape,
   b: Shape,
   one: Mover,
   two: Mover,
-  most: number,
   isNew: boolean,
   lands: boolean,
 ): void {
@@ -38,7 +39,7 @@ export function findRequired(
   required.turn = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
   const isJointed = isEitherInTrain(a, b);
   const thinner = Math.min(halfWidthOf(a), halfWidthOf(b));
-  let depth = Math.min(most, impactDepth[0]!);
+  let depth = Math.min(ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, impactDepth[0]!);
   if (required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b))) {
     depth = Math.min(depth, IMPACT_SHARE_THIN * thinner);
   }

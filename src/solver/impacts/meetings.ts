@@ -6,8 +6,6 @@ import {
   CONTACT_SLOP,
   DEEPER_CARRIED,
   DEEPER_SHARE,
-  FORESIGHT_DEPTH,
-  IMPACT_DEPTH,
   IMPACT_TURN,
   MEET_PATIENCE,
   SAME_TIME,
@@ -346,7 +344,7 @@ function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  findRequired(pair.shapeA, pair.shapeB, a, b, IMPACT_DEPTH, false, true);
+  findRequired(movers, pair.shapeA, pair.shapeB, a, b, false, true);
   return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
 }
 
@@ -402,7 +400,7 @@ export function meets({ movers }: World, meeting: Meeting): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findRequired(a, b, one, two, movers.ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, true, meeting.lands);
+  findRequired(movers, a, b, one, two, true, meeting.lands);
   sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;
