@@ -15,6 +15,8 @@ export class Middle implements Swept {
       x += corners[i]!;
       y += corners[i + 1]!;
     }
-    into.setCircle(x / count, y / count, 0);
+    into.setCircle(0);
+    corners[0] = x / count;
+    corners[1] = y / count;
   }
 }

@@ -28,13 +28,11 @@ export class Outline {
     return this;
   }
 
-  /** One corner at `(x, y)`. */
-  setCircle(x: number, y: number, radius: number): void {
+  /** One corner, which the caller writes to the first of `corners`: handed over here, its numbers might be boxed. */
+  setCircle(radius: number): void {
     this.count = 1;
     this.edges = 0;
     this.radius = radius;
-    this.corners[0] = x;
-    this.corners[1] = y;
   }
 
   /** An upright rectangle, which may have no width or height. */

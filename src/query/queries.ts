@@ -64,7 +64,8 @@ export function shapesInCircle(world: World, center: Vec2Like, radius: number): 
   if (radius === Infinity) {
     return found;
   }
-  own.setCircle(0, 0, radius);
+  own.setCircle(radius);
+  own.corners.fill(0, 0, 2);
   return found.filter((shape) => meets(shape, x, y));
 }
 

@@ -116,10 +116,7 @@ export class Circle extends BaseShape {
   /** @internal */
   override outline(into: Outline): void {
     const { x, y, cos, sin, corners } = into;
-    // As `setCircle`, which called from here would have to box its numbers.
-    into.count = 1;
-    into.edges = 0;
-    into.radius = this.radius;
+    into.setCircle(this.radius);
     corners[0] = x + cos * this.originX - sin * this.originY;
     corners[1] = y + sin * this.originX + cos * this.originY;
   }

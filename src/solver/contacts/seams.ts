@@ -274,15 +274,15 @@ function isHidden(world: World, pair: Arbiter): boolean {
 
 /** Whether a shape is no deeper in a ground along a direction than half of that; or it lies on it. */
 function isInReach(shape: Shape, ground: Polygon, direction: Along): boolean {
-  return separationFrom(ground, shape, direction) > -Math.max(lyingDepth(shape), halfWidthOf(ground));
+  measureFrom(ground, shape, direction);
+  return direction.found > -Math.max(lyingDepth(shape), halfWidthOf(ground));
 }
 
-/** m. How far a shape is from a ground along a direction that points out of the ground. */
-function separationFrom(ground: Polygon, shape: Shape, direction: Along): number {
+/** Finds how far a shape is from a ground along a direction that points out of the ground. */
+function measureFrom(ground: Polygon, shape: Shape, direction: Along): void {
   direction.dx = shape.owner!.x - ground.owner!.x;
   direction.dy = shape.owner!.y - ground.owner!.y;
   separationAlong(ground, shape, direction);
-  return direction.found;
 }
 
 /** m. How deep below a face a shape that lies on it may be. */
@@ -332,11 +332,9 @@ function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
 
 /** What the grounds around fill at `point`. */
 function addAround(ground: Polygon): void {
-  const x = point.x + ground.owner!.x;
-  const y = point.y + ground.owner!.y;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
-    if (mayHold(other, x, y)) free.add(other, asked);
+    if (mayHold(other, ground, point)) free.add(other, asked);
   }
 }
 
@@ -382,7 +380,8 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: numb
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     along.x = edges[k + EDGE_NX]!;
     along.y = edges[k + EDGE_NY]!;
-    const found = separationFrom(ground, shape, along);
+    measureFrom(ground, shape, along);
+    const { found } = along;
     const looks = free.x * edges[k + EDGE_NX]! + free.y * edges[k + EDGE_NY]!;
     if (
       looks >= least &&
@@ -431,20 +430,20 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
 
 /** Whether `place` is within another ground than that to whose body it is relative. */
 function isInAnother(ground: Polygon): boolean {
-  const x = place.x + ground.owner!.x;
-  const y = place.y + ground.owner!.y;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
-    if (other !== ground && mayHold(other, x, y) && polygonContains(other, asked, FLUSH_TOLERANCE)) {
+    if (other !== ground && mayHold(other, ground, place) && polygonContains(other, asked, FLUSH_TOLERANCE)) {
       return true;
     }
   }
   return false;
 }
 
-/** Whether a point of the world may be in a placed polygon: most of many grounds are told from it by their bounds. If so, `asked` is where it is relative to the body of that. */
-function mayHold(ground: Shape, x: number, y: number): ground is Polygon {
+/** Whether a point, given relative to the body of one ground, may be in another one that is placed: most of many are told from it by their bounds. If so, `asked` is where it is relative to the body of that. */
+function mayHold(ground: Shape, from: Polygon, spot: Spot): ground is Polygon {
   const { numbers: n, at } = ground;
+  const x = spot.x + from.owner!.x;
+  const y = spot.y + from.owner!.y;
   const isOut = x < n[at]! - CORNER || x > n[at + 2]! + CORNER || y < n[at + 1]! - CORNER || y > n[at + 3]! + CORNER;
   // What has come from there has left its bounds behind.
   if (ground.kind !== POLYGON || (isOut && came[0] === 0 && came[1] === 0)) {

@@ -152,7 +152,8 @@ function shorten(world: World, mover: Mover): void {
     findTime(world, first);
     first = mover.firstMeeting();
   }
-  if (first?.time === Infinity) {
+  // Not `first?.time`: a number that may be undefined is boxed.
+  if (first !== null && first.time === Infinity) {
     findApart(world, mover);
     first = mover.firstMeeting();
   }

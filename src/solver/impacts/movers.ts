@@ -171,7 +171,7 @@ export class Mover {
     const square = dx * dx + dy * dy;
     const gain = gainX * gainX + gainY * gainY;
     const isHeld = jointSolver !== null && isTied(body);
-    const left = (isHeld ? jointSolver.shareOfChange(this, movers.duration, substeps) : this.at) - 1;
+    const left = (isHeld ? jointSolver.shareOfChange(this, movers, substeps) : this.at) - 1;
     const wasGiven = square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain && wasPushed(body);
     if (isHeld && (wasGiven || isInTrain(body))) {
       // As much of what forces added as there is: what hangs at rest got it back.
@@ -287,13 +287,17 @@ export class Mover {
 
 /** Whether another dynamic body gave it an impulse in this step. */
 function wasPushed({ shapes }: RigidBody): boolean {
-  return shapes.some(({ arbiters }) => arbiters.some(pushes));
+  return shapes.some(isPushed);
+}
+
+function isPushed({ arbiters }: Shape): boolean {
+  return arbiters.some(pushes);
 }
 
 function pushes(pair: Arbiter): boolean {
   const { bodyA, bodyB, numbers: n, at: o } = pair;
-  const isPushed = n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0;
-  return isPushed && pair.isSolved() && bodyA.kind === DYNAMIC && bodyB.kind === DYNAMIC;
+  const hasPushed = n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]! > 0;
+  return hasPushed && pair.isSolved() && bodyA.kind === DYNAMIC && bodyB.kind === DYNAMIC;
 }
 
 /** A body that moves by more than half the margin within which pairs are solved may meet something that is not: whether it does with its velocities. */

@@ -1,11 +1,11 @@
-import type { Mover } from './movers.js';
+import type { Mover, Movers } from './movers.js';
 
 /**
  * How much of what a step changed of the velocity of a body had come where it was put on its way. How far the body went in the step tells when that came: a motor, or a
  * stop, may do it all at once. It is taken for one that came at a constant rate, early or late; where all of it went on evenly, in each sub-step as much, the speed
  * grows with the root of the way, as that of what falls.
  */
-export function shareOfChange(mover: Mover, duration: number, substeps: number): number {
+export function shareOfChange(mover: Mover, { duration }: Movers, substeps: number): number {
   const { body, at } = mover;
   const { radius } = body;
   // All three of them as speeds, m/s: before, after, and on the average.
