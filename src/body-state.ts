@@ -1,4 +1,5 @@
 import type { BodyHandler } from './body.js';
+import type { Applied } from './body-applied.js';
 import { DYNAMIC, STATIC } from './body-kind.js';
 import { BodyNumbers } from './body-numbers.js';
 import { checkedParams, type RigidBodyParams } from './body-params.js';
@@ -49,6 +50,8 @@ export abstract class BodyState extends BodyNumbers {
   readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
+  /** @internal what pushes it for one step, once anything has */
+  applied: Applied | null = null;
   /** @internal its `wake` event waits for the next step */
   woken = false;
   /** @internal */
@@ -236,6 +239,7 @@ export abstract class BodyState extends BodyNumbers {
     this.liveIndex = -1;
     this.slot = 0;
     this.unloaded = -1;
+    this.applied?.clear();
     this.island = null;
     this.placeStale = true;
     for (const shape of this.shapes) {

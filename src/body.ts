@@ -1,6 +1,6 @@
+import { BodyForces } from './body-forces.js';
 import { DYNAMIC, KINEMATIC, STATIC } from './body-kind.js';
 import type { RigidBodyParams } from './body-params.js';
-import { BodyState } from './body-state.js';
 import { addListener, bitOf, OF_BODIES, plainListener, removeListener } from './listeners.js';
 import { takeOut } from './math/list.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
@@ -19,7 +19,7 @@ export type BodyHandler = (this: RigidBody) => void;
  * see `alignWithOrigin`. In a world, changes wake the body unless stated otherwise; teleports and geometry changes are
  * ignored during a step.
  */
-export class RigidBody extends BodyState {
+export class RigidBody extends BodyForces {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
@@ -107,6 +107,16 @@ export class RigidBody extends BodyState {
     return vec2(this.vx, this.vy, 'RigidBody.getVelocity', dst);
   }
 
+  /** Velocity of the body at a point of the world, m/s. */
+  getVelocityAtPoint(position: Vec2Like): Vec2;
+  getVelocityAtPoint<T extends NumberSink>(position: Vec2Like, dst: T): T;
+  getVelocityAtPoint<T extends NumberSink>(position: Vec2Like, dst?: T): T | Vec2 {
+    const where = 'RigidBody.getVelocityAtPoint';
+    vector(where, 'position', position, 2);
+    const { x, y, vx, vy, w } = this;
+    return vec2(vx - w * (position[1]! - y), vy + w * (position[0]! - x), where, dst);
+  }
+
   /** Sets the velocity, m/s. A static body has none. Wakes the body if changed. */
   setVelocity(velocity: Vec2Like): void {
     vector('RigidBody.setVelocity', 'velocity', velocity, 2);
@@ -150,35 +160,6 @@ export class RigidBody extends BodyState {
     this.rouse();
   }
 
-  /**
-   * Applies an impulse, N·s, at a world point; without a point at the body origin, which turns nothing. Velocities must stay
-   * within 1e150. Dynamic bodies only; wakes the body.
-   */
-  applyImpulse(impulse: Vec2Like, position?: Vec2Like): void {
-    const where = 'RigidBody.applyImpulse';
-    vector(where, 'impulse', impulse, 2);
-    if (position !== undefined) {
-      vector(where, 'position', position, 2);
-    }
-    if (this.kind !== DYNAMIC) {
-      return;
-    }
-    const inverseMass = this.inverseMass();
-    const vx = this.vx + impulse[0]! * inverseMass;
-    const vy = this.vy + impulse[1]! * inverseMass;
-    let { w } = this;
-    if (position !== undefined) {
-      const rx = position[0]! - this.x;
-      const ry = position[1]! - this.y;
-      w += (rx * impulse[1]! - ry * impulse[0]!) * this.inverseInertia();
-    }
-    leadsTo(where, 'impulse', impulse, 'velocities', vx, vy, w);
-    this.vx = vx;
-    this.vy = vy;
-    this.w = w;
-    this.rouse();
-  }
-
   /** Moves the body along its velocities for `deltaTime` seconds, also backwards, to at most 1e150 m or rad. Ignored as `setPosition` is. Wakes the body. */
   integrate(deltaTime: number): void {
     const where = 'RigidBody.integrate';
@@ -189,37 +170,6 @@ export class RigidBody extends BodyState {
       const angle = this.angle + this.w * deltaTime;
       leadsTo(where, 'deltaTime', deltaTime, 'a placement', x, y, angle);
       this.putAt(x, y, angle);
-      this.rouse();
-    }
-  }
-
-  /** The force that `setForce` set, N: without gravity, contacts and constraints. */
-  getForce(): Vec2;
-  getForce<T extends NumberSink>(dst: T): T;
-  getForce<T extends NumberSink>(dst?: T): T | Vec2 {
-    return vec2(this.fx, this.fy, 'RigidBody.getForce', dst);
-  }
-
-  /** Sets the force, N, that acts in every step until changed. Wakes the body if changed. */
-  setForce(force: Vec2Like): void {
-    vector('RigidBody.setForce', 'force', force, 2);
-    if (force[0] !== this.fx || force[1] !== this.fy) {
-      this.fx = force[0]!;
-      this.fy = force[1]!;
-      this.rouse();
-    }
-  }
-
-  /** The torque that `setTorque` set, N·m. */
-  getTorque(): number {
-    return this.appliedTorque;
-  }
-
-  /** Sets the torque, N·m, that acts in every step until changed. Wakes the body if changed. */
-  setTorque(torque: number): void {
-    finite('RigidBody.setTorque', 'torque', torque);
-    if (torque !== this.appliedTorque) {
-      this.appliedTorque = torque;
       this.rouse();
     }
   }
@@ -419,7 +369,7 @@ export class RigidBody extends BodyState {
   }
 
   /** @internal the automatic wake: with a `wake` event if the body was asleep; of one that is in no world, of what is tied to it */
-  rouse(): void {
+  override rouse(): void {
     if (this.owner !== null) {
       this.owner.wakeBody(this, false);
       this.rouseTies(this.owner);
@@ -482,6 +432,7 @@ export class RigidBody extends BodyState {
       this.touchConstraints();
       this.rouseTies(null);
     }
+    this.applied?.clear();
     if (kind === STATIC) {
       this.vx = 0;
       this.vy = 0;

@@ -126,6 +126,9 @@ export const SLEEP_DELAY = 60;
 /** Hz. … of which shorter ones count as so many in a second. */
 export const REST_RATE = 60;
 
+/** m/s. What forces for one step may add to a velocity, more or less than those of the step before, to what is at rest. */
+export const FORCE_CHANGE = 0.0024;
+
 /** (m/s)². At rest: squared speed, and squared motion of the last step over dt². */
 export const SLEEP_SPEED_SQUARED = 0.0006;
 

@@ -95,6 +95,9 @@ function auditNumbers(audit: Audit, body: RigidBody): void {
   audit.finite(body, 'force x', body.fx);
   audit.finite(body, 'force y', body.fy);
   audit.finite(body, 'torque', body.appliedTorque);
+  audit.finite(body, 'applied force x', body.applied?.x ?? 0);
+  audit.finite(body, 'applied force y', body.applied?.y ?? 0);
+  audit.finite(body, 'applied torque', body.applied?.torque ?? 0);
   audit.finite(body, 'motion x', body.lastDx);
   audit.finite(body, 'motion y', body.lastDy);
   audit.finite(body, 'turn', body.lastTurn);

@@ -9,6 +9,7 @@ import { SLEEP } from '../listeners.js';
 import { grown } from '../math/doubles.js';
 import { rootOf, unite } from '../math/sets.js';
 import type { World } from '../world.js';
+import { isPushedAnew } from './forces.js';
 import { acts } from './joints/order/order.js';
 import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
 
@@ -71,7 +72,7 @@ export function sleepIslands(world: World, dt: number): void {
   for (let i = 0; i < live.length; i += 1) {
     const body = live[i]!;
     body.refreshMass();
-    if (!isAtRest(body, dt)) {
+    if (!isAtRest(body, dt) || isPushedAnew(body, dt)) {
       body.wakeTime = stamp;
     } else if (waits && body.wakeTime < stamp) {
       body.wakeTime += 1;

@@ -5,6 +5,7 @@ import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import { packContacts } from './contacts/pack-contacts.js';
 import type { SolverData } from './data.js';
+import { findForces, forces } from './forces.js';
 import { holdWild } from './freeze.js';
 import * as d from './layout.js';
 
@@ -75,9 +76,11 @@ function packBodies(world: World, h: number): void {
     const invMass = data.velocity[at + d.INV_MASS]!;
     const invInertia = data.velocity[at + d.INV_INERTIA]!;
     const drive = data.drive;
-    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (body.fx * invMass + world.gravityX) * h;
-    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (body.fy * invMass + world.gravityY) * h;
-    drive[at + d.GAIN_W] = body.appliedTorque * invInertia * h;
+    findForces(body);
+    body.applied?.pass();
+    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (forces[0]! * invMass + world.gravityX) * h;
+    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (forces[1]! * invMass + world.gravityY) * h;
+    drive[at + d.GAIN_W] = forces[2]! * invInertia * h;
     drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
     drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : linear.keep;
     drive[at + d.KEEP_ANGULAR] = invInertia === 0 ? 1 : angular.keep;

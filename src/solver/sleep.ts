@@ -55,6 +55,7 @@ export function quieten(world: World, body: RigidBody): void {
   body.lastDy = 0;
   body.lastTurn = 0;
   body.clearance = 0;
+  body.applied?.clear();
   body.asleep = true;
   updateHandles(world, body);
 }

@@ -1,4 +1,5 @@
 import type { RigidBody } from '../body.js';
+import { Applied } from '../body-applied.js';
 import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
 import { FAR, MAX_SIZE } from '../config.js';
@@ -31,10 +32,11 @@ const MOST = 0x3fffffff;
 const FEATURES = 0xffffff;
 
 const bodyRow = /* @__PURE__ */ new Row(1, 11);
+const appliedRow = /* @__PURE__ */ new Row(0, 6);
 const shapeRow = /* @__PURE__ */ new Row(1, 6);
 
 /** All there are, for a tape. */
-export const ROWS: readonly Row[] = [bodyRow, shapeRow];
+export const ROWS: readonly Row[] = [bodyRow, appliedRow, shapeRow];
 
 /** What the last pair had that most have in common, see `takeUsual`; and of those that have not met yet, without a material, which are like others of that kind. */
 const usual = /* @__PURE__ */ new Float64Array(10);
@@ -56,7 +58,8 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   tape.block(numbers, at + LAST_MOTION, at + LAST_MOTION_END);
   const { numbers: n, integers } = bodyRow;
   if (tape.writes) {
-    integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.isBullet ? 4 : 0) | (b.kind << 3);
+    const isPushed = b.applied?.isSome() ?? false;
+    integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.isBullet ? 4 : 0) | (b.kind << 3) | (isPushed ? 32 : 0);
     n[0] = b.fx;
     n[1] = b.fy;
     n[2] = b.appliedTorque;
@@ -71,12 +74,13 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   }
   tape.pass(bodyRow);
   const flags = integers[0]!;
-  tape.require(flags >= 0 && flags >> 3 <= 2);
+  tape.require(flags >= 0 && flags < 64 && ((flags >> 3) & 3) <= 2);
+  keepApplied(tape, b, (flags & 32) !== 0);
   if (tape.takes) {
     b.asleep = (flags & 1) !== 0;
     b.woken = (flags & 2) !== 0;
     b.isBullet = (flags & 4) !== 0;
-    b.kind = flags >> 3;
+    b.kind = (flags >> 3) & 3;
     b.fx = n[0]!;
     b.fy = n[1]!;
     b.appliedTorque = n[2]!;
@@ -90,6 +94,37 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
     b.unloaded = n[10]! | 0;
   }
   return fixedMass !== b.fixedMass || fixedInertia !== b.fixedInertia;
+}
+
+/** What pushes a body for one step: most are pushed by nothing. */
+function keepApplied(tape: Tape, b: RigidBody, isSome: boolean): void {
+  if (!isSome) {
+    if (tape.takes) b.applied?.clear();
+    return;
+  }
+  const applied = b.applied ?? new Applied();
+  const { numbers: n } = appliedRow;
+  if (tape.writes) {
+    n[0] = applied.x;
+    n[1] = applied.y;
+    n[2] = applied.torque;
+    n[3] = applied.lastX;
+    n[4] = applied.lastY;
+    n[5] = applied.lastTorque;
+  }
+  tape.pass(appliedRow);
+  for (let i = 0; i < n.length; i += 1) {
+    tape.require(Math.abs(n[i]!) <= FAR);
+  }
+  if (tape.takes) {
+    b.applied = applied;
+    applied.x = n[0]!;
+    applied.y = n[1]!;
+    applied.torque = n[2]!;
+    applied.lastX = n[3]!;
+    applied.lastY = n[4]!;
+    applied.lastTorque = n[5]!;
+  }
 }
 
 /** x, y, angle, cosine, sine and the three of the velocity were passed last: the place is within bounds, and cosine and sine are those of an angle. */

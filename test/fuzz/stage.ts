@@ -115,7 +115,7 @@ export class Stage {
     for (const name of names) {
       const value = (thing as Record<string, unknown>)[name];
       if (name.match(/^(?:get|is|compute)[A-Z]/) && name !== 'getImpulseForBody' && typeof value === 'function') {
-        value.call(thing);
+        value.call(thing, name === 'getVelocityAtPoint' ? [1, 2] : undefined);
       }
     }
     if (names.has('contacts')) {

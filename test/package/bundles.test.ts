@@ -26,12 +26,12 @@ const read = (name: string): string => readFileSync(join(dist, name), 'utf8');
 const UMD = ['phys2d.umd.cjs', 'phys2d.umd.js', 'phys2d.umd.min.js'];
 const ESM = ['phys2d.js', 'phys2d.min.js'];
 const GZIP_LIMITS = {
-  'phys2d.min.js': 110_900,
+  'phys2d.min.js': 111_750,
   'debug.min.js': 10_000,
   'outline.min.js': 4_650,
   'runner.min.js': 1_250,
   'state.min.js': 4_900,
-  'validate.min.js': 3_950,
+  'validate.min.js': 4_000,
 };
 
 /** What is imported apart from the engine, so that a game that ships without it pays nothing. */

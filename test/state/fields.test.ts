@@ -90,6 +90,7 @@ function busy(name: string, steps: number): World {
   for (let i = 0; i < steps; i += 1) {
     game.step();
   }
+  game.world.liveDynamics[0]!.applyForce([0.1, 0], [0.2, 0.3]);
   return game.world;
 }
 
@@ -108,6 +109,7 @@ function objects(world: World): [string, () => object][] {
     ['world', () => world],
     ['solver', () => world.solver],
     ['body', () => dynamic],
+    ['applied', () => dynamic.applied!],
     ...Object.entries({ shape: circle, polygon })
       .filter(([, i]) => i >= 0)
       .map(([kind, i]): [string, () => object] => [kind, () => world.rigidBodies[i]!.shapes[0]!]),

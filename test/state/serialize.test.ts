@@ -25,6 +25,7 @@ describe.each(Object.keys(GAMES).filter((name) => name !== 'events' && name !== 
       game.step();
     }
     const { world } = game;
+    world.liveDynamics[0]?.applyForce([0.1, 0], [0.2, 0.3]);
     const copy = deserialize(phys2D, asText(serialize(world)), {
       broadphase: phys2D.createSweepAndPruneBroadphase(),
     });

@@ -14,6 +14,7 @@ import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { putGroundsBack, smoothMeeting } from '../contacts/seams.js';
+import { findForces, forces } from '../forces.js';
 import { canGiveWay } from '../interaction.js';
 import type { Meeting } from './meeting-queue.js';
 import { findMeetings, isClear, listWays } from './meetings.js';
@@ -83,7 +84,7 @@ function foreseeDynamic(world: World, body: RigidBody): void {
     return;
   }
   const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
-  if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.fx !== 0 || body.fy !== 0 || body.appliedTorque !== 0) {
+  if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.hasForce()) {
     foreseeFalling(world, body);
   }
 }
@@ -103,9 +104,10 @@ function foreseeFalling(world: World, body: RigidBody): void {
   // As `inverseMass` and `inverseInertia`, which called from here would have to box their results, and as `goesFar`.
   const mass = body.mass > 0 ? 1 / body.mass : 0;
   const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
-  const vx = body.vx + (mass > 0 ? world.gravityX + body.fx * mass : 0) * gain;
-  const vy = body.vy + (mass > 0 ? world.gravityY + body.fy * mass : 0) * gain;
-  const w = body.w + body.appliedTorque * inertia * gain;
+  findForces(body);
+  const vx = body.vx + (mass > 0 ? world.gravityX + forces[0]! * mass : 0) * gain;
+  const vy = body.vy + (mass > 0 ? world.gravityY + forces[1]! * mass : 0) * gain;
+  const w = body.w + forces[2]! * inertia * gain;
   const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
   movers.space.reach = way + CLEARANCE;
   if (way > SPECULATIVE_MARGIN / 2 && (body.isBullet || !isClear(world, body))) {

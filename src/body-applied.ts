@@ -1,0 +1,41 @@
+/** What pushes a body in its next step alone, and what did in its last one. */
+export class Applied {
+  /** N */
+  x = 0.5;
+  y = 0.5;
+  /** N·m */
+  torque = 0.5;
+  lastX = 0.5;
+  lastY = 0.5;
+  lastTorque = 0.5;
+
+  constructor() {
+    this.clear();
+  }
+
+  clear(): void {
+    this.x = 0;
+    this.y = 0;
+    this.torque = 0;
+    this.pass();
+  }
+
+  /** The step has begun. */
+  pass(): void {
+    this.lastX = this.x;
+    this.lastY = this.y;
+    this.lastTorque = this.torque;
+    this.x = 0;
+    this.y = 0;
+    this.torque = 0;
+  }
+
+  pushes(): boolean {
+    return this.x !== 0 || this.y !== 0 || this.torque !== 0;
+  }
+
+  /** Whether there is anything in it. */
+  isSome(): boolean {
+    return this.pushes() || this.lastX !== 0 || this.lastY !== 0 || this.lastTorque !== 0;
+  }
+}
