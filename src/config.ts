@@ -329,6 +329,9 @@ export const STRAIN_STEPS = 60;
  */
 export const MAX_GROWTH = 4;
 
+/** Sub-steps that are shorter than those before are told from slow motion, which ends again, once as much time is over as so many of those before took. */
+export const MOST_SPANS = 120;
+
 /** Default of `World.substeps`: the fewest with which tall towers, heavy tops and ramps are all right. */
 export const DEFAULT_SUBSTEPS = 4;
 

@@ -316,6 +316,7 @@ export abstract class WorldState {
     this.mayRest = tape.flag(this.mayRest);
     this.solver.previousH = tape.number(this.solver.previousH);
     this.solver.span = tape.number(this.solver.span);
+    this.solver.spans = tape.number(this.solver.spans);
   }
 
   /** @internal wakes all bodies */

@@ -225,6 +225,8 @@ export class SolverData {
   /** s. Length of the sub-steps of the last step, and of those that impulses are remembered from: the longest of them lately. */
   previousH = 0;
   span = 0;
+  /** How many sub-steps of that length there were in a row: so long they are remembered. */
+  spans = 0;
   /** Share of what a contact or joint gave before the step that it starts with after it as well: 0 but in sub-steps that are shorter than those that are remembered. */
   remembered = 0.5;
   /**

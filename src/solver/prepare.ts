@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { MAX_GROWTH, REST_SPIN_WEIGHT } from '../config.js';
+import { MAX_GROWTH, MOST_SPANS, REST_SPIN_WEIGHT } from '../config.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import { packContacts } from './contacts/pack-contacts.js';
@@ -51,12 +51,21 @@ export function prepare(world: World, h: number): void {
 
 /**
  * What is random in the impulses of short sub-steps does not become smaller with the load: in these what contacts and joints start the next step with only changes by as much as there is of one of the longer sub-steps before. So nothing notices
- * that some steps are short, as the rest of a frame is where steps are only as long as is left of it: a pyramid crept by 0.1 m in half a minute, heaps were thrown up by each step that was more than four times as long as the one before.
+ * that some steps are short, as the rest of a frame is where steps are only as long as is left of it, or slow motion: a pyramid crept by 0.1 m in half a minute, heaps were thrown up by each step that was more than four times as long as the one before.
  */
 function scaleImpulses(data: SolverData, h: number): void {
   const growth = h / (data.previousH || h);
   data.impulseScale = h > MAX_GROWTH * (data.span || h) ? 0 : growth;
-  data.span = Math.max(h, data.span - h);
+  if (h >= data.span) {
+    data.spans = h > 2 * data.span ? 0 : Math.min(MOST_SPANS, data.spans + 1);
+    data.span = h;
+  } else {
+    data.spans -= h / data.span;
+    if (data.spans <= 0) {
+      data.spans = 0;
+      data.span = Math.max(h, data.span - h);
+    }
+  }
   data.remembered = 1 - h / data.span;
   data.previousH = h;
 }
