@@ -23,8 +23,11 @@ export function isPushedAnew(body: RigidBody, dt: number): boolean {
     return false;
   }
   const { mass, inertia, radius } = body;
+  // What cannot be turned has no inertia: to divide by it would make numbers that are none, and hide what pushes.
+  const inverseMass = mass > 0 ? 1 / mass : 0;
+  const inverseInertia = inertia > 0 ? 1 / inertia : 0;
   const rim = radius > 0 ? radius : 1;
   const ofForces = Math.abs(applied.x - applied.lastX) + Math.abs(applied.y - applied.lastY);
-  const change = ofForces / mass + (Math.abs(applied.torque - applied.lastTorque) * rim) / inertia;
+  const change = ofForces * inverseMass + Math.abs(applied.torque - applied.lastTorque) * rim * inverseInertia;
   return change * dt > FORCE_CHANGE;
 }

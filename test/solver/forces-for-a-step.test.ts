@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D, type RigidBody, type World } from '../../src/index.js';
+import { phys2D, type RigidBody, type RigidBodyParams, type World } from '../../src/index.js';
 import { add, addFloor, box, boxBody, DT, heavy, plainBody, steps, weightless } from '../conformance/setting.js';
 
 // Forces that act in the next step, and no longer.
@@ -199,6 +199,25 @@ describe('sleep', () => {
       world.step(DT);
       expect(crate.getVelocity()[1], `after ${wait} steps`).toBeLessThan(-9);
     }
+  });
+
+  it('waits for a force on what has no inertia, as a particle, and for a torque', () => {
+    const push = (params: RigidBodyParams, wait: number, act: (body: RigidBody) => void) => {
+      const world = weightless();
+      const body = phys2D.createRigidBody({ linearDrag: 0, angularDrag: 0, mass: 1, ...params });
+      add(world, body);
+      steps(world, wait);
+      act(body);
+      world.step(DT);
+      return body;
+    };
+    for (let wait = 58; wait < 65; wait += 1) {
+      const particle = push({}, wait, (body) => body.applyForce([60, 0]));
+      expect(particle.getVelocity()[0], `after ${wait} steps`).toBeCloseTo(1, 12);
+      const wheel = push({ inertia: 1, shapes: [box(1, 1)] }, wait, (body) => body.applyTorque(60));
+      expect(wheel.getAngularVelocity(), `after ${wait} steps`).toBeCloseTo(1, 12);
+    }
+    expect(push({}, 70, () => {}).sleeping).toBe(true);
   });
 
   it('comes to what floats', () => {
