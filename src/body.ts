@@ -353,6 +353,7 @@ export class RigidBody extends BodyForces {
       this.owner.sleepBody(this);
     } else {
       this.asleep = true;
+      this.applied?.clear();
     }
   }
 

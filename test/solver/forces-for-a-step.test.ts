@@ -121,6 +121,10 @@ describe('a force for one step', () => {
         world.removeRigidBody(body);
         world.addRigidBody(body);
       },
+      (body: RigidBody, world: World) => {
+        world.clear();
+        world.addRigidBody(body);
+      },
       (body: RigidBody) => {
         body.setAsKinematic();
         body.setAsDynamic();
@@ -136,6 +140,25 @@ describe('a force for one step', () => {
       add(world, body);
       body.applyForce([60, 0]);
       stop(body, world);
+      world.step(DT);
+      expect(body.getVelocity()).toEqual([0, 0]);
+    }
+    for (const stop of [
+      (body: RigidBody) => {
+        body.sleep();
+      },
+      (body: RigidBody) => {
+        body.setAsStatic();
+        body.setAsDynamic();
+      },
+    ]) {
+      const world = weightless();
+      const body = plainBody();
+      body.applyForce([60, 0]);
+      stop(body);
+      add(world, body);
+      steps(world, 3);
+      body.wake();
       world.step(DT);
       expect(body.getVelocity()).toEqual([0, 0]);
     }
