@@ -212,6 +212,13 @@ export abstract class WorldState {
     users.set(this.broadphase, this);
   }
 
+  /** @internal Before the first body comes to an empty world: what is played again goes as it did in a new one, whatever the steps were last. */
+  beginAnew(where: string): void {
+    this.claimBroadphase(where);
+    this.solver.previousH = 0;
+    this.solver.span = 0;
+  }
+
   /** s. Grows by the step length at the start of each step; never reset. */
   get simulatedTime(): number {
     return this.time;

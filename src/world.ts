@@ -107,7 +107,7 @@ export class World extends WorldState {
     if (this.stepping || body.owner !== null) {
       return false;
     }
-    if (this.rigidBodies.length === 0) this.claimBroadphase('World.addRigidBody');
+    if (this.rigidBodies.length === 0) this.beginAnew('World.addRigidBody');
     body.place();
     body.placeStale = false;
     body.refreshMass();

@@ -1,4 +1,5 @@
 import { RigidBody } from '../body.js';
+import { EASE_STEPS } from '../config-joints.js';
 import { Constraint } from '../constraint/constraint.js';
 import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
@@ -122,7 +123,8 @@ function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constra
 
 /** What joints that hang together remember, unless they are about to be listed anew. */
 function walkGroups(on: Tape, world: World): void {
-  const { groups } = world.solver.joints;
+  const { joints } = world.solver;
+  const { groups } = joints;
   on.begins();
   on.checksOnto(true);
   const isListed = on.flag(!world.jointsStale);
@@ -141,6 +143,7 @@ function walkGroups(on: Tape, world: World): void {
     keepGroup(on, on.checks || groups[i] === undefined ? new Group(0) : groups[i]!);
   }
   on.checksOnto(false);
+  if (count > 0) joints.age = on.integer(joints.age, 0, EASE_STEPS);
 }
 
 /** Takes everything out of the world that is not to stay, and all that is between objects. */

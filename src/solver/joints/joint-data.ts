@@ -196,10 +196,8 @@ export class JointData implements Keeper {
   /** s. Length of a sub-step, and how many there are. */
   h = 0;
   substeps = 1;
-  /** In this step what touches something may be swept over once less, see `EASE_STEPS`. */
-  eases = false;
-  /** In this step it is looked at what groups are, see `WEIGH_STEPS`. */
-  weighs = false;
+  /** Steps since the joints were listed, up to EASE_STEPS, and from 1 on again: that of the world would make a level that is played again in the same world another one. Part of its state. */
+  age = 0;
   /** Some joint is a custom constraint. */
   hasCustoms = false;
   /** There are springs in this step. Their work is added up, by slot … */
@@ -240,6 +238,7 @@ export class JointData implements Keeper {
     this.runs.length = 0;
     this.groups.length = 0;
     this.hasCustoms = false;
+    this.age = 0;
     this.size = 0;
     this.members = 0;
   }

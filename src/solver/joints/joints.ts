@@ -1,12 +1,4 @@
-import {
-  EASE_STEPS,
-  FIRM_ERROR,
-  FIRM_STEPS,
-  JOINT_FAR,
-  JOINT_PUSHES,
-  SWEPT_ONCE,
-  WEIGH_STEPS,
-} from '../../config-joints.js';
+import { EASE_STEPS, FIRM_ERROR, FIRM_STEPS, JOINT_FAR, JOINT_PUSHES, SWEPT_ONCE } from '../../config-joints.js';
 import type { World } from '../../world.js';
 import type { SolverData } from '../data.js';
 import { findHinge, noteReaction } from '../impacts/hinge.js';
@@ -59,8 +51,7 @@ function packJoints(world: World, h: number): void {
   if (joints.slots > 0) {
     data.makeRoomForPoints(joints.slots);
   }
-  joints.eases = world.timeStamp % EASE_STEPS === 0;
-  joints.weighs = world.timeStamp % WEIGH_STEPS === 0;
+  joints.age = (joints.age % EASE_STEPS) + 1;
   if (joints.runs.length > 0) {
     packPoses(world);
   }

@@ -1,4 +1,5 @@
 import {
+  EASE_STEPS,
   FEW_JOINTS,
   FIRM_ERROR,
   FIRM_FEW,
@@ -24,6 +25,7 @@ import {
   STUCK_STEPS,
   TOUCHED_PATIENCE,
   TOUCHED_SWEEPS,
+  WEIGH_STEPS,
 } from '../../../config-joints.js';
 import { recordAt, type SolverData } from '../../data.js';
 import { INV_MASS, W } from '../../layout.js';
@@ -76,7 +78,7 @@ export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolera
 
 /** When its error is known. */
 export function plan(data: SolverData, group: Group, isFirst: boolean): void {
-  const { asked, eases } = data.joints;
+  const { asked, age } = data.joints;
   if (group.error > asked[0]!) {
     findPointsOff(data, group);
   }
@@ -91,7 +93,7 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(data, group)) {
     reachLess(data, group);
   }
-  planSweeps(data, group, isFirst && eases);
+  planSweeps(data, group, isFirst && age === EASE_STEPS);
 }
 
 function findPointsOff(data: SolverData, { runs }: Group): void {
@@ -105,7 +107,7 @@ function findPointsOff(data: SolverData, { runs }: Group): void {
 
 /** Finds what kind of group it is, once in a while, and whether it has a hub: in each step where joints are few. */
 function weigh(data: SolverData, group: Group): void {
-  const isDue = data.joints.weighs || group.isNew;
+  const isDue = data.joints.age % WEIGH_STEPS === 0 || group.isNew;
   if (isDue) {
     group.burdened = isBurdened(data, group);
     group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
