@@ -1,4 +1,4 @@
-/** What pushes a body in its next step alone, and what did in its last one. */
+/** What pushes a body in its next step alone, and what did in its last one; of one that sleeps, in that in which it fell asleep. */
 export class Applied {
   /** N */
   x = 0.5;
@@ -8,6 +8,8 @@ export class Applied {
   lastX = 0.5;
   lastY = 0.5;
   lastTorque = 0.5;
+  /** As much pushed it in the last step, in which it slept. */
+  isKept = false;
 
   constructor() {
     this.clear();
@@ -25,6 +27,13 @@ export class Applied {
     this.lastX = this.x;
     this.lastY = this.y;
     this.lastTorque = this.torque;
+    this.stay();
+    this.isKept = false;
+  }
+
+  /** The step has begun, and the body sleeps on. */
+  stay(): void {
+    this.isKept = this.pushes();
     this.x = 0;
     this.y = 0;
     this.torque = 0;
@@ -34,8 +43,7 @@ export class Applied {
     return this.x !== 0 || this.y !== 0 || this.torque !== 0;
   }
 
-  /** Whether there is anything in it. */
-  isSome(): boolean {
-    return this.pushes() || this.lastX !== 0 || this.lastY !== 0 || this.lastTorque !== 0;
+  pushedBefore(): boolean {
+    return this.lastX !== 0 || this.lastY !== 0 || this.lastTorque !== 0;
   }
 }

@@ -39,8 +39,8 @@ export abstract class BodyForces extends BodyState {
 
   /**
    * Adds a force, N, at a world point, to those that act in the next step, evenly, and no longer; without a point at the body origin, which turns nothing. Call it before each
-   * step for a thruster, wind or buoyancy. What is added must stay within 1e150, and is lost if the body falls asleep, leaves its world or is made static or kinematic before. Dynamic bodies only;
-   * wakes the body, but lets it fall asleep where it rests under what hardly changes from step to step.
+   * step for a thruster, wind or buoyancy, also while the body sleeps: it falls asleep where it rests under what hardly changes from step to step, and wakes in the step in which that is no longer so.
+   * What is added must stay within 1e150, and is lost if the body is put to sleep, leaves its world or is made static or kinematic before. Dynamic bodies only.
    */
   applyForce(force: Vec2Like, position?: Vec2Like): void {
     const where = 'RigidBody.applyForce';
@@ -111,14 +111,12 @@ export abstract class BodyForces extends BodyState {
     const applied = this.applied ?? new Applied();
     leadsTo(where, name, given, 'forces', applied.x + x, applied.y + y, applied.torque + torque);
     if (this.asleep) {
-      this.rouse();
+      if (this.owner === null || this.owner.stepping) this.rouse();
+      else this.owner.pushed.add(this);
     }
     this.applied = applied;
     applied.x += x;
     applied.y += y;
     applied.torque += torque;
   }
-
-  /** @internal the automatic wake: with a `wake` event if the body was asleep */
-  abstract rouse(): void;
 }

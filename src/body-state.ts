@@ -232,6 +232,7 @@ export abstract class BodyState extends BodyNumbers {
 
   /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
   leave(): void {
+    this.owner?.pushed.delete(this);
     this.owner = null;
     this.asleep = false;
     this.woken = false;
@@ -302,6 +303,9 @@ export abstract class BodyState extends BodyNumbers {
 
   /** @internal becomes the body of a shape, which is not in the list yet */
   abstract claim(shape: Shape): void;
+
+  /** @internal the automatic wake: with a `wake` event if the body was asleep */
+  abstract rouse(): void;
 
   /** @internal */
   abstract moved(): void;

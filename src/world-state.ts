@@ -1,4 +1,5 @@
 import { RigidBody } from './body.js';
+import type { BodyState } from './body-state.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { DEFAULT_ITERATIONS, DEFAULT_SUBSTEPS } from './config.js';
@@ -155,6 +156,8 @@ export abstract class WorldState {
   readonly movers = new Movers();
   /** @internal what cannot be moved in this step, as its motion is not finite */
   readonly frozen = new Set<RigidBody>();
+  /** @internal what sleeps though forces push it in the next step, or did in the last one */
+  readonly pushed = new Set<BodyState>();
   /** @internal */
   listeners: Listeners<WorldEvents[WorldEventType]> = NO_LISTENERS;
 

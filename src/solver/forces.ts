@@ -1,11 +1,12 @@
-import type { RigidBody } from '../body.js';
+import type { BodyState } from '../body-state.js';
 import { FORCE_CHANGE } from '../config.js';
+import type { World } from '../world.js';
 
 /** N, N and N·m, from `findForces`: numbers that are returned might be boxed. */
 export const forces = new Float64Array(3);
 
 /** Finds what pushes a body in this step, apart from gravity. */
-export function findForces({ fx, fy, appliedTorque, applied }: RigidBody): void {
+export function findForces({ fx, fy, appliedTorque, applied }: BodyState): void {
   forces[0] = fx;
   forces[1] = fy;
   forces[2] = appliedTorque;
@@ -16,11 +17,29 @@ export function findForces({ fx, fy, appliedTorque, applied }: RigidBody): void 
   }
 }
 
-/** Whether forces for one step differ from those of the last one by what sets a body going. Not by how it bobs: what floats in peace has to fall asleep. */
-export function isPushedAnew(body: RigidBody, dt: number): boolean {
+/** Wakes what sleeps, if what pushes it now is not what it fell asleep under; also if that pushed it on while it slept, and does no longer. */
+export function wakePushed({ pushed }: World, dt: number): void {
+  for (const body of pushed) {
+    const applied = body.applied!;
+    if (body.asleep && (applied.pushes() ? isPushedAnew(body, dt) : applied.isKept)) {
+      body.rouse();
+    }
+  }
+}
+
+/** Takes what pushes from all that sleeps on: what woke until now has it already. */
+export function passPushed({ pushed }: World): void {
+  for (const body of pushed) {
+    if (body.asleep && body.applied!.pushes()) body.applied!.stay();
+    else pushed.delete(body);
+  }
+}
+
+/** Whether forces for one step are the first ones, or differ from those of the last one by what sets a body going. Not by how it bobs: what floats in peace has to fall asleep. */
+export function isPushedAnew(body: BodyState, dt: number): boolean {
   const { applied } = body;
-  if (applied === null) {
-    return false;
+  if (applied === null || !applied.pushedBefore()) {
+    return applied?.pushes() ?? false;
   }
   const { mass, inertia, radius } = body;
   // What cannot be turned has no inertia: to divide by it would make numbers that are none, and hide what pushes.

@@ -55,7 +55,6 @@ export function quieten(world: World, body: RigidBody): void {
   body.lastDy = 0;
   body.lastTurn = 0;
   body.clearance = 0;
-  body.applied?.clear();
   body.asleep = true;
   updateHandles(world, body);
 }
@@ -257,6 +256,7 @@ function tellProgress(world: World, pair: Arbiter): void {
 /** `RigidBody.sleep` in a world: this one dynamic body, silently, keeping its velocity. */
 export function sleepBody(world: World, body: RigidBody): void {
   if (body.kind === DYNAMIC && !body.asleep) {
+    body.applied?.clear();
     quieten(world, body);
   }
 }
@@ -281,6 +281,7 @@ export function sleepIsland(world: World, island: Island): void {
     body.vy = 0;
     body.w = 0;
     body.island = island;
+    body.applied?.pass();
     quieten(world, body);
     world.events.body(SLEEP, body);
   }

@@ -5,6 +5,7 @@ import { partCrowds, solvePositionContacts, solveVelocityContacts, warmStartCont
 import { solveShocks } from './contacts/shocks.js';
 import { turnContacts } from './contacts/turning.js';
 import { findPairs } from './find-pairs.js';
+import { passPushed, wakePushed } from './forces.js';
 import { continuous } from './impacts/continuous.js';
 import { foresee } from './impacts/foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
@@ -23,6 +24,7 @@ export function step(world: World, dt: number): void {
   const h = dt / substeps;
   solver.substeps = substeps;
   profile?.begin();
+  wakePushed(world, dt);
   refreshMoved(world);
   findPairs(world, dt);
   profile?.lap('pairs');
@@ -31,6 +33,7 @@ export function step(world: World, dt: number): void {
   sleepIslands(world, dt);
   profile?.lap('islands');
   prepare(world, h);
+  passPushed(world);
   profile?.lap('prepare');
   profile?.count(world);
   if (solver.isIdle) {

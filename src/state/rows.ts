@@ -32,7 +32,7 @@ const MOST = 0x3fffffff;
 const FEATURES = 0xffffff;
 
 const bodyRow = /* @__PURE__ */ new Row(1, 11);
-const appliedRow = /* @__PURE__ */ new Row(0, 6);
+const appliedRow = /* @__PURE__ */ new Row(1, 6);
 const shapeRow = /* @__PURE__ */ new Row(1, 6);
 
 /** All there are, for a tape. */
@@ -58,7 +58,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   tape.block(numbers, at + LAST_MOTION, at + LAST_MOTION_END);
   const { numbers: n, integers } = bodyRow;
   if (tape.writes) {
-    const isPushed = b.applied?.isSome() ?? false;
+    const isPushed = b.applied !== null && (b.applied.pushes() || b.applied.pushedBefore() || b.applied.isKept);
     integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.isBullet ? 4 : 0) | (b.kind << 3) | (isPushed ? 32 : 0);
     n[0] = b.fx;
     n[1] = b.fy;
@@ -103,8 +103,9 @@ function keepApplied(tape: Tape, b: RigidBody, isSome: boolean): void {
     return;
   }
   const applied = b.applied ?? new Applied();
-  const { numbers: n } = appliedRow;
+  const { numbers: n, integers } = appliedRow;
   if (tape.writes) {
+    integers[0] = applied.isKept ? 1 : 0;
     n[0] = applied.x;
     n[1] = applied.y;
     n[2] = applied.torque;
@@ -113,11 +114,13 @@ function keepApplied(tape: Tape, b: RigidBody, isSome: boolean): void {
     n[5] = applied.lastTorque;
   }
   tape.pass(appliedRow);
+  tape.require(integers[0] === 0 || integers[0] === 1);
   for (let i = 0; i < n.length; i += 1) {
     tape.require(Math.abs(n[i]!) <= FAR);
   }
   if (tape.takes) {
     b.applied = applied;
+    applied.isKept = integers[0] === 1;
     applied.x = n[0]!;
     applied.y = n[1]!;
     applied.torque = n[2]!;

@@ -270,9 +270,11 @@ function detach(world: World, shape: Shape): void {
 /** Shapes that are new to the broadphase go there; what moved is noted, for whoever asks next where it is. */
 function place(world: World, { bodies, inside }: Scene): void {
   world.stale.clear();
+  world.pushed.clear();
   for (let i = 0; i < inside; i += 1) {
     const body = bodies[i]!;
     body.refreshMass();
+    if (body.asleep && body.applied !== null) world.pushed.add(body);
     for (const shape of body.shapes) {
       if (shape.handle === null) {
         body.place();

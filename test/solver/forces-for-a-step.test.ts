@@ -191,15 +191,88 @@ describe('sleep', () => {
     const crate = boxBody(1, 1, { mass: 1 });
     addFloor(world);
     add(world, crate);
-    for (let i = 0; i < 90; i += 1) {
-      if (!crate.sleeping) crate.applyForce([1 + 0.001 * (i % 2), 0]);
+    const events: string[] = [];
+    crate.addEventListener('sleep', () => void events.push('sleep'));
+    crate.addEventListener('wake', () => void events.push('wake'));
+    for (let i = 0; i < 300; i += 1) {
+      crate.applyForce([1 + 0.001 * (i % 2), 0]);
       world.step(DT);
     }
     expect(crate.sleeping).toBe(true);
-    crate.applyForce([0, -600]);
-    expect(crate.sleeping).toBe(false);
+    expect(events).toEqual(['sleep']);
+    crate.applyForce([1, -600]);
     world.step(DT);
+    expect(events).toEqual(['sleep', 'wake']);
     expect(crate.getVelocity()[1]).toBeLessThan(-9);
+  });
+
+  it.each([
+    ['grows bit by bit', (i: number) => 0.05 * i],
+    ['comes all at once', () => 12],
+    ['changes sides', (i: number) => (i < 90 ? 9 : -12)],
+  ])('ends for what slides once what pushes it %s', (_, forceOf) => {
+    const world = heavy();
+    const material = phys2D.createMaterial({ staticFriction: 1, dynamicFriction: 0.5 });
+    const crate = boxBody(1, 1, { mass: 1 }, { material });
+    addFloor(world, {}, { material });
+    add(world, crate);
+    let slept = 0;
+    for (let i = 0; i < 300; i += 1) {
+      crate.applyForce([forceOf(i), 0]);
+      world.step(DT);
+      slept += crate.sleeping ? 1 : 0;
+    }
+    expect(Math.abs(crate.getPosition()[0])).toBeGreaterThan(1);
+    expect(slept > 0).toBe(forceOf(0) < 10);
+  });
+
+  it('ends where what pushed is not there any more, but not where only what is awake is pushed', () => {
+    for (const [isAsked, falls] of [
+      [false, true],
+      [true, false],
+    ]) {
+      const world = heavy();
+      const body = plainBody();
+      add(world, body);
+      for (let i = 0; i < 100; i += 1) {
+        if (!(isAsked && body.sleeping)) body.applyForce([0, -10]);
+        world.step(DT);
+      }
+      expect(body.sleeping).toBe(true);
+      expect(body.getPosition()[1]).toBeCloseTo(0, 9);
+      steps(world, 30);
+      expect(body.getPosition()[1] > 1, `asked: ${isAsked}`).toBe(falls);
+    }
+  });
+
+  it('begins for what weak forces push anew', () => {
+    const world = weightless();
+    const body = plainBody();
+    add(world, body);
+    steps(world, 100);
+    expect(body.sleeping).toBe(true);
+    body.applyForce([0.01, 0]);
+    world.step(DT);
+    expect(body.getVelocity()[0]).toBeCloseTo(0.01 / 60, 9);
+  });
+
+  it('that something else ends has all of the force in that step', () => {
+    const world = heavy();
+    const body = plainBody();
+    add(world, body);
+    for (let i = 0; i < 100; i += 1) {
+      body.applyForce([0, -10]);
+      world.step(DT);
+    }
+    expect(body.sleeping).toBe(true);
+    const striker = plainBody({ position: [-0.999, 0], velocity: [3, 0] });
+    add(world, striker);
+    striker.applyForce([0, -10]);
+    body.applyForce([0, -10]);
+    world.step(DT);
+    expect(body.sleeping).toBe(false);
+    expect(body.getVelocity()[0]).toBeGreaterThan(1);
+    expect(body.getVelocity()[1]).toBeCloseTo(0, 9);
   });
 
   it('waits for a force that comes in the very step in which the body would have fallen asleep', () => {
@@ -287,6 +360,43 @@ describe('what is to push in the next step', () => {
     steps(world, 5);
     expect(pose(body)).toEqual(after);
     expect(world.hash()).not.toBe(hash);
+  });
+
+  it('is known of what sleeps after a restore, in this world or a copy', () => {
+    const world = heavy();
+    const body = plainBody();
+    add(world, body);
+    for (let i = 0; i < 100; i += 1) {
+      body.applyForce([0, -10]);
+      world.step(DT);
+    }
+    expect(body.sleeping).toBe(true);
+    for (const force of [-10, -11, 0]) {
+      for (const isLate of [false, true]) {
+        if (!isLate && force < 0) body.applyForce([0, force]);
+        const snapshot = world.snapshot();
+        const hash = world.hash();
+        const run = () => {
+          if (isLate && force < 0) body.applyForce([0, force]);
+          world.step(DT);
+          body.applyForce([0, force]);
+          world.step(DT);
+          return world.hash();
+        };
+        const after = run();
+        steps(world, 3);
+        world.restore(snapshot);
+        expect(world.hash()).toBe(hash);
+        expect(run(), `${force} N`).toBe(after);
+        expect(body.sleeping, `${force} N`).toBe(force === -10);
+        world.restore(snapshot.slice(0));
+        expect(run(), `${force} N, of a copy`).toBe(after);
+        world.restore(snapshot);
+        world.step(DT);
+        world.restore(snapshot);
+        if (!isLate && force < 0) world.step(DT);
+      }
+    }
   });
 
   it('is not there after a restore to where it was not', () => {
