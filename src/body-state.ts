@@ -32,6 +32,8 @@ export abstract class BodyState extends BodyNumbers {
   slot = 0;
   /** @internal what `bullet` is */
   isBullet = false;
+  /** @internal what pushes it for one step, once anything has */
+  applied: Applied | null = null;
   /** @internal how many enabled constraints in a world keep it from interacting with other bodies */
   ignoring = 0;
   /** @internal shapes, mass or radius differ from what is cached */
@@ -50,8 +52,6 @@ export abstract class BodyState extends BodyNumbers {
   readonly shapes: Shape[];
   /** Constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
-  /** @internal what pushes it for one step, once anything has */
-  applied: Applied | null = null;
   /** @internal its `wake` event waits for the next step */
   woken = false;
   /** @internal */

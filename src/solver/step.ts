@@ -24,7 +24,7 @@ export function step(world: World, dt: number): void {
   const h = dt / substeps;
   solver.substeps = substeps;
   profile?.begin();
-  wakePushed(world, dt);
+  if (world.pushed.size > 0) wakePushed(world, dt);
   refreshMoved(world);
   findPairs(world, dt);
   profile?.lap('pairs');
@@ -33,7 +33,7 @@ export function step(world: World, dt: number): void {
   sleepIslands(world, dt);
   profile?.lap('islands');
   prepare(world, h);
-  passPushed(world);
+  if (world.pushed.size > 0) passPushed(world);
   profile?.lap('prepare');
   profile?.count(world);
   if (solver.isIdle) {
