@@ -136,9 +136,9 @@ describe('what is dropped on each other one by one', () => {
 
 describe('twenty chains of six links that are dropped into a bin', () => {
   // Links that fall fast pass through others; chains that are hooked so cannot come apart. Of twenty such heaps eleven slept as long as links were pushed as far as what is
-  // not linked, then eighteen did, and 21 of 24.
-  it('sleep within 15 s, at least 18 heaps of 24', () => {
-    const times = Array.from({ length: 24 }, (_, start) => {
+  // not linked, then eighteen did, and 49 of 60: four in five, so that of 24 seven may be awake by chance, as once when sweeps were counted from another step on.
+  it('sleep within 15 s, at least 45 heaps of 60', () => {
+    const times = Array.from({ length: 60 }, (_, start) => {
       const { within } = dice(start + 1);
       const world = phys2D.createWorld({ gravity: [0, 10] });
       const walls = [
@@ -163,7 +163,7 @@ describe('twenty chains of six links that are dropped into a bin', () => {
       return world.liveDynamics.length > 0 ? Infinity : world.simulatedTime - dropped;
     });
     console.log(`chains sleep ${times.map((time) => time.toFixed(1)).join(', ')} s later`);
-    expect(times.filter(Number.isFinite).length).toBeGreaterThanOrEqual(18);
+    expect(times.filter(Number.isFinite).length).toBeGreaterThanOrEqual(45);
   });
 
   function addChain(world: source.World, x: number): void {
