@@ -52,8 +52,6 @@ export class Arbiter extends PairState {
     return 1;
   }
 
-  /** @internal the step in which the present interaction began, or the last one */
-  began = -1;
   /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
   next: Arbiter | null = null;
   /** @internal index in shapeA.arbiters */
@@ -66,18 +64,6 @@ export class Arbiter extends PairState {
   held: Held | null = null;
   /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
   private seenPoints: { readonly list: Contact[]; readonly points: readonly Contact[] } | null = null;
-
-  /** @internal */
-  constructor(
-    /** The shape with the lower id. */
-    public shapeA: Shape,
-    /** The other one: normals point from A to B. */
-    public shapeB: Shape,
-    /** @internal among those of its world, from 1 on */
-    readonly number: number,
-  ) {
-    super();
-  }
 
   /** @internal how many points were found, 0 to 2 */
   get count(): number {

@@ -1,5 +1,6 @@
 import * as g from '../collide/layout.js';
 import { Slab } from '../math/doubles.js';
+import type { Shape } from '../shape/shape.js';
 import { ACCEPTED, ACTIVE, FIXED, FRESH, NEAR, ROCKS, SENSOR, SHOWN, SLEEPING, STRAINS, USED } from './bits.js';
 
 /** Long before the first step. */
@@ -13,12 +14,18 @@ const slab = /* @__PURE__ */ new Slab();
  * its public face.
  */
 export abstract class PairState {
+  /** @internal see `bits.ts` */
+  bits: number = ACCEPTED;
   /** @internal where the record of the pair begins: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
   at: number = slab.take(g.PAIR_STRIDE);
   /** @internal the slab that it is in */
   numbers: Float64Array = slab.numbers;
-  /** @internal see `bits.ts` */
-  bits: number = ACCEPTED;
+  /** The shape with the lower id. */
+  shapeA: Shape;
+  /** The other one: normals point from A to B. */
+  shapeB: Shape;
+  /** @internal among those of its world, from 1 on */
+  readonly number: number;
   /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
   seen = -1;
   /** @internal the last step in which the shapes interacted */
@@ -27,10 +34,19 @@ export abstract class PairState {
   listIndex = -1;
   /** @internal where `Movers.foresight` tells how much nearer the surfaces are when they will meet, of which its points are; 0 if they are those of now */
   foreseen = 0;
-  /** @internal for so many steps on end it bore far more than the bodies weigh, see `strainFor` */
-  strain = 0;
-  /** @internal the last step in which it did for long */
+  /** @internal the last step in which it bore far more than the bodies weigh for long */
   strained = LONG_AGO;
+  /** @internal the step in which the present interaction began, or the last one */
+  began = -1;
+  /** @internal for so many steps on end it did, see `strainFor` */
+  strain = 0;
+
+  /** @internal */
+  constructor(shapeA: Shape, shapeB: Shape, number: number) {
+    this.shapeA = shapeA;
+    this.shapeB = shapeB;
+    this.number = number;
+  }
 
   /**
    * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
