@@ -216,6 +216,8 @@ export class SolverData {
    */
   readonly hard: number[] = [];
   hardCount = 0;
+  /** The most pairs that there were, of which not all are contacts: with more of them room is made at once. */
+  roomFor = 0;
   /** Something was taken from what an awake body lies on or carries. */
   unloads = false;
   /** Set by a position iteration in which circles overlapped deeply. */

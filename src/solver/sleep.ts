@@ -94,8 +94,10 @@ function stir(world: World, body: RigidBody): void {
     const { arbiters } = shapes[i]!;
     for (let k = 0; k < arbiters.length; k += 1) {
       const pair = arbiters[k]!;
+      // First: most are of interactions that are over, of which nothing else need be waited for.
+      if (!pair.isSolid()) continue;
       const other = pair.bodyA === body ? pair.bodyB : pair.bodyA;
-      if (pair.active && other.kind === DYNAMIC && !other.asleep && pair.is(ACCEPTED)) other.wakeTime = stamp;
+      if (other.kind === DYNAMIC && !other.asleep) other.wakeTime = stamp;
     }
   }
 }

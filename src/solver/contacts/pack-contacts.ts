@@ -38,7 +38,10 @@ export function packContacts(world: World): void {
   const { items } = sorted;
   const { window } = solver;
   solver.clearContacts();
-  if (sorted.count > solver.one.capacity + solver.two.capacity) makeRoom(solver, sorted);
+  if (sorted.count > solver.roomFor) {
+    solver.roomFor = sorted.count;
+    makeRoom(solver, sorted);
+  }
   let dynamics = 0;
   let statics = 0;
   let kept = 0;

@@ -43,17 +43,22 @@ function isKinematic({ a, b }: Meeting): boolean {
   return a.owner!.kind === KINEMATIC || b.owner!.kind === KINEMATIC;
 }
 
-/** The meetings of a step, in a binary heap that gives the first one, and in a list for each dynamic body. */
+/**
+ * The meetings of a step, in a binary heap that gives the first one, and in a list for each dynamic body. The heap is only made when the first is asked for: of
+ * those that are added many are taken out before.
+ */
 export class MeetingQueue {
   /** In the order in which they were found. What lies beyond the count is for later. */
   readonly all: Meeting[] = [];
   count = 0;
   private readonly heap: Meeting[] = [];
   private size = 0;
+  private isHeap = false;
 
   clear(): void {
     this.count = 0;
     this.size = 0;
+    this.isHeap = false;
   }
 
   /** A meeting of two shapes that is not among the others until it is added. */
@@ -86,11 +91,17 @@ export class MeetingQueue {
       two.meetings = meeting;
     }
     this.size += 1;
-    this.rise(meeting, this.size - 1);
+    this.put(meeting, this.size - 1);
   }
 
   /** The meeting that comes first; `null` if there is none. */
   first(): Meeting | null {
+    if (!this.isHeap) {
+      this.isHeap = true;
+      for (let slot = (this.size >> 1) - 1; slot >= 0; slot -= 1) {
+        this.sink(this.heap[slot]!, slot);
+      }
+    }
     return this.size > 0 ? this.heap[0]! : null;
   }
 
@@ -106,8 +117,13 @@ export class MeetingQueue {
 
   /** To be called when the time of a meeting has changed. */
   put(meeting: Meeting, slot = meeting.slot): void {
-    this.rise(meeting, slot);
-    this.sink(meeting, meeting.slot);
+    if (this.isHeap) {
+      this.rise(meeting, slot);
+      this.sink(meeting, meeting.slot);
+    } else {
+      this.heap[slot] = meeting;
+      meeting.slot = slot;
+    }
   }
 
   private rise(meeting: Meeting, from: number): void {
