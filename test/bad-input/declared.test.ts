@@ -348,7 +348,7 @@ it('nothing is left out', () => {
 
 it('what may be set is checked, but user data', () => {
   // What the engine writes for others to read; settings of the debug drawing, which look plain to the compiler alone.
-  const free = /^(?:Arbiter|Profile|BoxTreeNode|DebugSettings)\.|\.userData$/;
+  const free = /^(?:PairState|Profile|BoxTreeNode|DebugSettings)\.|\.userData$/;
   expect(declared.plain.filter((name) => !free.test(name))).toEqual([]);
   expect(declared.plain).toContain('BodyState.userData');
 });
