@@ -16,9 +16,7 @@ export class Applied {
   }
 
   clear(): void {
-    this.x = 0;
-    this.y = 0;
-    this.torque = 0;
+    this.stay();
     this.pass();
   }
 

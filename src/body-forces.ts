@@ -44,11 +44,8 @@ export abstract class BodyForces extends BodyState {
    */
   applyForce(force: Vec2Like, position?: Vec2Like): void {
     const where = 'RigidBody.applyForce';
-    vector(where, 'force', force, 2);
-    if (position !== undefined) {
-      vector(where, 'position', position, 2);
-    }
-    this.push(where, 'force', force, force[0]!, force[1]!, this.momentOf(force, position));
+    const moment = this.momentOf(where, 'force', force, position);
+    this.push(where, 'force', force, force[0]!, force[1]!, moment);
   }
 
   /** Adds a torque, N·m, as `applyForce` adds a force. */
@@ -63,17 +60,13 @@ export abstract class BodyForces extends BodyState {
    */
   applyImpulse(impulse: Vec2Like, position?: Vec2Like): void {
     const where = 'RigidBody.applyImpulse';
-    vector(where, 'impulse', impulse, 2);
-    if (position !== undefined) {
-      vector(where, 'position', position, 2);
-    }
+    const moment = this.momentOf(where, 'impulse', impulse, position);
     if (this.kind !== DYNAMIC) {
       return;
     }
     const inverseMass = this.inverseMass();
     const vx = this.vx + impulse[0]! * inverseMass;
     const vy = this.vy + impulse[1]! * inverseMass;
-    const moment = this.momentOf(impulse, position);
     const w = moment === 0 ? this.w : this.w + moment * this.inverseInertia();
     leadsTo(where, 'impulse', impulse, 'velocities', vx, vy, w);
     this.vx = vx;
@@ -99,9 +92,14 @@ export abstract class BodyForces extends BodyState {
     return this.fx !== 0 || this.fy !== 0 || this.appliedTorque !== 0 || (this.applied?.pushes() ?? false);
   }
 
-  /** About the origin, of what acts at a point; 0 without one. */
-  private momentOf(vector: Vec2Like, position: Vec2Like | undefined): number {
-    return position === undefined ? 0 : (position[0]! - this.x) * vector[1]! - (position[1]! - this.y) * vector[0]!;
+  /** About the origin, of what acts at a point, 0 without one; after a check of both. */
+  private momentOf(where: string, name: string, given: Vec2Like, position: Vec2Like | undefined): number {
+    vector(where, name, given, 2);
+    if (position === undefined) {
+      return 0;
+    }
+    vector(where, 'position', position, 2);
+    return (position[0]! - this.x) * given[1]! - (position[1]! - this.y) * given[0]!;
   }
 
   private push(where: string, name: string, given: unknown, x: number, y: number, torque: number): void {

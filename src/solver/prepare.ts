@@ -32,7 +32,8 @@ const angular = /* @__PURE__ */ new Keep();
 export function prepare(world: World, h: number): void {
   const data = world.solver;
   if (world.liveDynamics.length + world.liveKinematics.length + world.liveConstraints.length > 0) {
-    packBodies(world, h);
+    packBodies(world);
+    packDrives(world, h);
     // Where nothing is near anything nobody asks for them.
     if (world.pairs.sorted.count > 0) packTraits(world);
     scaleImpulses(data, h);
@@ -70,41 +71,24 @@ function scaleImpulses(data: SolverData, h: number): void {
   data.previousH = h;
 }
 
-function packBodies(world: World, h: number): void {
+function packBodies(world: World): void {
   const data = world.solver;
   const dynamics = world.liveDynamics;
   const kinematics = world.liveKinematics;
   data.resetBodies(1 + dynamics.length + kinematics.length);
   let slot = 1;
   for (let i = 0; i < dynamics.length; i += 1) {
-    const body = dynamics[i]!;
-    linear.find(body.linearDrag, h);
-    angular.find(body.angularDrag, h);
-    packBody(data, body, slot);
-    const at = slot * d.BODY_STRIDE;
-    const invMass = data.velocity[at + d.INV_MASS]!;
-    const invInertia = data.velocity[at + d.INV_INERTIA]!;
-    const drive = data.drive;
-    findForces(body);
-    body.applied?.pass();
-    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (forces[0]! * invMass + world.gravityX) * h;
-    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (forces[1]! * invMass + world.gravityY) * h;
-    drive[at + d.GAIN_W] = forces[2]! * invInertia * h;
-    drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
-    drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : linear.keep;
-    drive[at + d.KEEP_ANGULAR] = invInertia === 0 ? 1 : angular.keep;
-    holdWild(world, body);
+    packBody(data, dynamics[i]!, slot);
     slot += 1;
   }
   for (let i = 0; i < kinematics.length; i += 1) {
-    const body = kinematics[i]!;
-    packBody(data, body, slot);
+    packBody(data, kinematics[i]!, slot);
     const at = slot * d.BODY_STRIDE;
     data.drive.fill(0, at, at + d.BODY_STRIDE);
     data.drive[at + d.KEEP_LINEAR] = 1;
     data.drive[at + d.KEEP_ANGULAR] = 1;
     data.drive[at + d.REST_RADIUS] = -1;
-    holdWild(world, body);
+    holdWild(world, kinematics[i]!);
     slot += 1;
   }
 }
@@ -132,7 +116,30 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   data.drive[at + d.LOAD] = 0;
 }
 
-/** What contacts ask of dynamic bodies; kinematic ones have none of it. A pass of its own: with it the one over all else would be too long to be compiled as a whole, and box numbers. */
+/** What drives dynamic bodies in sub-steps of length h. As `packTraits` a pass of its own: what is too long to be compiled as a whole boxes numbers. */
+function packDrives(world: World, h: number): void {
+  const { velocity, drive } = world.solver;
+  const dynamics = world.liveDynamics;
+  for (let i = 0; i < dynamics.length; i += 1) {
+    const body = dynamics[i]!;
+    linear.find(body.linearDrag, h);
+    angular.find(body.angularDrag, h);
+    findForces(body);
+    body.applied?.pass();
+    const at = body.slot * d.BODY_STRIDE;
+    const invMass = velocity[at + d.INV_MASS]!;
+    const invInertia = velocity[at + d.INV_INERTIA]!;
+    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (forces[0]! * invMass + world.gravityX) * h;
+    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (forces[1]! * invMass + world.gravityY) * h;
+    drive[at + d.GAIN_W] = forces[2]! * invInertia * h;
+    drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
+    drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : linear.keep;
+    drive[at + d.KEEP_ANGULAR] = invInertia === 0 ? 1 : angular.keep;
+    holdWild(world, body);
+  }
+}
+
+/** What contacts ask of dynamic bodies; kinematic ones have none of it. */
 function packTraits({ solver, liveDynamics, timeStamp }: World): void {
   solver.unloads = false;
   solver.traits.fill(0, 1 + liveDynamics.length, solver.bodyCount);

@@ -58,7 +58,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   tape.block(numbers, at + LAST_MOTION, at + LAST_MOTION_END);
   const { numbers: n, integers } = bodyRow;
   if (tape.writes) {
-    const isPushed = b.applied !== null && (b.applied.pushes() || b.applied.pushedBefore() || b.applied.isKept);
+    const isPushed = b.applied !== null && (b.applied.pushes() || b.applied.pushedBefore());
     integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.isBullet ? 4 : 0) | (b.kind << 3) | (isPushed ? 32 : 0);
     n[0] = b.fx;
     n[1] = b.fy;
