@@ -232,7 +232,8 @@ export abstract class BodyState extends BodyNumbers {
 
   /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
   leave(): void {
-    this.owner?.pushed.delete(this);
+    this.owner!.pushed.delete(this);
+    this.owner!.someLeft = true;
     this.owner = null;
     this.asleep = false;
     this.woken = false;

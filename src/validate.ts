@@ -274,3 +274,12 @@ export function callable(where: string, name: string, value: unknown): void {
     throw typeError(where, name, 'a function', value);
   }
 }
+
+/** The `callback` of a query; `null` without one. */
+export function callbackOf<T>(where: string, callback: T | undefined): T | null {
+  if (callback === undefined) {
+    return null;
+  }
+  callable(where, 'callback', callback);
+  return callback;
+}

@@ -124,6 +124,8 @@ export abstract class WorldState {
   stepping = false;
   /** @internal bodies whose geometry has to be refreshed */
   readonly stale = new List<RigidBody>();
+  /** @internal a body, shape or constraint did, since `letGo` */
+  someLeft = false;
   /** @internal sleeping bodies hit in this step */
   readonly toWake = new List<RigidBody>();
   /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */

@@ -12,6 +12,7 @@ import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapes
 import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import { changeFilters } from './solver/find-pairs.js';
+import { letGo } from './solver/let-go.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { insertHandle } from './solver/refresh.js';
 import { quieten, sleepBody, sleepConstraint, wakeAll, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
@@ -20,6 +21,7 @@ import { countIgnoring, enlivenTied, leaveWorld, switchOff, switchOn, tie, untie
 import {
   boolean,
   callable,
+  callbackOf,
   checkedRay,
   instance,
   list,
@@ -194,19 +196,20 @@ export class World extends WorldState {
       countIgnoring(constraint, -1);
       leaveWorld(constraint);
     }
+    for (const list of [this.rigidBodies, this.constraints, this.dynamicArbiters, this.staticArbiters]) {
+      list.length = 0;
+    }
+    for (const list of [this.liveDynamics, this.liveKinematics, this.liveConstraints]) {
+      list.length = 0;
+    }
     this.broadphase.clear();
-    this.constraints.length = 0;
-    this.liveConstraints.length = 0;
+    this.solver.joints.reset();
     this.jointsStale = true;
-    this.rigidBodies.length = 0;
-    this.liveDynamics.length = 0;
-    this.liveKinematics.length = 0;
-    this.dynamicArbiters.length = 0;
-    this.staticArbiters.length = 0;
-    this.stale.items.length = 0;
     this.stale.clear();
     this.pairs.clear();
     this.events.clear();
+    // Who is told of an event may still ask what it was.
+    if (!this.delivering) letGo(this);
   }
 
   /** The shapes that contain a point, in the order in which they were made, written to the start of `store`; boundaries count. @returns how many. */
@@ -264,7 +267,7 @@ export class World extends WorldState {
     const where = 'World.rayCast';
     checkedRay(where, ray);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
-    const accept = optionalCallable(where, callback);
+    const accept = callbackOf(where, callback);
     return castRay(this, ray, ignoreInnerSurfaces, accept && ((found) => accept.call(thisObject, ray, found)));
   }
 
@@ -292,7 +295,7 @@ export class World extends WorldState {
     const where = 'World.convexCast';
     bodyOf(where, 'shape', shape);
     positive(where, 'deltaTime', deltaTime);
-    const accept = optionalCallable(where, callback);
+    const accept = callbackOf(where, callback);
     return castShape(this, shape, deltaTime, accept && ((found) => accept.call(thisObject, shape, found)));
   }
 
@@ -474,6 +477,7 @@ export class World extends WorldState {
     cutPairs(this, shape);
     this.broadphase.remove(shape.handle!);
     shape.leave();
+    this.someLeft = true;
   }
 
   /** @internal */
@@ -487,12 +491,4 @@ function checkConstraint(where: string, constraint: Constraint): void {
   if (typeof constraint?.measure !== 'function') {
     throw typeError(where, 'constraint', 'a Constraint', constraint);
   }
-}
-
-function optionalCallable<T>(where: string, callback: T | undefined): T | null {
-  if (callback === undefined) {
-    return null;
-  }
-  callable(where, 'callback', callback);
-  return callback;
 }

@@ -146,6 +146,7 @@ function auditPools(audit: Audit): void {
     note(pair);
   }
   for (const pair of waiting) {
+    if (pair.shapeA === null) continue;
     audit.demand(table.find(pair.shapeA, pair.shapeB) !== pair, pair, 'is in a pool and in the table of pairs');
     audit.demand(
       !isIn(pair.shapeA, pair.indexA, pair) && !isIn(pair.shapeB, pair.indexB, pair),

@@ -104,8 +104,7 @@ export class CollisionUtils {
     sweep.b.start(shapeB, b, a);
     const time = timeOfImpact(sweep, deltaTime);
     const found = sweep.distance;
-    sweep.a.shape = null;
-    sweep.b.shape = null;
+    sweep.release();
     if (time < 0) {
       return undefined;
     }

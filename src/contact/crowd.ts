@@ -44,6 +44,14 @@ export class Crowd {
     return this.lists[at]!;
   }
 
+  /** Lets go of shapes of earlier steps. */
+  release(): void {
+    this.shapes.release();
+    for (const list of this.lists) {
+      list.release();
+    }
+  }
+
   /** Tells which pairs are to be made, some twice. */
   drainTo(pairs: Pairs): void {
     for (let i = 0; i < this.shapes.count; i += 1) {

@@ -280,6 +280,18 @@ export class Pairs {
     this.cut = free;
   }
 
+  /** Lets go of shapes of earlier steps. */
+  release(): void {
+    this.crowd.release();
+    for (let i = this.reportedCount; i < this.reported.length; i += 1) {
+      nameNone(this.reported[i]!);
+    }
+    // Those below were let go of before.
+    for (let pair = this.pool; pair !== null && pair.shapeA !== null; pair = pair.next) {
+      nameNone(pair);
+    }
+  }
+
   clear(): void {
     this.merge();
     for (let i = 0; i < this.sorted.count; i += 1) {
@@ -289,10 +301,27 @@ export class Pairs {
       if (pair !== null) this.free(pair);
     }
     this.table.clear();
+    this.freeCut();
     this.sightings.fill(NOT_REPORTED);
     this.sorted.clear();
     this.arriving.clear();
   }
+
+  /** @internal frees what was cut at once: no event names it any more */
+  freeCut(): void {
+    for (const list of [this.cut, this.cutBefore]) {
+      for (const pair of list) {
+        this.free(pair);
+      }
+      list.length = 0;
+    }
+  }
+}
+
+/** Holds on to no shapes: they, and what is bound to them, may be gone. */
+function nameNone(report: Report): void {
+  report.shapeA = null!;
+  report.shapeB = null!;
 }
 
 /** Removes an entry of `shape.arbiters`; the last one takes its place. */

@@ -116,6 +116,12 @@ export class Sweep {
     readonly patience = 20_000,
     readonly cautious = false,
   ) {}
+
+  /** Lets go of the shapes. */
+  release(): void {
+    this.a.shape = null;
+    this.b.shape = null;
+  }
 }
 
 /** By what share of its time a meeting of circles is reckoned too early. */

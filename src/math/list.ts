@@ -18,6 +18,16 @@ export class List<T> {
   clear(): void {
     this.count = 0;
   }
+
+  /** Lets go of what is old. */
+  release(): void {
+    release(this.items, this.count);
+  }
+}
+
+/** Lets go of what lies in a list from some place on, and is for later: nothing reads it. */
+export function release(items: unknown[], from: number): void {
+  items.fill(null, from);
 }
 
 /** Empties a list that will soon be as long again: setting its length would give its memory back. */

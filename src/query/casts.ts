@@ -175,8 +175,7 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
     }
     return limit;
   });
-  sweep.a.shape = null;
-  sweep.b.shape = null;
+  sweep.release();
   spareSweep = sweep;
   return best;
 }

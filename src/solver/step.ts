@@ -10,6 +10,7 @@ import { continuous } from './impacts/continuous.js';
 import { foresee } from './impacts/foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
 import { sleepIslands } from './islands.js';
+import { letGo } from './let-go.js';
 import { prepare } from './prepare.js';
 import { refreshMoved } from './refresh.js';
 import { sleepKinematics } from './sleep.js';
@@ -24,6 +25,7 @@ export function step(world: World, dt: number): void {
   const h = dt / substeps;
   solver.substeps = substeps;
   profile?.begin();
+  if (world.someLeft) letGo(world);
   if (world.pushed.size > 0) wakePushed(world, dt);
   refreshMoved(world);
   findPairs(world, dt);

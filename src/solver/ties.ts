@@ -47,6 +47,7 @@ export function leaveWorld(constraint: Constraint): void {
     // The others keep their order, which hashes tell: a body that is in no world may have constraints of several.
     constraints.splice(constraints.indexOf(constraint), 1);
   }
+  constraint.owner!.someLeft = true;
   constraint.owner = null;
   constraint.asleep = false;
   constraint.woken = false;

@@ -21,12 +21,7 @@ export function beginClaims(pairs: Pairs): void {
   }
   next = 0;
   unclaimed = pairs.table.size;
-  for (const list of [pairs.cut, pairs.cutBefore]) {
-    for (const pair of list) {
-      pairs.free(pair);
-    }
-    list.length = 0;
-  }
+  pairs.freeCut();
   pairs.sightings.fill(NOT_REPORTED);
   sorted.clear();
   pairs.arriving.clear();

@@ -3,7 +3,7 @@ import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { AWAKE, DEAD } from '../contact/bits.js';
 import type { Material } from '../material.js';
-import { drop } from '../math/list.js';
+import { drop, release } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { Island } from '../solver/sleep.js';
 import type { World } from '../world.js';
@@ -83,6 +83,13 @@ export function gather(world: World, scene: Scene): void {
     bodies.push(body);
   }
   gatherPairs(world, scene);
+}
+
+/** Lets go of all of them. */
+export function releaseScene({ bodies, shapes, constraints, materials, pairs, islands }: Scene): void {
+  for (const list of [bodies, shapes, constraints, materials, pairs, islands]) {
+    release(list, 0);
+  }
 }
 
 /** Lists the same objects elsewhere. */

@@ -14,11 +14,11 @@ import { beginClaims } from './claims.js';
 import { VERSION } from './format.js';
 import { describe, HEAD, isElsewhere, ranksOf, resolve, turned } from './identity.js';
 import { keepGroup, ROWS } from './rows.js';
-import { copyObjects, emptyScene, gather, type Objects, type Scene } from './scene.js';
+import { copyObjects, emptyScene, gather, type Objects, releaseScene, type Scene } from './scene.js';
 import { Tape } from './tape.js';
 import { walk } from './walk.js';
 
-/** Scratch. The scene holds on to the objects of the world that was looked at last, as lists are filled again in place. */
+/** Scratch. */
 const tape = /* @__PURE__ */ new Tape(ROWS);
 const scene = /* @__PURE__ */ emptyScene();
 
@@ -44,6 +44,7 @@ function hashOf(world: World): string {
   }
   walk(tape, world, scene);
   walkGroups(tape, world);
+  releaseScene(scene);
   return tape.hashed();
 }
 
@@ -59,6 +60,7 @@ function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined
   walkGroups(tape, world);
   const buffer = tape.written(target);
   remember(buffer);
+  releaseScene(scene);
   return buffer;
 }
 
@@ -100,6 +102,7 @@ function restoreTo(
   }
   walkGroups(tape, world);
   place(world, scene);
+  releaseScene(scene);
   tape.unload();
 }
 
@@ -264,6 +267,7 @@ function detach(world: World, shape: Shape): void {
   if (handle !== null) {
     world.broadphase.remove(handle);
     shape.leave();
+    world.someLeft = true;
   }
 }
 

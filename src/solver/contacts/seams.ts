@@ -165,6 +165,12 @@ function findWay({ movers }: World, { owner }: Shape, { numbers: n, at }: Shape)
   came[2] = Math.abs(turnSin) * Math.max(n[at + 2]! - n[at]!, n[at + 3]! - n[at + 1]!);
 }
 
+/** Lets go of grounds of earlier contacts. */
+export function releaseAround(): void {
+  around.clear();
+  around.release();
+}
+
 /** Places the other grounds around, which go as one does, where they are at a time. */
 function putAround({ movers }: World, ground: Shape, time: number): void {
   for (let i = 0; i < around.count; i += 1) {

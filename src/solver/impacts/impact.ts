@@ -13,7 +13,7 @@ import type { PointConstraint } from '../../constraint/point.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { USED } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
-import { List } from '../../math/list.js';
+import { List, release } from '../../math/list.js';
 import type { World } from '../../world.js';
 import { normalGain } from '../contacts/bounce.js';
 import { Ledger } from '../contacts/no-gain.js';
@@ -142,6 +142,15 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
     storeImpulses(impacts[i]!);
   }
   if (jointSolver !== null) noteHinges(jointSolver);
+}
+
+/** Lets go of the bodies of impacts that are over. */
+export function releaseImpacts(): void {
+  release(bodies.items, 0);
+  for (const { a, b } of impacts) {
+    a.body = null!;
+    b.body = null!;
+  }
 }
 
 /** Of what a body on a hinge got in all, the hinge gave what its contacts did not. */

@@ -61,6 +61,14 @@ export class MeetingQueue {
     this.isHeap = false;
   }
 
+  /** Lets go of shapes of earlier steps. */
+  release(): void {
+    for (const meeting of this.all) {
+      meeting.a = null!;
+      meeting.b = null!;
+    }
+  }
+
   /** A meeting of two shapes that is not among the others until it is added. */
   draft(one: Shape, two: Shape): Meeting {
     if (this.count === this.all.length) {

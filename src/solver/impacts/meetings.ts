@@ -39,6 +39,12 @@ export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
 }
 
+/** Lets go of the shapes that were swept last. */
+export function releaseMeetings(): void {
+  sweep.release();
+  middle.shape = null;
+}
+
 /**
  * Finds everything that meets if nothing else does, and would get deep into each other. Kinematic bodies that are awake have movers, and
  * while a step is foreseen the ways are listed.

@@ -5,7 +5,7 @@ import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
 import type { Travel } from '../../geometry/sweep.js';
 import { grown, widened } from '../../math/doubles.js';
-import { List } from '../../math/list.js';
+import { List, release } from '../../math/list.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import * as d from '../layout.js';
@@ -382,5 +382,15 @@ export class Movers {
     this.looking = 0;
     this.ahead = 0;
     this.bouncy = false;
+  }
+
+  /** Lets go of bodies and shapes of earlier steps. To be called between steps. */
+  release(): void {
+    for (const mover of this.all) {
+      mover.body = null!;
+    }
+    this.meetings.release();
+    release(this.ways.shapes, 0);
+    release(this.nearby.shapes, 0);
   }
 }

@@ -35,7 +35,9 @@ export function passes(pair: Arbiter, dt: number): boolean {
   way.tolerance = SWEEP_TOLERANCE;
   way.time = 0;
   way.most = dt;
-  return !findImpact(way);
+  const isPassed = !findImpact(way);
+  way.release();
+  return isPassed;
 }
 
 /** Whether two circles meet within a step; turns their contact so that it closes when they do, along the line of their centres of then: |d + v·t| = r. */
