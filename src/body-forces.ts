@@ -4,7 +4,7 @@ import { BodyState } from './body-state.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { finite, leadsTo, vector } from './validate.js';
 
-/** What pushes a body: forces that last, forces for one step, impulses. {@link RigidBody} is its public face. */
+/** What pushes a body: forces that last, forces for one step, impulses, its share of gravity. {@link RigidBody} is its public face. */
 export abstract class BodyForces extends BodyState {
   /** The force that `setForce` set, N: without gravity, contacts and constraints. */
   getForce(): Vec2;
@@ -33,6 +33,20 @@ export abstract class BodyForces extends BodyState {
     finite('RigidBody.setTorque', 'torque', torque);
     if (torque !== this.appliedTorque) {
       this.appliedTorque = torque;
+      this.rouse();
+    }
+  }
+
+  /** How much of the gravity of the world acts on it; 1 unless set. */
+  getGravityScale(): number {
+    return this.gravityScale;
+  }
+
+  /** Sets how much of the gravity of the world acts on it: 0 none, −1 the opposite, 2 twice as much. Wakes the body if changed. Dynamic bodies feel it. */
+  setGravityScale(gravityScale: number): void {
+    finite('RigidBody.setGravityScale', 'gravityScale', gravityScale);
+    if (gravityScale !== this.gravityScale) {
+      this.gravityScale = gravityScale;
       this.rouse();
     }
   }
@@ -87,9 +101,15 @@ export abstract class BodyForces extends BodyState {
     }
   }
 
-  /** @internal something pushes it in the next step, apart from gravity */
+  /** @internal something pushes it in the next step, other than the gravity of the world */
   hasForce(): boolean {
-    return this.fx !== 0 || this.fy !== 0 || this.appliedTorque !== 0 || (this.applied?.pushes() ?? false);
+    return (
+      this.gravityScale !== 1 ||
+      this.fx !== 0 ||
+      this.fy !== 0 ||
+      this.appliedTorque !== 0 ||
+      (this.applied?.pushes() ?? false)
+    );
   }
 
   /** About the origin, of what acts at a point, 0 without one; after a check of both. */

@@ -1,6 +1,6 @@
 import { Slab } from './math/doubles.js';
 
-const COUNT = 24;
+const COUNT = 25;
 /** How many come first that tell where a body is and how it moves, with its velocity last. */
 export const MOTION = 8;
 /** The motion of the last step, and the clearance after it. */
@@ -230,5 +230,14 @@ export abstract class BodyNumbers {
   /** @internal */
   set fixedInertia(value: number) {
     this.numbers[this.at + 23] = value;
+  }
+
+  /** @internal of the gravity of its world, what it feels */
+  get gravityScale(): number {
+    return this.numbers[this.at + 24]!;
+  }
+  /** @internal */
+  set gravityScale(value: number) {
+    this.numbers[this.at + 24] = value;
   }
 }

@@ -40,6 +40,8 @@ export interface RigidBodyParams {
   linearDrag?: number | undefined;
   /** Share of the angular velocity lost per second, >= 0. Default 0.05. */
   angularDrag?: number | undefined;
+  /** How much of the gravity of the world it feels: 0 none, −1 the opposite, 2 twice as much. Default 1. */
+  gravityScale?: number | undefined;
   /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
   surfaceVelocity?: Vec2Like | undefined;
   /** Anything of yours. Default `null`. */
@@ -68,6 +70,7 @@ export function checkedParams(params: RigidBodyParams | undefined) {
     torque: finite(where, 'torque', optional(given.torque, 0)),
     linearDrag: nonNegative(where, 'linearDrag', optional(given.linearDrag, 0.05)),
     angularDrag: nonNegative(where, 'angularDrag', optional(given.angularDrag, 0.05)),
+    gravityScale: finite(where, 'gravityScale', optional(given.gravityScale, 1)),
     surfaceVelocity: vector(where, 'surfaceVelocity', optional(given.surfaceVelocity, ZERO), 2),
     mass: given.mass === undefined ? -1 : positiveOrInfinite(where, 'mass', given.mass),
     inertia: given.inertia === undefined ? -1 : positiveOrInfinite(where, 'inertia', given.inertia),

@@ -85,6 +85,7 @@ export abstract class BodyState extends BodyNumbers {
     this.appliedTorque = given.torque;
     this.linearDrag = given.linearDrag;
     this.angularDrag = given.angularDrag;
+    this.gravityScale = given.gravityScale;
     this.surfaceX = given.surfaceVelocity[0]!;
     this.surfaceY = given.surfaceVelocity[1]!;
     this.fixedMass = given.mass;

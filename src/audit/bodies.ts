@@ -98,6 +98,7 @@ function auditNumbers(audit: Audit, body: RigidBody): void {
   audit.finite(body, 'applied force x', body.applied?.x ?? 0);
   audit.finite(body, 'applied force y', body.applied?.y ?? 0);
   audit.finite(body, 'applied torque', body.applied?.torque ?? 0);
+  audit.finite(body, 'gravity scale', body.gravityScale);
   audit.finite(body, 'motion x', body.lastDx);
   audit.finite(body, 'motion y', body.lastDy);
   audit.finite(body, 'turn', body.lastTurn);

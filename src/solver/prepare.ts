@@ -127,10 +127,11 @@ function packDrives(world: World, h: number): void {
     findForces(body);
     body.applied?.pass();
     const at = body.slot * d.BODY_STRIDE;
+    const { gravityScale } = body;
     const invMass = velocity[at + d.INV_MASS]!;
     const invInertia = velocity[at + d.INV_INERTIA]!;
-    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (forces[0]! * invMass + world.gravityX) * h;
-    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (forces[1]! * invMass + world.gravityY) * h;
+    drive[at + d.GAIN_X] = invMass === 0 ? 0 : (forces[0]! * invMass + world.gravityX * gravityScale) * h;
+    drive[at + d.GAIN_Y] = invMass === 0 ? 0 : (forces[1]! * invMass + world.gravityY * gravityScale) * h;
     drive[at + d.GAIN_W] = forces[2]! * invInertia * h;
     drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
     drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : linear.keep;

@@ -31,7 +31,7 @@ const MOST = 0x3fffffff;
 /** Numbers that name features of shapes. */
 const FEATURES = 0xffffff;
 
-const bodyRow = /* @__PURE__ */ new Row(1, 11);
+const bodyRow = /* @__PURE__ */ new Row(1, 12);
 const appliedRow = /* @__PURE__ */ new Row(1, 6);
 const shapeRow = /* @__PURE__ */ new Row(1, 6);
 
@@ -71,6 +71,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
     n[8] = fixedInertia;
     n[9] = b.wakeTime;
     n[10] = b.unloaded;
+    n[11] = b.gravityScale;
   }
   tape.pass(bodyRow);
   const flags = integers[0]!;
@@ -92,6 +93,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
     b.fixedInertia = n[8]!;
     b.wakeTime = n[9]! | 0;
     b.unloaded = n[10]! | 0;
+    b.gravityScale = n[11]!;
   }
   return fixedMass !== b.fixedMass || fixedInertia !== b.fixedInertia;
 }

@@ -79,6 +79,7 @@ factory(
     torque: NOT_FINITE,
     linearDrag: NOT_NON_NEGATIVE,
     angularDrag: NOT_NON_NEGATIVE,
+    gravityScale: NOT_FINITE,
     surfaceVelocity: NOT_VECTOR,
   },
 );
@@ -360,6 +361,7 @@ function state(body: RigidBody): unknown[] {
     body.getTorque(),
     body.getLinearDrag(),
     body.getAngularDrag(),
+    body.getGravityScale(),
     body.getSurfaceVelocity(),
     body.getMass(),
     body.getInertia(),
@@ -384,6 +386,7 @@ describe('bodies', () => {
     ['getVelocityAtPoint', 'position', VECTORS],
     ['setLinearDrag', 'linearDrag', NOT_NON_NEGATIVE],
     ['setAngularDrag', 'angularDrag', NOT_NON_NEGATIVE],
+    ['setGravityScale', 'gravityScale', NOT_FINITE],
     ['setSurfaceVelocity', 'velocity', VECTORS],
     ['setMass', 'mass', NOT_MASS],
     ['setInertia', 'inertia', NOT_MASS],

@@ -105,8 +105,8 @@ function foreseeFalling(world: World, body: RigidBody): void {
   const mass = body.mass > 0 ? 1 / body.mass : 0;
   const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
   findForces(body);
-  const vx = body.vx + (mass > 0 ? world.gravityX + forces[0]! * mass : 0) * gain;
-  const vy = body.vy + (mass > 0 ? world.gravityY + forces[1]! * mass : 0) * gain;
+  const vx = body.vx + (mass > 0 ? world.gravityX * body.gravityScale + forces[0]! * mass : 0) * gain;
+  const vy = body.vy + (mass > 0 ? world.gravityY * body.gravityScale + forces[1]! * mass : 0) * gain;
   const w = body.w + forces[2]! * inertia * gain;
   const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
   movers.space.reach = way + CLEARANCE;
