@@ -60,6 +60,15 @@ export const PUSH_SHARE_DEEP_CIRCLES = 0.98;
 /** Most further position iterations of a sub-step while circles are deeper than DEEP_OVERLAP: 625 of them, created overlapping, come apart within 2 s. Not for polygons: where some are wedged, a heap would not rest. */
 export const CROWD_SWEEPS = 4;
 
+/** m. What is pressed may overlap so far before its contacts start sub-steps with less than they gave, see `squeezes.ts`; that with the square of this through the overlap. */
+export const SQUEEZE_DEPTH = 0.01;
+
+/** m/s, times the mass that a contact moves: so much it may start with in any case. A claw, that is 5 cm too narrow for what it grips, holds it by that. */
+export const SQUEEZE_SPEED = 1;
+
+/** … and this times what forces and gravity give in a sub-step to all that hangs together. */
+export const SQUEEZE_WEIGHTS = 1;
+
 /** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
 export const MAX_PUSH = 0.2;
 

@@ -185,6 +185,29 @@ export class ShockList {
   }
 }
 
+/** What is pressed, see `squeezes.ts`. */
+export class SqueezeList {
+  /** Contacts that are deeper than SQUEEZE_DEPTH, as `batchOf` is told them; then those of them that are of what is pressed. */
+  readonly contacts = new List<number>();
+  /** N·s. What each of them may start a sub-step with however deep it is. */
+  most = new Float64Array(0);
+  /** By slot: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, and whether they are pressed. */
+  parent = new Int32Array(0);
+  weight = new Float64Array(0);
+  pressed = new Uint8Array(0);
+
+  reserve(bodies: number, contacts: number): void {
+    if (bodies > this.parent.length) {
+      this.parent = new Int32Array(grown(bodies));
+      this.weight = new Float64Array(grown(bodies));
+      this.pressed = new Uint8Array(grown(bodies));
+    }
+    if (contacts > this.most.length) {
+      this.most = new Float64Array(grown(contacts));
+    }
+  }
+}
+
 /** Everything the solver keeps for a world. Of it only the previous sub-step's length and what joints remember survives a step. */
 export class SolverData {
   bodyCount = 0;
@@ -207,6 +230,7 @@ export class SolverData {
   readonly two = new ContactBatch(d.TWO_STRIDE, this);
   readonly bounces = new BounceList();
   readonly shocks = new ShockList();
+  readonly squeezes = new SqueezeList();
   readonly turning = new TurningList();
   /** Contacts of what may be hooked into each other, as `batchOf` is told them. */
   readonly hooked = new List<number>();
@@ -264,6 +288,7 @@ export class SolverData {
     this.two.count = 0;
     this.bounces.count = 0;
     this.shocks.clear();
+    this.squeezes.contacts.clear();
     this.turning.count = 0;
     this.hooked.clear();
     this.hardCount = 0;

@@ -8,6 +8,7 @@ import type { SolverData } from './data.js';
 import { findForces, forces } from './forces.js';
 import { holdWild } from './freeze.js';
 import * as d from './layout.js';
+import { findSqueezes } from './squeezes.js';
 
 /** What a drag leaves of a velocity after h seconds, (1 − drag)^h: remembered, as most bodies have the same drag in all steps. */
 class Keep {
@@ -42,6 +43,7 @@ export function prepare(world: World, h: number): void {
     data.bodyCount = 1;
   }
   packContacts(world);
+  if (data.squeezes.contacts.count > 0) findSqueezes(world);
   if (world.jointSolver === null) {
     world.jointsStale = false;
     world.jointsTouched = false;

@@ -14,6 +14,7 @@ import { letGo } from './let-go.js';
 import { prepare } from './prepare.js';
 import { refreshMoved } from './refresh.js';
 import { sleepKinematics } from './sleep.js';
+import { easeSqueezes } from './squeezes.js';
 import { store } from './store.js';
 
 /**
@@ -63,6 +64,7 @@ function integrate(world: World, h: number): void {
     planBounces(solver, h);
     integrateVelocities(solver);
     jointSolver?.warmStart(solver, substep === 0);
+    easeSqueezes(solver);
     warmStartContacts(solver, h);
     applyBounces(solver);
     const iterations = share(world.velocityIterations, substep, substeps);

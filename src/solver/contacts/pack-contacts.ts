@@ -10,6 +10,7 @@ import {
   PUSH_SHARE_UNEVEN,
   SHOCK_SPEED,
   SPECULATIVE_MARGIN,
+  SQUEEZE_DEPTH,
   STATIC_FRICTION_SPEED_SQUARED,
   TURNS_TOGETHER,
   UNEVEN,
@@ -336,6 +337,9 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     }
   }
   r[at + d.SHARE] = share;
+  if (Math.min(r[at + d.START1]!, r[other + d.START1]!) < -SQUEEZE_DEPTH) {
+    data.squeezes.contacts.add(contact);
+  }
   r[at + d.SURFACE_T] = -0;
   r[at + d.SURFACE_N] = -0;
   const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;

@@ -1,0 +1,135 @@
+import { SQUEEZE_DEPTH, SQUEEZE_SPEED, SQUEEZE_WEIGHTS } from '../config.js';
+import { rootOf, unite } from '../math/sets.js';
+import type { World } from '../world.js';
+import { batchOf, type ContactBatch, recordAt, type SolverData } from './data.js';
+import * as d from './layout.js';
+
+// What is pressed between a kinematic body and something else that does not give way cannot do what its contacts ask for: each sweep only adds to their impulses. As each sub-step starts
+// with those of the last one they grew without end: crates in a press bore 18,000 N each for as long as they were in it, and shot out at 30 m/s once one of them slipped.
+// So where the contacts of what is pressed are deep a sub-step starts with less; but with no less than all that hangs together there weighs, which a lift has to carry, and than what
+// a claw needs to hold what it lifts.
+
+/** Finds which of the deep contacts are of what is pressed, and what each may start a sub-step with in any case. */
+export function findSqueezes(world: World): void {
+  const { solver } = world;
+  const { squeezes } = solver;
+  const { contacts } = squeezes;
+  let some = false;
+  for (let i = 0; i < contacts.count && !some; i += 1) {
+    some = isDriven(solver, contacts.items[i]!);
+  }
+  if (!some) {
+    contacts.clear();
+    return;
+  }
+  squeezes.reserve(solver.bodyCount, contacts.count);
+  const { parent, pressed, weight, most } = squeezes;
+  joinAll(world, parent);
+  weigh(solver, parent, weight);
+  pressed.fill(0);
+  for (let i = 0; i < contacts.count; i += 1) {
+    const contact = contacts.items[i]!;
+    if (isDriven(solver, contact)) pressed[setOf(solver, contact)] = 1;
+  }
+  let kept = 0;
+  for (let i = 0; i < contacts.count; i += 1) {
+    const contact = contacts.items[i]!;
+    const set = setOf(solver, contact);
+    if (pressed[set] === 1) {
+      contacts.items[kept] = contact;
+      most[kept] = SQUEEZE_WEIGHTS * weight[set]!;
+      kept += 1;
+    }
+  }
+  contacts.count = kept;
+}
+
+/** Before a sub-step: what its deep contacts start with. */
+export function easeSqueezes(data: SolverData): void {
+  const { contacts, most } = data.squeezes;
+  for (let i = 0; i < contacts.count; i += 1) {
+    const contact = contacts.items[i]!;
+    const { records, stride } = batchOf(data, contact);
+    const at = recordAt(contact >> 1, stride);
+    if (stride === d.TWO_STRIDE) {
+      ease(records, at, Math.max(most[i]!, SQUEEZE_SPEED / records[at + d.K11]!));
+      ease(records, at + d.SECOND, Math.max(most[i]!, SQUEEZE_SPEED / records[at + d.K22]!));
+    } else {
+      ease(records, at, Math.max(most[i]!, SQUEEZE_SPEED * records[at + d.NORMAL_MASS]!));
+    }
+  }
+}
+
+/** What is taken away was given in the sub-step before. */
+function ease(r: Float64Array, at: number, least: number): void {
+  const p = r[at + d.NORMAL1]!;
+  const share = SQUEEZE_DEPTH / -r[at + d.START1]!;
+  if (p > least && share > 0 && share < 1) {
+    const next = Math.max(least, share * share * p);
+    r[at + d.NORMAL1] = next;
+    r[at + d.NORMAL_SUM1] = r[at + d.NORMAL_SUM1]! + (p - next);
+  }
+}
+
+/** One of its bodies is kinematic, or of infinite mass. */
+function isDriven(data: SolverData, contact: number): boolean {
+  const { bodies } = batchOf(data, contact);
+  const a = bodies[contact & ~1]! & d.OFFSET;
+  const b = bodies[contact | 1]! & d.OFFSET;
+  return (a > 0 && data.velocity[a + d.INV_MASS] === 0) || (b > 0 && data.velocity[b + d.INV_MASS] === 0);
+}
+
+/** The set of the first of its bodies that can be moved. */
+function setOf(data: SolverData, contact: number): number {
+  const { bodies } = batchOf(data, contact);
+  const a = bodies[contact & ~1]! & d.OFFSET;
+  const b = bodies[contact | 1]! & d.OFFSET;
+  return rootOf(data.squeezes.parent, (data.velocity[a + d.INV_MASS]! > 0 ? a : b) / d.BODY_STRIDE);
+}
+
+/** Makes sets of the slots of bodies that can be moved, and press upon each other or are tied. */
+function joinAll(world: World, parent: Int32Array): void {
+  const { solver, liveConstraints } = world;
+  for (let slot = 0; slot < solver.bodyCount; slot += 1) {
+    parent[slot] = slot;
+  }
+  joinContacts(solver, solver.two, parent);
+  joinContacts(solver, solver.one, parent);
+  for (let i = 0; i < liveConstraints.length; i += 1) {
+    const { members } = liveConstraints[i]!;
+    let joined = 0;
+    for (let k = 0; k < members.length; k += 1) {
+      const { owner, liveIndex, slot } = members[k]!;
+      if (owner === world && liveIndex >= 0 && solver.velocity[slot * d.BODY_STRIDE + d.INV_MASS]! > 0) {
+        if (joined > 0) unite(parent, joined, slot);
+        joined = slot;
+      }
+    }
+  }
+}
+
+function joinContacts(data: SolverData, { records, bodies, count, stride }: ContactBatch, parent: Int32Array): void {
+  const { velocity: v } = data;
+  for (let k = 0; k < count; k += 1) {
+    const a = bodies[2 * k]! & d.OFFSET;
+    const b = bodies[2 * k + 1]! & d.OFFSET;
+    const at = recordAt(k, stride);
+    const bears = records[at + d.NORMAL1]! > 0 || (stride === d.TWO_STRIDE && records[at + d.NORMAL2]! > 0);
+    if (bears && v[a + d.INV_MASS]! > 0 && v[b + d.INV_MASS]! > 0) {
+      unite(parent, a / d.BODY_STRIDE, b / d.BODY_STRIDE);
+    }
+  }
+}
+
+/** N·s. By sets: what forces and gravity give all in it in a sub-step. */
+function weigh({ velocity: v, drive, bodyCount }: SolverData, parent: Int32Array, weight: Float64Array): void {
+  weight.fill(0, 0, bodyCount);
+  for (let slot = 1; slot < bodyCount; slot += 1) {
+    const at = slot * d.BODY_STRIDE;
+    const inverseMass = v[at + d.INV_MASS]!;
+    if (inverseMass > 0) {
+      const gain = Math.abs(drive[at + d.GAIN_X]!) + Math.abs(drive[at + d.GAIN_Y]!);
+      weight[rootOf(parent, slot)]! += gain / inverseMass;
+    }
+  }
+}
