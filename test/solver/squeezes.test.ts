@@ -127,3 +127,13 @@ describe('a lift', () => {
     expect(top - lid.getPosition()[1]).toBeGreaterThan(1.73);
   });
 });
+
+it.each([0.1, 0.2])('what overlaps two walls by %f m each falls asleep', (deep) => {
+  const world = heavy();
+  const wall = (x: number) => phys2D.createRigidBody({ type: 'static', position: [x, 0], shapes: [box(1, 4)] });
+  const ball = phys2D.createRigidBody({ shapes: [phys2D.createCircleShape({ radius: 0.25 })] });
+  const floor = phys2D.createRigidBody({ type: 'static', position: [0, 2], shapes: [box(4, 1)] });
+  add(world, wall(-0.75 + deep), wall(0.75 - deep), floor, ball);
+  steps(world, 300);
+  expect(ball.sleeping).toBe(true);
+});

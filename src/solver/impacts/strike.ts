@@ -96,7 +96,7 @@ function begins(pair: Arbiter): boolean {
 /** A dynamic body that is struck is awake; at the first impact of a pair it has the velocity of that time of the step. */
 function rouse(world: World, body: RigidBody, begins: boolean): void {
   if (body.kind === DYNAMIC) {
-    wakeBody(world, body, false);
+    if (body.asleep) wakeBody(world, body, false);
     if (begins) {
       world.movers.of(body).slow(world);
     }
