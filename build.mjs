@@ -13,6 +13,9 @@ const dist = join(root, 'dist');
 // minifySyntax puts the numbers of named constants into the hot loops (a sixth of a step), and leaves the names readable.
 const common = { absWorkingDir: root, bundle: true, target: 'es2022', sourcemap: true, minifySyntax: true };
 
+/** For terser: the numbers of constants stand where they are asked for, and nothing else is changed. */
+const CONSTANTS = { defaults: false, evaluate: true, reduce_vars: true };
+
 const execFileAsync = promisify(execFile);
 
 // What a game that ships without it does not pay for is a module of its own.
@@ -67,10 +70,12 @@ function squeeze(name) {
   return rewrite(`${name}.min.js`, {});
 }
 
-/** Leaves out the comments, which are in the types and the source map: with them an import takes longer. */
+/**
+ * Leaves out the comments, which are in the types and the source map: with them an import takes longer; and puts the numbers of constants into the code where esbuild, which does so for files without imports alone, has not.
+ */
 function dropComments(name) {
   const format = { beautify: true, comments: false, preserve_annotations: true, indent_level: 2 };
-  return rewrite(name, { compress: false, mangle: false, format });
+  return rewrite(name, { compress: CONSTANTS, mangle: false, format });
 }
 
 /** With one sign beyond ASCII the whole text would be of twice the width: an import would take a seventh longer. */
