@@ -3,6 +3,7 @@ import type { RigidBodyParams } from './body-params.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { SweepAndPrune } from './broadphase/sweep-and-prune.js';
+import { bringPolygons } from './collide/table.js';
 import { CollisionUtils } from './collide/utils.js';
 import { AngleConstraint, type AngleConstraintParams } from './constraint/angle.js';
 import type { Constraint } from './constraint/constraint.js';
@@ -17,6 +18,7 @@ import { DEFAULT_MATERIAL, Material, type MaterialParams } from './material.js';
 import { Circle, type CircleParams } from './shape/circle.js';
 import { Polygon, type PolygonParams } from './shape/polygon.js';
 import { jointSolver } from './solver/joints/joints.js';
+import { polygonWorks } from './solver/polygons.js';
 import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 
@@ -59,6 +61,7 @@ export function createCircleShape(params: CircleParams): Circle {
 
 /** A convex polygon, of no body yet. */
 export function createPolygonShape(params: PolygonParams): Polygon {
+  bringPolygons(polygonWorks);
   return new Polygon(params);
 }
 

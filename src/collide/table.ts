@@ -1,33 +1,50 @@
+import type { Arbiter } from '../contact/arbiter.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
-import { collideCirclePolygon, collideCircles, collidePolygonCircle } from './circles.js';
+import type { World } from '../world.js';
+import { collideCircles } from './circles.js';
 import { empty, overlaps } from './manifold.js';
-import { collidePolygons, polygonsIntersect } from './polygons.js';
 
 /** Reads the placement from the record of a pair and writes the rest; a count of 0 means that the shapes are apart. */
 type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, n: Float64Array, o: number) => void;
 
-const KINDS = 2;
+/** What only polygons need; `solver/polygons.ts` has it. */
+export interface PolygonWorks {
+  readonly collideCirclePolygon: Kernel<Circle, Polygon>;
+  readonly collidePolygonCircle: Kernel<Polygon, Circle>;
+  readonly collidePolygons: Kernel<Polygon, Polygon>;
+  readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
+  readonly smoothSeams: (world: World) => void;
+  readonly smoothMeeting: (world: World, pair: Arbiter) => void;
+  readonly putGroundsBack: (world: World, pair: Arbiter) => void;
+}
 
-/** Which kernel serves which pair, at `kindOfA · KINDS + kindOfB`. */
-const KERNELS: readonly [
-  Kernel<Circle, Circle>,
-  Kernel<Circle, Polygon>,
-  Kernel<Polygon, Circle>,
-  Kernel<Polygon, Polygon>,
-] = [collideCircles, collideCirclePolygon, collidePolygonCircle, collidePolygons];
+/** `null` as long as there is no polygon. */
+export let works: PolygonWorks | null = null;
+
+/** Called before a polygon is made, which brings this along: what has none has nothing of it in its bundle. */
+export function bringPolygons(brought: PolygonWorks): void {
+  works = brought;
+}
 
 /** Collides two placed shapes; the manifold says how their bodies lie to each other. */
 export function collide(a: Shape, b: Shape, n: Float64Array, o: number): void {
-  (KERNELS[a.kind * KINDS + b.kind] as Kernel<Shape, Shape>)(a, b, n, o);
+  if (a.kind === POLYGON) {
+    if (b.kind === POLYGON) works!.collidePolygons(a, b, n, o);
+    else works!.collidePolygonCircle(a, b, n, o);
+  } else if (b.kind === POLYGON) {
+    works!.collideCirclePolygon(a, b, n, o);
+  } else {
+    collideCircles(a, b, n, o);
+  }
 }
 
 /** Whether two placed shapes intersect; touching counts. The record, which says how their bodies lie, gets no points. */
 export function intersect(a: Shape, b: Shape, n: Float64Array, o: number): boolean {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    return polygonsIntersect(a, b, n, o);
+    return works!.polygonsIntersect(a, b, n, o);
   }
   collide(a, b, n, o);
   const found = overlaps(n, o);

@@ -1,5 +1,6 @@
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import { works } from '../collide/table.js';
 import { SOLVED_TURN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
@@ -12,7 +13,7 @@ import { BEGIN, END, PROGRESS } from '../listeners.js';
 import type { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
-import { noteGround, smoothSeams } from './contacts/seams.js';
+import { noteGround } from './contacts/seams.js';
 import { goesFar } from './impacts/movers.js';
 import { passes } from './impacts/passing.js';
 import { areApart, canGiveWay, canInteract, mayInteract } from './interaction.js';
@@ -51,7 +52,8 @@ export function findPairs(world: World, dt: number): void {
   pairs.merge();
   pairs.arrange(world.timeStamp);
   pairs.sorted.count = renewAll(world, pairs.sorted, dt);
-  smoothSeams(world);
+  works?.smoothSeams(world);
+  world.straddling.clear();
   wakeHit(world);
 }
 

@@ -1,10 +1,12 @@
 import { RigidBody } from '../body.js';
+import { bringPolygons } from '../collide/table.js';
 import { Constraint } from '../constraint/constraint.js';
 import { createBoxVertices } from '../geometry/vertices.js';
 import { Circle } from '../shape/circle.js';
 import { Polygon } from '../shape/polygon.js';
 import { Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
+import { polygonWorks } from '../solver/polygons.js';
 import type { World } from '../world.js';
 import { copyObjects, emptyScene, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
@@ -170,6 +172,7 @@ function isOther(world: World, owner: World | null | undefined): boolean {
 /** For a shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
 export function standIn(kind: number): Shape {
   const vertices = createBoxVertices(1, 1);
+  bringPolygons(polygonWorks);
   const shape = kind === CIRCLE ? new Circle({ radius: 1 }) : new Polygon({ vertices });
   // Handlers ask whose it was.
   shape.former = new RigidBody({});

@@ -46,21 +46,21 @@ class Face {
 }
 
 /** The direction that was found for a contact, from the ground to the body: scratch. */
-const up = new Along();
+const up = /* @__PURE__ */ new Along();
 /** The direction that is looked along: scratch. */
-const along = new Along();
+const along = /* @__PURE__ */ new Along();
 /** How deep a shape is below the face that was found: scratch. */
-const face = new Face();
-const free = new FreeDirections();
+const face = /* @__PURE__ */ new Face();
+const free = /* @__PURE__ */ new FreeDirections();
 /** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
-const point = new Spot();
-const place = new Spot();
-const asked = new Float64Array(2);
+const point = /* @__PURE__ */ new Spot();
+const place = /* @__PURE__ */ new Spot();
+const asked = /* @__PURE__ */ new Float64Array(2);
 /** How far the grounds have come since the step began, x and y, and what a shape may be wider by in their eyes, as they turn: scratch. */
-const came = new Float64Array(3);
+const came = /* @__PURE__ */ new Float64Array(3);
 /** Angle, cosine, sine: scratch. */
-const turned = new Float64Array(3);
-const bounds = new Float64Array(4);
+const turned = /* @__PURE__ */ new Float64Array(3);
+const bounds = /* @__PURE__ */ new Float64Array(4);
 const near = { reach: 0.5 };
 /** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. */
 const around = /* @__PURE__ */ new List<Shape>();
@@ -96,7 +96,6 @@ export function smoothSeams(world: World): void {
       if (isHidden(world, pair)) smooth(pair);
     }
   }
-  straddling.clear();
 }
 
 /**

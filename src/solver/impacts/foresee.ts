@@ -3,6 +3,7 @@ import { STATIC } from '../../body-kind.js';
 import { roundness } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import { works } from '../../collide/table.js';
 import { CLEARANCE, SOLVED_TURN, SPECULATIVE_MARGIN } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { NEAR } from '../../contact/bits.js';
@@ -13,7 +14,6 @@ import { asksFirst } from '../../events/pre-solve.js';
 import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
-import { putGroundsBack, smoothMeeting } from '../contacts/seams.js';
 import { findForces, forces } from '../forces.js';
 import { canGiveWay } from '../interaction.js';
 import type { Meeting } from './meeting-queue.js';
@@ -191,7 +191,7 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   if (isApart && time < 1) {
     touchAtPoint(pair);
   }
-  smoothMeeting(world, pair);
+  works?.smoothMeeting(world, pair);
   // Turned by that, it would meet a surface that it does not touch.
   findLeastSeparation(pair.numbers, pair.at);
   const isLost = isApart && time === 1 && leastSeparation[0]! <= 0;
@@ -204,7 +204,7 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   two.putAt(0);
   a.place(one.body);
   b.place(two.body);
-  putGroundsBack(world, pair);
+  works?.putGroundsBack(world, pair);
   pair.put(NEAR, pair.count > 0 && !isLost);
   if (!pair.is(NEAR)) pair.foreseen = 0;
 }

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../../body.js';
 import { DYNAMIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
+import { works } from '../../collide/table.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACTIVE, FRESH, LISTED, PERSISTENT } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';
@@ -13,7 +14,6 @@ import type { List } from '../../math/list.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { joinLists } from '../arbiter-lists.js';
-import { smoothMeeting } from '../contacts/seams.js';
 import { wakeBody } from '../sleep.js';
 import { solveImpacts } from './impact.js';
 import type { Meeting } from './meeting-queue.js';
@@ -80,7 +80,7 @@ function meet(world: World, { a, b }: Meeting): void {
   if (!touch(pair)) {
     touchAtPoint(pair);
   }
-  smoothMeeting(world, pair);
+  works?.smoothMeeting(world, pair);
   if (isNew) {
     beginLate(world, pair);
     pair.dropPoints();
