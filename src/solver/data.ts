@@ -75,6 +75,8 @@ export class BounceList {
   count = 0;
   readonly batches: ContactBatch[] = [];
   index = new Int32Array(16);
+  /** Where its record begins. */
+  record = new Int32Array(16);
   shift = new Int32Array(16);
   /** Offsets of the records of the two bodies of each. */
   bodies = new Int32Array(32);
@@ -96,13 +98,14 @@ export class BounceList {
     if (i === this.index.length) {
       this.grow();
     }
+    const { records, stride } = batch;
+    const record = recordAt(index, stride);
     this.batches[i] = batch;
     this.index[i] = index;
+    this.record[i] = record;
     this.shift[i] = shift;
     this.bodies[2 * i] = batch.bodies[2 * index]! & d.OFFSET;
     this.bodies[2 * i + 1] = batch.bodies[2 * index + 1]!;
-    const { records, stride } = batch;
-    const record = recordAt(index, stride);
     const at = d.BOUNCE_STRIDE * i;
     this.arms[at + d.BOUNCE_NX] = records[record + d.NX]!;
     this.arms[at + d.BOUNCE_NY] = records[record + d.NY]!;
@@ -116,6 +119,7 @@ export class BounceList {
   private grow(): void {
     const size = this.index.length * 2;
     this.index = widened(this.index, new Int32Array(size));
+    this.record = widened(this.record, new Int32Array(size));
     this.shift = widened(this.shift, new Int32Array(size));
     this.bodies = widened(this.bodies, new Int32Array(2 * size));
     this.arms = widened(this.arms, new Float64Array(d.BOUNCE_STRIDE * size));

@@ -8,7 +8,7 @@ import {
   FORESIGHT_DEPTH,
   TOUCH_DEPTH,
 } from '../../config.js';
-import { type BounceList, recordAt, type SolverData } from '../data.js';
+import type { BounceList, SolverData } from '../data.js';
 import * as d from '../layout.js';
 import { isTied } from '../ties.js';
 import { Ledger } from './no-gain.js';
@@ -38,7 +38,7 @@ function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: nu
 /** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
 function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k: number): void {
   const { records: r, stride } = list.batches[k]!;
-  const record = recordAt(list.index[k]!, stride);
+  const record = list.record[k]!;
   const i = record + list.shift[k]!;
   const a = list.bodies[2 * k]!;
   const b = list.bodies[2 * k + 1]!;
@@ -61,8 +61,8 @@ export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: n
 /** The same for a point of the list. */
 function gainOf(data: SolverData, k: number): number {
   const { bounces: list } = data;
-  const { records: r, stride } = list.batches[k]!;
-  const record = recordAt(list.index[k]!, stride);
+  const { records: r } = list.batches[k]!;
+  const record = list.record[k]!;
   return normalGain(data, list.bodies[2 * k]!, list.bodies[2 * k + 1]!, r[record + d.NX]!, r[record + d.NY]!);
 }
 
@@ -143,7 +143,7 @@ function planRound(data: SolverData, h: number, round: number): number {
 /** Of a contact that bounces, given by its first point: those of its points that do not bounce stay out of the round. */
 function setBiases({ bounces: list }: SolverData, first: number): void {
   const { records: r, stride } = list.batches[first]!;
-  const record = recordAt(list.index[first]!, stride);
+  const record = list.record[first]!;
   const after = first + (stride === d.TWO_STRIDE ? 2 : 1);
   for (let k = first; k < after; k += 1) {
     const bounces = bouncesNow(list, k);
@@ -198,8 +198,8 @@ function collect({ bounces: list, velocity: v }: SolverData, count: number, roun
   bodyCount = 0;
   for (let n = 0; n < count; n += 1) {
     const k = list.bouncing[n]!;
-    const { records: r, stride } = list.batches[k]!;
-    const record = recordAt(list.index[k]!, stride);
+    const { records: r } = list.batches[k]!;
+    const record = list.record[k]!;
     isFree &&= list.elasticity[k]! <= 1 && r[record + d.SURFACE_T] === 0 && r[record + d.SURFACE_N] === 0;
     for (let side = 0; side < 2; side += 1) {
       const at = list.bodies[2 * k + side]!;
@@ -253,8 +253,9 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   setVelocities(data, ledger.before);
   let size = 0;
   for (let n = 0; n < count; n += 1) {
-    const { records: r, stride } = list.batches[list.bouncing[n]!]!;
-    const record = recordAt(list.index[list.bouncing[n]!]!, stride);
+    const k = list.bouncing[n]!;
+    const { records: r, stride } = list.batches[k]!;
+    const record = list.record[k]!;
     for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
       given[size] = r[record + field]!;
       r[record + field] = 0;
@@ -271,8 +272,9 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   setVelocities(data, ledger.without);
   size = 0;
   for (let n = 0; n < count; n += 1) {
-    const { records: r, stride } = list.batches[list.bouncing[n]!]!;
-    const record = recordAt(list.index[list.bouncing[n]!]!, stride);
+    const k = list.bouncing[n]!;
+    const { records: r, stride } = list.batches[k]!;
+    const record = list.record[k]!;
     for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
       r[record + field] = r[record + field]! + kept * (given[size]! - r[record + field]!);
       size += 1;
@@ -281,11 +283,11 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
 }
 
 /** Exchanges the effective masses along the tangents of what bounces for its biases, which are 0 by then, and back. */
-function swapFriction({ bouncing, batches, index, bias }: BounceList, count: number): void {
+function swapFriction({ bouncing, batches, record, bias }: BounceList, count: number): void {
   for (let n = 0; n < count; n += 1) {
     const k = bouncing[n]!;
-    const { records: r, stride } = batches[k]!;
-    const at = recordAt(index[k]!, stride) + d.TANGENT_MASS;
+    const { records: r } = batches[k]!;
+    const at = record[k]! + d.TANGENT_MASS;
     const mass = r[at]!;
     r[at] = bias[k]!;
     bias[k] = mass;
@@ -319,7 +321,7 @@ function planBounce(data: SolverData, k: number, h: number, round: number): void
   findSeparation(data, k);
   plan.gain = gainOf(data, k);
   const { records: r, stride } = list.batches[k]!;
-  const record = recordAt(list.index[k]!, stride);
+  const record = list.record[k]!;
   const i = record + list.shift[k]!;
   const load = BOUNCE_LOAD * r[i + d.NORMAL1]!;
   const isLoaded =
@@ -347,8 +349,8 @@ function hangs({ batches, index }: BounceList, k: number): boolean {
  */
 function keepLeaving(data: SolverData, k: number): void {
   const { bounces: list } = data;
-  const { records: r, stride } = list.batches[k]!;
-  const record = recordAt(list.index[k]!, stride);
+  const { records: r } = list.batches[k]!;
+  const record = list.record[k]!;
   findSpeed(data, k);
   const leaves = Math.min(plan.comes, list.leaves[k]!);
   list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
@@ -356,8 +358,8 @@ function keepLeaving(data: SolverData, k: number): void {
 
 /** Lets a point start from nothing: what it was given until now belongs to the step. */
 function dropImpulses(list: BounceList, k: number): void {
-  const { records: r, stride } = list.batches[k]!;
-  const record = recordAt(list.index[k]!, stride);
+  const { records: r } = list.batches[k]!;
+  const record = list.record[k]!;
   const i = record + list.shift[k]!;
   r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
   r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
@@ -372,8 +374,8 @@ export function applyBounces(data: SolverData): void {
   for (let k = 0; k < list.count; k += 1) {
     const bias = list.bias[k]!;
     if (bias !== 0) {
-      const { records: r, stride } = list.batches[k]!;
-      const record = recordAt(list.index[k]!, stride);
+      const { records: r } = list.batches[k]!;
+      const record = list.record[k]!;
       const at = record + list.shift[k]! + d.BIAS1;
       r[at] = bias + (bias > 0 && bias < d.OFF ? r[at]! : r[record + d.SURFACE_N]!);
     }
@@ -393,8 +395,8 @@ export function spareBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
     if (list.bias[k] === d.OFF || fliesApart(data, k)) {
-      const { records: r, stride, arbiters } = list.batches[k]!;
-      const at = recordAt(list.index[k]!, stride) + list.shift[k]! + d.SEPARATION1;
+      const { records: r, arbiters } = list.batches[k]!;
+      const at = list.record[k]! + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {
         const { shapeA, shapeB } = arbiters[list.index[k]!]!;
         findImpactDepth(shapeA, shapeB);
