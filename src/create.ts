@@ -3,7 +3,7 @@ import type { RigidBodyParams } from './body-params.js';
 import { BoxTreeBroadphase } from './broadphase/box-tree-broadphase.js';
 import type { Broadphase } from './broadphase/broadphase.js';
 import { SweepAndPrune } from './broadphase/sweep-and-prune.js';
-import { bringPolygons } from './collide/table.js';
+import { bringPolygons } from './collide/polygon-works.js';
 import { CollisionUtils } from './collide/utils.js';
 import { AngleConstraint, type AngleConstraintParams } from './constraint/angle.js';
 import type { Constraint } from './constraint/constraint.js';

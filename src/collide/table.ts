@@ -1,33 +1,11 @@
-import type { Arbiter } from '../contact/arbiter.js';
-import type { Circle } from '../shape/circle.js';
-import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
-import type { World } from '../world.js';
 import { collideCircles } from './circles.js';
 import { empty, overlaps } from './manifold.js';
+import { works } from './polygon-works.js';
 
 /** Reads the placement from the record of a pair and writes the rest; a count of 0 means that the shapes are apart. */
-type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, n: Float64Array, o: number) => void;
-
-/** What only polygons need; `solver/polygons.ts` has it. */
-export interface PolygonWorks {
-  readonly collideCirclePolygon: Kernel<Circle, Polygon>;
-  readonly collidePolygonCircle: Kernel<Polygon, Circle>;
-  readonly collidePolygons: Kernel<Polygon, Polygon>;
-  readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
-  readonly smoothSeams: (world: World) => void;
-  readonly smoothMeeting: (world: World, pair: Arbiter) => void;
-  readonly putGroundsBack: (world: World, pair: Arbiter) => void;
-}
-
-/** `null` as long as there is no polygon. */
-export let works: PolygonWorks | null = null;
-
-/** Called before a polygon is made, which brings this along: what has none has nothing of it in its bundle. */
-export function bringPolygons(brought: PolygonWorks): void {
-  works = brought;
-}
+export type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, n: Float64Array, o: number) => void;
 
 /** Collides two placed shapes; the manifold says how their bodies lie to each other. */
 export function collide(a: Shape, b: Shape, n: Float64Array, o: number): void {

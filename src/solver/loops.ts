@@ -1,10 +1,10 @@
+import { works } from '../collide/polygon-works.js';
 import { addForces, advance, moveOn } from './body-loops.js';
 import { solvePositionOne, solveVelocityOne, warmStartOne } from './contacts/one-point.js';
-import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './contacts/two-point.js';
 import type { SolverData } from './data.js';
 
 /** A loop in a sub-step of length h, over bodies or contacts from one index to another. */
-type Start = (data: SolverData, from: number, to: number, h: number) => void;
+export type Start = (data: SolverData, from: number, to: number, h: number) => void;
 
 /** Sweeps over contacts from one index to another. @returns whether it changed anything worth another iteration. */
 export type Sweep = (data: SolverData, from: number, to: number, h: number) => boolean;
@@ -22,15 +22,18 @@ export interface Loops {
   readonly solvePositionTwo: Sweep;
 }
 
+/** One contact of two points, or some: they are of polygons, which bring this along. */
+export const solveVelocityTwo: Sweep = (data, from, to, h) => works?.solveVelocityTwo(data, from, to, h) ?? false;
+
 /** The loops in plain TypeScript. */
 export const plain: Loops = {
   addForces,
   moveOn,
   advance,
   warmStartOne,
-  warmStartTwo,
+  warmStartTwo: (data, from, to, h) => works?.warmStartTwo(data, from, to, h),
   solveVelocityOne,
   solveVelocityTwo,
   solvePositionOne,
-  solvePositionTwo,
+  solvePositionTwo: (data, from, to, h) => works?.solvePositionTwo(data, from, to, h) ?? false,
 };

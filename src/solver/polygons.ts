@@ -1,9 +1,12 @@
 import { collideCirclePolygon, collidePolygonCircle } from '../collide/circles.js';
+import type { PolygonWorks } from '../collide/polygon-works.js';
 import { collidePolygons, polygonsIntersect } from '../collide/polygons.js';
-import type { PolygonWorks } from '../collide/table.js';
+import { packTwo } from './contacts/pack-contacts.js';
 import { putGroundsBack, smoothMeeting, smoothSeams } from './contacts/seams.js';
+import { storeTwo } from './contacts/store-contacts.js';
+import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './contacts/two-point.js';
 
-/** What polygons bring along: their kernels, and what keeps things from catching on the joints of tiles. */
+/** What polygons bring along: their kernels, what keeps things from catching on the joints of tiles, and contacts of two points. */
 export const polygonWorks: PolygonWorks = {
   collideCirclePolygon,
   collidePolygonCircle,
@@ -12,4 +15,9 @@ export const polygonWorks: PolygonWorks = {
   smoothSeams,
   smoothMeeting,
   putGroundsBack,
+  packTwo,
+  warmStartTwo,
+  solveVelocityTwo,
+  solvePositionTwo,
+  storeTwo,
 };

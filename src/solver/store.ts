@@ -1,11 +1,12 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
+import { works } from '../collide/polygon-works.js';
 import { FAR, SPECULATIVE_MARGIN } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../contact/bits.js';
 import * as c from '../contact/layout.js';
 import type { World } from '../world.js';
-import { storeOne, storeTwo } from './contacts/store-contacts.js';
+import { storeOne } from './contacts/store-contacts.js';
 import type { ContactBatch, SolverData } from './data.js';
 import { restFrozen } from './freeze.js';
 import { endForesight } from './impacts/foresee.js';
@@ -78,7 +79,7 @@ function storeContacts(world: World, data: SolverData, batch: ContactBatch): voi
       batch.arbiters[k]!.unmark(NEAR);
       continue;
     }
-    if (isTwo) storeTwo(data, k, timeStamp);
+    if (isTwo) works!.storeTwo(data, k, timeStamp);
     else storeOne(data, k, timeStamp);
     if ((batch.bits[k]! & NEAR) !== 0) {
       noteIfMet(world, batch.arbiters[k]!);

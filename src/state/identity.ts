@@ -1,5 +1,5 @@
 import { RigidBody } from '../body.js';
-import { bringPolygons } from '../collide/table.js';
+import { bringPolygons } from '../collide/polygon-works.js';
 import { Constraint } from '../constraint/constraint.js';
 import { createBoxVertices } from '../geometry/vertices.js';
 import { Circle } from '../shape/circle.js';

@@ -10,10 +10,10 @@ import {
 } from '../../config.js';
 import type { BounceList, SolverData } from '../data.js';
 import * as d from '../layout.js';
+import { solveVelocityTwo } from '../loops.js';
 import { isTied } from '../ties.js';
 import { Ledger } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
-import { solveVelocityTwo } from './two-point.js';
 
 /** In `state`: the point bounced in this sub-step, … */
 const BOUNCED = 1;

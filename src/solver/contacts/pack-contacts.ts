@@ -1,5 +1,6 @@
 import { DYNAMIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
+import { works } from '../../collide/polygon-works.js';
 import {
   MAX_CONDITION,
   MIN_INVERSE_MASS,
@@ -132,7 +133,7 @@ function packRuns(data: SolverData, count: number, mark: number, areHard: boolea
         continue;
       }
       if (hasTwoPoints(pair)) {
-        packTwo(data, data.two.add(pair));
+        works!.packTwo(data, data.two.add(pair));
       } else {
         packOne(data, data.one.add(pair));
       }
@@ -151,7 +152,7 @@ function hasTwoPoints(pair: Arbiter): boolean {
  * Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. Friction is at the points as their loads
  * share it; where nothing is carried yet, at the deeper one.
  */
-function packTwo(data: SolverData, index: number): void {
+export function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
   const at = recordAt(index, d.TWO_STRIDE) & d.OFFSET;
   const pair = batch.arbiters[index]!;

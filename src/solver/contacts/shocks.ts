@@ -5,8 +5,8 @@ import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData }
 import type { Group } from '../joints/joint-data.js';
 import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
+import { solveVelocityTwo } from '../loops.js';
 import { solveVelocityOne } from './one-point.js';
-import { solveVelocityTwo } from './two-point.js';
 
 // What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
 // So where what was struck is no heap its contacts, and the joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.

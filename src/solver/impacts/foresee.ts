@@ -3,7 +3,7 @@ import { STATIC } from '../../body-kind.js';
 import { roundness } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
-import { works } from '../../collide/table.js';
+import { works } from '../../collide/polygon-works.js';
 import { CLEARANCE, SOLVED_TURN, SPECULATIVE_MARGIN } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { NEAR } from '../../contact/bits.js';

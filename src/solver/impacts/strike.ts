@@ -1,7 +1,7 @@
 import type { RigidBody } from '../../body.js';
 import { DYNAMIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
-import { works } from '../../collide/table.js';
+import { works } from '../../collide/polygon-works.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACTIVE, FRESH, LISTED, PERSISTENT } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';

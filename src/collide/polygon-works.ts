@@ -1,0 +1,31 @@
+import type { Arbiter } from '../contact/arbiter.js';
+import type { Circle } from '../shape/circle.js';
+import type { Polygon } from '../shape/polygon.js';
+import type { SolverData } from '../solver/data.js';
+import type { Start, Sweep } from '../solver/loops.js';
+import type { World } from '../world.js';
+import type { Kernel } from './table.js';
+
+/** What only polygons need, from their kernels to contacts of two points; `solver/polygons.ts` has it. */
+export interface PolygonWorks {
+  readonly collideCirclePolygon: Kernel<Circle, Polygon>;
+  readonly collidePolygonCircle: Kernel<Polygon, Circle>;
+  readonly collidePolygons: Kernel<Polygon, Polygon>;
+  readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
+  readonly smoothSeams: (world: World) => void;
+  readonly smoothMeeting: (world: World, pair: Arbiter) => void;
+  readonly putGroundsBack: (world: World, pair: Arbiter) => void;
+  readonly packTwo: (data: SolverData, index: number) => void;
+  readonly warmStartTwo: Start;
+  readonly solveVelocityTwo: Sweep;
+  readonly solvePositionTwo: Sweep;
+  readonly storeTwo: (data: SolverData, index: number, stamp: number) => void;
+}
+
+/** `null` as long as there is no polygon. */
+export let works: PolygonWorks | null = null;
+
+/** Called before a polygon is made, which brings this along: what has none has nothing of it in its bundle. */
+export function bringPolygons(brought: PolygonWorks): void {
+  works = brought;
+}
