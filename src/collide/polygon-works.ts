@@ -4,6 +4,7 @@ import type { Polygon } from '../shape/polygon.js';
 import type { SolverData } from '../solver/data.js';
 import type { Start, Sweep } from '../solver/loops.js';
 import type { World } from '../world.js';
+import type { RayTest } from './rays.js';
 import type { Kernel } from './table.js';
 
 /** What only polygons need, from their kernels to contacts of two points; `solver/polygons.ts` has it. */
@@ -12,6 +13,7 @@ export interface PolygonWorks {
   readonly collidePolygonCircle: Kernel<Polygon, Circle>;
   readonly collidePolygons: Kernel<Polygon, Polygon>;
   readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
+  readonly rayPolygon: (shape: Polygon, ray: RayTest) => boolean;
   readonly smoothSeams: (world: World) => void;
   readonly smoothMeeting: (world: World, pair: Arbiter) => void;
   readonly putGroundsBack: (world: World, pair: Arbiter) => void;

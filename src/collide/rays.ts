@@ -3,6 +3,7 @@ import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
+import { works } from './polygon-works.js';
 
 /** A ray o + d · f, 0 ≤ f < `most`, relative to the origin of a body, and where it met a shape of that body. */
 export class RayTest {
@@ -21,11 +22,11 @@ export class RayTest {
 
 /** Whether a ray meets the surface of a placed shape; convex, so that it does so from outside or, if it starts inside, from there. */
 export function rayShape(shape: Shape, ray: RayTest): boolean {
-  return shape.kind === POLYGON ? rayPolygon(shape, ray) : rayCircle(shape, ray);
+  return shape.kind === POLYGON ? works!.rayPolygon(shape, ray) : rayCircle(shape, ray);
 }
 
 /** Clips the ray to the half-planes of the edges: it is inside from the last one that it enters to the first that it leaves (Cyrus & Beck 1978). */
-function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean {
+export function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean {
   const { ox, oy, dx, dy } = ray;
   let enter = -Infinity;
   let leave = Infinity;

@@ -1,6 +1,7 @@
 import { collideCirclePolygon, collidePolygonCircle } from '../collide/circles.js';
 import type { PolygonWorks } from '../collide/polygon-works.js';
 import { collidePolygons, polygonsIntersect } from '../collide/polygons.js';
+import { rayPolygon } from '../collide/rays.js';
 import { packTwo } from './contacts/pack-contacts.js';
 import { putGroundsBack, smoothMeeting, smoothSeams } from './contacts/seams.js';
 import { storeTwo } from './contacts/store-contacts.js';
@@ -12,6 +13,7 @@ export const polygonWorks: PolygonWorks = {
   collidePolygonCircle,
   collidePolygons,
   polygonsIntersect,
+  rayPolygon,
   smoothSeams,
   smoothMeeting,
   putGroundsBack,

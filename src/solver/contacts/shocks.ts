@@ -2,7 +2,6 @@ import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_WORK } from '../../config.js';
 import { JOINT_TORN } from '../../config-joints.js';
 import * as c from '../../contact/layout.js';
 import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData } from '../data.js';
-import type { Group } from '../joints/joint-data.js';
 import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
 import { solveVelocityTwo } from '../loops.js';
@@ -30,42 +29,16 @@ export function solveShocks(data: SolverData, jointSolver: JointSolver | null): 
       if (solveAround(data, body, jointSolver, SHOCK_CONTACTS)) forgetAll(data);
     }
   }
-  if (jointSolver !== null) {
-    solveFrames(data, jointSolver);
-  }
-}
-
-/** Those that were found with what was struck are solved already; and those that bear each other are not, as few sweeps are enough for so many joints, and towers of frames would fall. */
-function solveFrames(data: SolverData, jointSolver: JointSolver): void {
-  const { shocks } = data;
-  const { groups } = data.joints;
-  for (let i = 0; i < groups.length; i += 1) {
-    const body = someBodyOfFrame(data, groups[i]!);
-    if (body > 0 && shocks.known[body / d.BODY_STRIDE] === shocks.round) jointSolver.steadyFrame(data, groups[i]!);
-  }
-  for (let i = 0; i < groups.length; i += 1) {
-    const body = someBodyOfFrame(data, groups[i]!);
-    if (body > 0 && solveAround(data, body, jointSolver, 1)) {
-      jointSolver.steadyFrame(data, groups[i]!);
-      goOn(data);
-    }
-  }
-}
-
-/** The offset of one that can be pushed; 0 if none can, or it is no frame that is to be solved. */
-function someBodyOfFrame(data: SolverData, group: Group): number {
-  if (!(group.isBent && group.touched)) {
-    return 0;
-  }
-  const { items, count } = group.bodies;
-  for (let n = 0; n < count; n += 1) {
-    if (canMove(data, items[n]!)) return items[n]!;
-  }
-  return 0;
+  jointSolver?.solveFrames(data, jointSolver);
 }
 
 /** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, has too many groups of joints, or was found before. */
-function solveAround(data: SolverData, body: number, jointSolver: JointSolver | null, mostGroups: number): boolean {
+export function solveAround(
+  data: SolverData,
+  body: number,
+  jointSolver: JointSolver | null,
+  mostGroups: number,
+): boolean {
   if (!data.shocks.isLinked) {
     link(data);
     jointSolver?.linkShocks(data);
@@ -166,7 +139,7 @@ function gatherContacts(data: SolverData, slot: number): void {
 }
 
 /** By the offset of its record. */
-function canMove({ velocity }: SolverData, body: number): boolean {
+export function canMove({ velocity }: SolverData, body: number): boolean {
   return velocity[body + d.INV_MASS]! > 0;
 }
 
@@ -177,7 +150,7 @@ function loadOf({ records, stride }: ContactBatch, contact: number): number {
 }
 
 /** Where the pair has the normal impulse of the contact, or of its first point. */
-function keptAt({ at, point }: ContactBatch, contact: number): number {
+export function keptAt({ at, point }: ContactBatch, contact: number): number {
   const k = contact >> 1;
   return at[k]! + c.NORMAL + ((contact & 1) === 1 ? c.IMPULSES * (point[k]! & 1) : 0);
 }
@@ -226,21 +199,6 @@ function solve(data: SolverData, jointSolver: JointSolver | null): void {
       // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would in that.
       changed = solveVelocity(data, k, k + 1, 1) || changed;
     }
-  }
-}
-
-/** What the contacts that were just solved bear is no shock in the sub-steps that follow: else it would be forgotten in every second one, for ever. */
-function goOn(data: SolverData): void {
-  const { shocks, impulseScale } = data;
-  for (let i = 0; i < shocks.contacts.count && impulseScale > 0; i += 1) {
-    const contact = shocks.contacts.items[i]!;
-    const batch = batchOf(data, contact);
-    const { records: r, stride, numbers } = batch;
-    const n = numbers[contact >> 1]!;
-    const from = recordAt(contact >> 1, stride);
-    const to = keptAt(batch, contact);
-    n[to] = r[from + d.NORMAL1]! / impulseScale;
-    if (stride === d.TWO_STRIDE) n[to + c.IMPULSES] = r[from + d.NORMAL2]! / impulseScale;
   }
 }
 

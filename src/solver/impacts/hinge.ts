@@ -1,9 +1,12 @@
 import type { RigidBody } from '../../body.js';
 import { STATIC } from '../../body-kind.js';
+import * as g from '../../collide/layout.js';
 import { CONTACT_SLOP } from '../../config.js';
 import { HINGE_GAPE } from '../../config-joints.js';
 import type { Constraint } from '../../constraint/constraint.js';
 import type { PointConstraint } from '../../constraint/point.js';
+import type { List } from '../../math/list.js';
+import type { Impact } from './impact.js';
 
 // A pendulum, a door, a flipper: what hangs on one point of something static can only turn about that, also when it is struck. As a free body it would come away from its hinge,
 // and lose a quarter of its energy as it is put back.
@@ -13,6 +16,9 @@ interface Spot {
   x: number;
   y: number;
 }
+
+/** What a hinge gave: scratch. */
+const reaction: Spot = { x: 0.5, y: 0.5 };
 
 /** Finds the only point of a body that is held, by what is static and gives way to nothing, and writes where it is to `at`. Motors and angles do not count. @returns what holds it, or `null`. */
 export function findHinge(body: RigidBody, at: Spot): PointConstraint | null {
@@ -30,12 +36,49 @@ export function findHinge(body: RigidBody, at: Spot): PointConstraint | null {
   return point !== null && isOn(point, body, at) ? point : null;
 }
 
-/** An impact made a hinge give a body that hangs on it an impulse, and the opposite to what it hangs on. */
-export function noteReaction(
-  { members, anchors, given }: PointConstraint,
-  body: RigidBody,
-  { x, y }: Readonly<Spot>,
+/** Of what each of the bodies that impacts moved got in all, its hinge, if it has one, gave what its contacts did not. `before` has the velocities of before, three numbers a body. */
+export function noteHinges(
+  impacts: readonly Impact[],
+  count: number,
+  { count: bodyCount, items }: List<RigidBody>,
+  before: Float64Array,
 ): void {
+  for (let k = 0; k < bodyCount; k += 1) {
+    const body = items[k]!;
+    const hinge = hingeOf(impacts, count, body);
+    if (hinge !== null) {
+      reaction.x = body.mass * (body.vx - before[3 * k]!);
+      reaction.y = body.mass * (body.vy - before[3 * k + 1]!);
+      for (let i = 0; i < count; i += 1) {
+        takeContacts(impacts[i]!, body);
+      }
+      noteReaction(hinge, body);
+    }
+  }
+}
+
+function hingeOf(impacts: readonly Impact[], count: number, body: RigidBody): PointConstraint | null {
+  for (let i = 0; i < count; i += 1) {
+    const { a, b } = impacts[i]!;
+    if (a.body === body) return a.hinge;
+    if (b.body === body) return b.hinge;
+  }
+  return null;
+}
+
+/** Takes from `reaction` what the points of an impact gave a body. */
+function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
+  const { numbers: n, at: o } = pair;
+  const sign = a.body === body ? -1 : b.body === body ? 1 : 0;
+  for (const { normal, tangent } of points) {
+    reaction.x -= sign * (n[o + g.NX]! * normal - n[o + g.NY]! * tangent);
+    reaction.y -= sign * (n[o + g.NY]! * normal + n[o + g.NX]! * tangent);
+  }
+}
+
+/** A hinge gave `reaction` to a body that hangs on it, and the opposite to what it hangs on. */
+function noteReaction({ members, anchors, given }: PointConstraint, body: RigidBody): void {
+  const { x, y } = reaction;
   for (let k = 0; k < 2; k += 1) {
     const { cos, sin } = members[k]!;
     const sign = members[k] === body ? 1 : -1;

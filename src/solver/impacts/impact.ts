@@ -97,7 +97,7 @@ class Side {
 }
 
 /** What two shapes that meet give each other. */
-class Impact {
+export class Impact {
   pair!: Arbiter;
   readonly points = [new Point(), new Point()] as const;
   readonly a = new Side();
@@ -111,8 +111,6 @@ let count = 0;
 /** All bodies that these move, and their energy: scratch. */
 const bodies = /* @__PURE__ */ new List<RigidBody>();
 const ledger = /* @__PURE__ */ new Ledger();
-/** What a hinge gave: scratch. */
-const reaction = { x: 0.5, y: 0.5 };
 
 /**
  * Gives the bodies of pairs that meet at once, and have to do with each other, the impulses of their impacts: restitution and friction as in the solver, of each pair first the friction of each point, then both normals
@@ -141,7 +139,7 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
   for (let i = 0; i < count; i += 1) {
     storeImpulses(impacts[i]!);
   }
-  if (jointSolver !== null) noteHinges(jointSolver);
+  jointSolver?.noteHinges(impacts, count, bodies, ledger.before);
 }
 
 /** Lets go of the bodies of impacts that are over. */
@@ -150,41 +148,6 @@ export function releaseImpacts(): void {
   for (const { a, b } of impacts) {
     a.body = null!;
     b.body = null!;
-  }
-}
-
-/** Of what a body on a hinge got in all, the hinge gave what its contacts did not. */
-function noteHinges(joints: JointSolver): void {
-  for (let k = 0; k < bodies.count; k += 1) {
-    const body = bodies.items[k]!;
-    const hinge = hingeOf(body);
-    if (hinge !== null) {
-      reaction.x = body.mass * (body.vx - ledger.before[3 * k]!);
-      reaction.y = body.mass * (body.vy - ledger.before[3 * k + 1]!);
-      for (let i = 0; i < count; i += 1) {
-        takeContacts(impacts[i]!, body);
-      }
-      joints.noteReaction(hinge, body, reaction);
-    }
-  }
-}
-
-function hingeOf(body: RigidBody): PointConstraint | null {
-  for (let i = 0; i < count; i += 1) {
-    const { a, b } = impacts[i]!;
-    if (a.body === body) return a.hinge;
-    if (b.body === body) return b.hinge;
-  }
-  return null;
-}
-
-/** Takes from `reaction` what the points of an impact gave a body. */
-function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
-  const { numbers: n, at: o } = pair;
-  const sign = a.body === body ? -1 : b.body === body ? 1 : 0;
-  for (const { normal, tangent } of points) {
-    reaction.x -= sign * (n[o + g.NX]! * normal - n[o + g.NY]! * tangent);
-    reaction.y -= sign * (n[o + g.NY]! * normal + n[o + g.NX]! * tangent);
   }
 }
 

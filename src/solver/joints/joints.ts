@@ -1,7 +1,7 @@
 import { EASE_STEPS, FIRM_ERROR, FIRM_STEPS, JOINT_FAR, JOINT_PUSHES, SWEPT_ONCE } from '../../config-joints.js';
 import type { World } from '../../world.js';
 import type { SolverData } from '../data.js';
-import { findHinge, noteReaction } from '../impacts/hinge.js';
+import { findHinge, noteHinges } from '../impacts/hinge.js';
 import { shareOfChange } from '../impacts/onset.js';
 import { breakOff } from '../ties.js';
 import { findCompanies, findGuests } from './energy/company.js';
@@ -32,8 +32,7 @@ import { beginGradients, goOn, noteStart } from './plan/gradients.js';
 import { beginGroup, correctShare, lookAtKinds, plan } from './plan/plan.js';
 import { closeOpen } from './touching/close-joints.js';
 import { pushHeld } from './touching/held-contacts.js';
-import { forgetShocks, linkShocks } from './touching/joint-shocks.js';
-import { steadyFrame } from './touching/momentum.js';
+import { forgetShocks, linkShocks, solveFrames } from './touching/joint-shocks.js';
 
 /** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
 function packJoints(world: World, h: number): void {
@@ -398,9 +397,9 @@ export const jointSolver = {
   store: storeJoints,
   linkShocks,
   sweepShock,
-  steadyFrame,
+  solveFrames,
   findHinge,
-  noteReaction,
+  noteHinges,
   shareOfChange,
 };
 
