@@ -15,9 +15,9 @@ import { changeFilters } from './solver/find-pairs.js';
 import { letGo } from './solver/let-go.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { insertHandle } from './solver/refresh.js';
-import { quieten, sleepBody, sleepConstraint, wakeAll, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
+import { quieten, sleepBody, wakeAll, wakeBody, wakeBoth, wakeConstraint } from './solver/sleep.js';
 import { step } from './solver/step.js';
-import { countIgnoring, enlivenTied, leaveWorld, switchOff, switchOn, tie, untie } from './solver/ties.js';
+import { enlivenTied } from './solver/ties.js';
 import {
   boolean,
   callable,
@@ -169,7 +169,7 @@ export class World extends WorldState {
     if (this.stepping || constraint.owner !== null) {
       return false;
     }
-    tie(this, constraint);
+    constraint.solver!.tie(this, constraint);
     return true;
   }
 
@@ -180,7 +180,7 @@ export class World extends WorldState {
       return false;
     }
     wakeConstraint(this, constraint, true);
-    untie(this, constraint);
+    constraint.solver!.untie(this, constraint);
     return true;
   }
 
@@ -193,8 +193,7 @@ export class World extends WorldState {
       body.leave();
     }
     for (const constraint of this.constraints) {
-      countIgnoring(constraint, -1);
-      leaveWorld(constraint);
+      constraint.solver!.leaveWorld(constraint);
     }
     for (const list of [this.rigidBodies, this.constraints, this.dynamicArbiters, this.staticArbiters]) {
       list.length = 0;
@@ -399,7 +398,7 @@ export class World extends WorldState {
     return shapesInRectangle(this, rectangle);
   }
 
-  // What bodies and constraints ask of the solver goes through their world, so that their modules need not import it.
+  // What bodies ask of the solver goes through their world, so that their modules need not import it; constraints ask their own.
 
   /** @internal */
   wakeBody(body: RigidBody, silent: boolean): void {
@@ -414,31 +413,6 @@ export class World extends WorldState {
   /** @internal */
   sleepBody(body: RigidBody): void {
     sleepBody(this, body);
-  }
-
-  /** @internal */
-  wakeConstraint(constraint: Constraint, silent: boolean): void {
-    wakeConstraint(this, constraint, silent);
-  }
-
-  /** @internal */
-  sleepConstraint(constraint: Constraint): void {
-    sleepConstraint(this, constraint);
-  }
-
-  /** @internal */
-  switchOn(constraint: Constraint): void {
-    switchOn(this, constraint);
-  }
-
-  /** @internal */
-  switchOff(constraint: Constraint): void {
-    switchOff(this, constraint);
-  }
-
-  /** @internal before (−1) and after (1) a change of what a constraint lets interact */
-  countIgnoring(constraint: Constraint, change: number): void {
-    countIgnoring(constraint, change);
   }
 
   /** @internal */

@@ -214,12 +214,12 @@ export abstract class BaseConstraint {
   configure(params: ConstraintConfig): void {
     const config = checkedConfig('Constraint.configure', params);
     const { owner } = this;
-    owner?.countIgnoring(this.self, -1);
+    if (owner !== null) this.solver!.countIgnoring(this.self, -1);
     if (config.ignoreInteractions) owner?.changeFilters();
     Object.assign(this, config);
     if (!this.breakUnderForce || this.maxForce === Infinity) this.overloadedSteps = 0;
     if (owner !== null) {
-      owner.countIgnoring(this.self, 1);
+      this.solver!.countIgnoring(this.self, 1);
       owner.jointsStale = true;
     }
     this.rouse();
@@ -241,7 +241,7 @@ export abstract class BaseConstraint {
       return;
     }
     if (this.owner !== null) {
-      this.owner.switchOn(this.self);
+      this.solver!.switchOn(this.owner, this.self);
     } else {
       this.enabled = true;
       this.asleep = false;
@@ -255,7 +255,7 @@ export abstract class BaseConstraint {
     }
     this.wake();
     if (this.owner !== null) {
-      this.owner.switchOff(this.self);
+      this.solver!.switchOff(this.owner, this.self);
     } else {
       this.enabled = false;
       this.forget();
@@ -267,7 +267,7 @@ export abstract class BaseConstraint {
     if (this.owner === null) {
       this.asleep = false;
     } else {
-      this.owner.wakeConstraint(this.self, true);
+      this.solver!.wakeConstraint(this.owner, this.self, true);
     }
   }
 
@@ -276,7 +276,7 @@ export abstract class BaseConstraint {
     if (this.owner === null) {
       this.asleep = true;
     } else {
-      this.owner.sleepConstraint(this.self);
+      this.solver!.sleepConstraint(this.owner, this.self);
     }
   }
 
@@ -317,7 +317,7 @@ export abstract class BaseConstraint {
     if (this.owner === null) {
       this.asleep = false;
     } else {
-      this.owner.wakeConstraint(this.self, false);
+      this.solver!.wakeConstraint(this.owner, this.self, false);
     }
   }
 

@@ -1,17 +1,15 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC, KINEMATIC } from '../body-kind.js';
+import { DYNAMIC } from '../body-kind.js';
 import { findLeastSeparation, leastSeparation } from '../collide/manifold.js';
 import { CONTACT_SLOP, REST_RATE, SLEEP_DELAY, SLEEP_RIM_SPEED_SQUARED, SLEEP_SPEED_SQUARED } from '../config.js';
-import type { Constraint } from '../constraint/constraint.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { NEAR } from '../contact/bits.js';
-import { SLEEP } from '../listeners.js';
 import { grown } from '../math/doubles.js';
 import { rootOf, unite } from '../math/sets.js';
 import type { World } from '../world.js';
 import { isPushedAnew } from './forces.js';
 import { acts } from './joints/order/order.js';
-import { type Island, quietenConstraint, sleepIsland } from './sleep.js';
+import { type Island, sleepIsland } from './sleep.js';
 
 /** Where the islands of a step are worked out: arrays by index in `liveDynamics`, kept from step to step. */
 export class IslandWork {
@@ -78,12 +76,7 @@ export function sleepIslands(world: World, dt: number): void {
       body.wakeTime += 1;
     }
   }
-  const { liveConstraints } = world;
-  for (let i = 0; i < liveConstraints.length; i += 1) {
-    if (isDriven(liveConstraints[i]!) && acts(world, liveConstraints[i]!)) {
-      keepAwake(liveConstraints[i]!, stamp);
-    }
-  }
+  world.jointSolver?.keepDriven(world);
   work.ensure(count);
   const { parent, wakeTime, ready } = work;
   for (let i = 0; i < count; i += 1) {
@@ -92,7 +85,7 @@ export function sleepIslands(world: World, dt: number): void {
     ready[i] = 1;
   }
   joinTouching(world, parent);
-  joinTied(world, parent);
+  world.jointSolver?.joinTied(world, parent);
   let someReady = false;
   for (let i = 0; i < count; i += 1) {
     const root = rootOf(parent, i);
@@ -108,52 +101,7 @@ export function sleepIslands(world: World, dt: number): void {
   if (someReady) {
     sleepReady(world, work);
   }
-  sleepIdle(world);
-}
-
-/** Tied to a kinematic body that moves, in whatever world: no rest, even while the constraint is slack. */
-function isDriven({ members }: Constraint): boolean {
-  return members.some((body) => body.kind === KINEMATIC && body.owner !== null && body.isGoing());
-}
-
-function keepAwake({ members }: Constraint, stamp: number): void {
-  for (let i = 0; i < members.length; i += 1) {
-    const body = members[i]!;
-    if (body.kind === DYNAMIC && body.liveIndex >= 0) {
-      body.wakeTime = stamp;
-    }
-  }
-}
-
-function joinTied(world: World, parent: Int32Array): void {
-  const { liveConstraints } = world;
-  for (let i = 0; i < liveConstraints.length; i += 1) {
-    const { members } = liveConstraints[i]!;
-    if (acts(world, liveConstraints[i]!)) {
-      let joined = -1;
-      for (let k = 0; k < members.length; k += 1) {
-        const body = members[k]!;
-        if (body.kind === DYNAMIC && body.liveIndex >= 0) {
-          if (joined >= 0) {
-            unite(parent, joined, body.liveIndex);
-          }
-          joined = body.liveIndex;
-        }
-      }
-    }
-  }
-}
-
-/** Live constraints that have no awake body. */
-function sleepIdle(world: World): void {
-  const live = world.liveConstraints;
-  for (let i = live.length - 1; i >= 0; i -= 1) {
-    const constraint = live[i]!;
-    if (!constraint.members.some((body) => body.kind === DYNAMIC && body.liveIndex >= 0 && body.owner === world)) {
-      quietenConstraint(world, constraint);
-      world.events.constraint(SLEEP, constraint);
-    }
-  }
+  world.jointSolver?.sleepIdle(world);
 }
 
 /** Whether bodies touch, or are nearer than half the overlap that is left alone: what trembles is apart for a step now and then, and a ball would fall asleep by itself that lies on it, and hang in the air once that goes. */

@@ -1,12 +1,14 @@
 import type { RigidBody } from '../body.js';
-import { DYNAMIC, STATIC } from '../body-kind.js';
+import { DYNAMIC, KINEMATIC, STATIC } from '../body-kind.js';
 import type { Constraint } from '../constraint/constraint.js';
-import { BREAK } from '../listeners.js';
+import { BREAK, SLEEP } from '../listeners.js';
 import { takeOut } from '../math/list.js';
+import { unite } from '../math/sets.js';
 import type { World } from '../world.js';
+import { acts } from './joints/order/order.js';
 import { enliven, enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
-// Constraints come, go, and are switched on and off.
+// Constraints come, go, are switched on and off, and rest with what they tie together.
 
 /** Each body once. */
 function distinct(constraint: Constraint): Iterable<RigidBody> {
@@ -32,7 +34,6 @@ export function tie(world: World, constraint: Constraint): void {
 
 /** Takes a constraint out of all lists. */
 export function untie(world: World, constraint: Constraint): void {
-  countIgnoring(constraint, -1);
   if (constraint.liveIndex >= 0) {
     quietenConstraint(world, constraint);
   }
@@ -43,6 +44,7 @@ export function untie(world: World, constraint: Constraint): void {
 
 /** Resets what a constraint had from its world. */
 export function leaveWorld(constraint: Constraint): void {
+  countIgnoring(constraint, -1);
   for (const { constraints } of distinct(constraint)) {
     // The others keep their order, which hashes tell: a body that is in no world may have constraints of several.
     constraints.splice(constraints.indexOf(constraint), 1);
@@ -102,6 +104,62 @@ export function countIgnoring(constraint: Constraint, change: number): void {
     constraint.owner!.changeFilters();
     for (const body of distinct(constraint)) {
       body.ignoring += change;
+    }
+  }
+}
+
+/** Tied to a kinematic body that moves, in whatever world: no rest, even while the constraint is slack. */
+function isDriven({ members }: Constraint): boolean {
+  return members.some((body) => body.kind === KINEMATIC && body.owner !== null && body.isGoing());
+}
+
+/** Keeps awake what is tied to what drives it. */
+export function keepDriven(world: World): void {
+  const { liveConstraints } = world;
+  for (let i = 0; i < liveConstraints.length; i += 1) {
+    if (isDriven(liveConstraints[i]!) && acts(world, liveConstraints[i]!)) {
+      keepAwake(liveConstraints[i]!, world.timeStamp);
+    }
+  }
+}
+
+function keepAwake({ members }: Constraint, stamp: number): void {
+  for (let i = 0; i < members.length; i += 1) {
+    const body = members[i]!;
+    if (body.kind === DYNAMIC && body.liveIndex >= 0) {
+      body.wakeTime = stamp;
+    }
+  }
+}
+
+/** Joins what is tied together into islands, see `islands.ts`. */
+export function joinTied(world: World, parent: Int32Array): void {
+  const { liveConstraints } = world;
+  for (let i = 0; i < liveConstraints.length; i += 1) {
+    const { members } = liveConstraints[i]!;
+    if (acts(world, liveConstraints[i]!)) {
+      let joined = -1;
+      for (let k = 0; k < members.length; k += 1) {
+        const body = members[k]!;
+        if (body.kind === DYNAMIC && body.liveIndex >= 0) {
+          if (joined >= 0) {
+            unite(parent, joined, body.liveIndex);
+          }
+          joined = body.liveIndex;
+        }
+      }
+    }
+  }
+}
+
+/** Live constraints that have no awake body fall asleep. */
+export function sleepIdle(world: World): void {
+  const live = world.liveConstraints;
+  for (let i = live.length - 1; i >= 0; i -= 1) {
+    const constraint = live[i]!;
+    if (!constraint.members.some((body) => body.kind === DYNAMIC && body.liveIndex >= 0 && body.owner === world)) {
+      quietenConstraint(world, constraint);
+      world.events.constraint(SLEEP, constraint);
     }
   }
 }

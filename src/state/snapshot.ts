@@ -152,7 +152,6 @@ function walkGroups(on: Tape, world: World): void {
 /** Takes everything out of the world that is not to stay, and all that is between objects. */
 function empty(world: World, { bodies, inside }: Scene): void {
   for (const constraint of world.constraints) {
-    countIgnoring(constraint, -1);
     leaveWorld(constraint);
   }
   takeOutOthers(world, bodies, inside);

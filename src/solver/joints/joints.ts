@@ -3,7 +3,19 @@ import type { World } from '../../world.js';
 import type { SolverData } from '../data.js';
 import { findHinge, noteHinges } from '../impacts/hinge.js';
 import { shareOfChange } from '../impacts/onset.js';
-import { breakOff } from '../ties.js';
+import { sleepConstraint, wakeConstraint } from '../sleep.js';
+import {
+  breakOff,
+  countIgnoring,
+  joinTied,
+  keepDriven,
+  leaveWorld,
+  sleepIdle,
+  switchOff,
+  switchOn,
+  tie,
+  untie,
+} from '../ties.js';
 import { findCompanies, findGuests } from './energy/company.js';
 import { noteEnergy, takeExcesses } from './energy/energy.js';
 import { beginSprings, enterSprings, noteVelocities } from './energy/springs.js';
@@ -401,6 +413,17 @@ export const jointSolver = {
   findHinge,
   noteHinges,
   shareOfChange,
+  tie,
+  untie,
+  leaveWorld,
+  switchOn,
+  switchOff,
+  countIgnoring,
+  wakeConstraint,
+  sleepConstraint,
+  keepDriven,
+  joinTied,
+  sleepIdle,
 };
 
 export type JointSolver = typeof jointSolver;
