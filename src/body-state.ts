@@ -15,7 +15,7 @@ import { boolean, rangeError, sink } from './validate.js';
 import type { World } from './world.js';
 
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
-const turn = new Float64Array(3);
+const turn = /* @__PURE__ */ new Float64Array(3);
 
 /** 2^-800, by which masses are multiplied where they could sum up to more than there are numbers: it changes no bit of a quotient of two. */
 const SMALL = 1.499696813895631e-241;

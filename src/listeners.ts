@@ -86,7 +86,7 @@ export class Listeners<H> {
 }
 
 /** The list of an object without listeners, one for all. */
-export const NO_LISTENERS = new Listeners<never>([]);
+export const NO_LISTENERS = /* @__PURE__ */ new Listeners<never>([]);
 
 /** A listener of a world, body or constraint, which has nothing but a type. */
 export function plainListener<H>(type: number, handler: H): Listener<H> {

@@ -87,7 +87,7 @@ export class Material {
 }
 
 /** The material of every shape made without one: all defaults, one object for the whole program. */
-export const DEFAULT_MATERIAL = new Material();
+export const DEFAULT_MATERIAL = /* @__PURE__ */ new Material();
 
 /** Elasticity of a contact: −Infinity on either side gives 0, else +Infinity gives 1, else the mean within [0, 1]. */
 export function mixElasticity(a: number, b: number): number {

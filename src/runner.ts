@@ -125,4 +125,4 @@ export class FixedStepRunner {
 }
 
 /** Scratch. */
-const pose = new Float64Array(3);
+const pose = /* @__PURE__ */ new Float64Array(3);

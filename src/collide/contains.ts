@@ -4,7 +4,7 @@ import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 
-const asked = new Float64Array(2);
+const asked = /* @__PURE__ */ new Float64Array(2);
 
 /** Whether a placed shape contains a point, given relative to the origin of its body; the boundary counts. */
 export function containsPoint(shape: Shape, x: number, y: number): boolean {

@@ -18,7 +18,7 @@ const FIXED_DYNAMIC = 4;
 const FIXED_ROLLING = 8;
 
 /** [jx, jy, jw]: scratch. */
-const sum = new Float64Array(3);
+const sum = /* @__PURE__ */ new Float64Array(3);
 
 /** The point `which` of a record is a new one. */
 export function clearPoint(n: Float64Array, o: number, which: number): void {

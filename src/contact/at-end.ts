@@ -12,7 +12,7 @@ import { HELD_NUMBERS } from './layout.js';
 /** What was found: scratch. */
 export const atEnd = { nx: 0.5, ny: 0.5, x: 0.5, y: 0.5, penetration: 0.5 };
 
-const found = new Float64Array(HELD_NUMBERS);
+const found = /* @__PURE__ */ new Float64Array(HELD_NUMBERS);
 
 /** How much two units may differ by rounding. */
 const SAME = 1e-9;

@@ -37,10 +37,10 @@ const DYNAMIC: ShapeColors = {
 const BULLET: ShapeColors = { ...DYNAMIC, collider: [1, 1, 1, 1] };
 
 /** Where the body is in the picture, its angle with cosine and sine, the origin of a circle, the box around a shape: scratch. */
-const pose = new Float64Array(3);
-const turn = new Float64Array(3);
-const origin = new Float64Array(2);
-const box = new Float64Array(4);
+const pose = /* @__PURE__ */ new Float64Array(3);
+const turn = /* @__PURE__ */ new Float64Array(3);
+const origin = /* @__PURE__ */ new Float64Array(2);
+const box = /* @__PURE__ */ new Float64Array(4);
 
 export function addRigidBody(debug: Physics2DDebugDraw, body: RigidBody): void {
   writePose(body, debug.interpolation, pose);

@@ -22,12 +22,17 @@ const FAR = 1e20;
 const FAR_TURN = 2 * Math.PI;
 
 /** Placement of a body; angle, cosine and sine: scratch. */
-const pose = new Float64Array(3);
-const turn = new Float64Array(3);
-const local = new Float64Array(2);
+const pose = /* @__PURE__ */ new Float64Array(3);
+const turn = /* @__PURE__ */ new Float64Array(3);
+const local = /* @__PURE__ */ new Float64Array(2);
 
 /** World points of the anchors of the constraint that is being drawn. */
-const ends = { A: new Float64Array(2), B: new Float64Array(2), C: new Float64Array(2), D: new Float64Array(2) };
+const ends = {
+  A: /* @__PURE__ */ new Float64Array(2),
+  B: /* @__PURE__ */ new Float64Array(2),
+  C: /* @__PURE__ */ new Float64Array(2),
+  D: /* @__PURE__ */ new Float64Array(2),
+};
 
 export function addConstraint(debug: Physics2DDebugDraw, constraint: Constraint): void {
   if (constraint.type === 'POINT') {

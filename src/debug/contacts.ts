@@ -5,9 +5,9 @@ import type { Physics2DDebugDraw } from './draw.js';
 import type { Color } from './settings.js';
 
 /** Scratch. */
-const normal = new Float64Array(2);
-const point = new Float64Array(2);
-const other = new Float64Array(2);
+const normal = /* @__PURE__ */ new Float64Array(2);
+const point = /* @__PURE__ */ new Float64Array(2);
+const other = /* @__PURE__ */ new Float64Array(2);
 
 /** The active contacts. A sensor has none, nor has what does not touch any more. */
 export function addContacts(debug: Physics2DDebugDraw, arbiters: readonly Arbiter[], color: Color): void {

@@ -12,15 +12,15 @@ const MAX_PIECES = 16384;
 const MIN_WAVE_PIECES = 8;
 
 /** Angle, cosine, sine: scratch. */
-const turn = new Float64Array(3);
+const turn = /* @__PURE__ */ new Float64Array(3);
 
 /** A point of a curve and its tangent, a unit vector or zero: offsets, and scratch for two of them. */
 const X = 0;
 const Y = 1;
 const U = 2;
 const V = 3;
-const near = new Float64Array(4);
-const far = new Float64Array(4);
+const near = /* @__PURE__ */ new Float64Array(4);
+const far = /* @__PURE__ */ new Float64Array(4);
 
 function pieces(count: number): number {
   return Math.min(Math.ceil(count), MAX_PIECES);

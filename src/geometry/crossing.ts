@@ -1,5 +1,5 @@
 /** What `crosses` is asked: the x and y of a way, and how much more than the bounds may be apart. It writes the share of the way after that, … */
-export const crossing = new Float64Array(4);
+export const crossing = /* @__PURE__ */ new Float64Array(4);
 /** … here. */
 export const REACHED = 3;
 

@@ -5,7 +5,7 @@ import { EDGE_STRIDE } from './layout.js';
 import { Outline } from './outline.js';
 
 /** Angle, cosine, sine: scratch. */
-const turned = new Float64Array(3);
+const turned = /* @__PURE__ */ new Float64Array(3);
 
 /** The rate at which the axis turns along which two travels are apart; a bound on the farthest corner along it in a while, and its rate: scratch. */
 const bound = { turning: 0.5, height: 0.5, rate: 0.5 };

@@ -52,7 +52,7 @@ export function cosSin(to: Float64Array): void {
   to[2] = x === 0 ? x : quadrant > 1 ? -t : t;
 }
 
-const turn = new Float64Array(3);
+const turn = /* @__PURE__ */ new Float64Array(3);
 
 /** Sine of an angle in radians; method and accuracy as `cosSin`. */
 export function sin(x: number): number {
@@ -153,7 +153,7 @@ function quadrantAngle(ax: number, ay: number, negativeX: boolean): number {
 const LN2_1 = 0.6931471803691238;
 const LN2_2 = 1.9082149292705877e-10;
 
-const word = new DataView(new ArrayBuffer(8));
+const word = /* @__PURE__ */ new DataView(/* @__PURE__ */ new ArrayBuffer(8));
 
 /** 2^k for −1022 ≤ k ≤ 1023. */
 function powerOfTwo(k: number): number {

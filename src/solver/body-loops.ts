@@ -6,7 +6,7 @@ import * as d from './layout.js';
 // Loops over bodies, from one slot to another.
 
 /** Angle, cosine, sine: scratch of `advance`. */
-const turned = new Float64Array(3);
+const turned = /* @__PURE__ */ new Float64Array(3);
 
 /** Forces, gravity and drag of one sub-step: v ← (v + a·h) · (1 − drag)^h. */
 export function addForces(data: SolverData, from: number, to: number): void {

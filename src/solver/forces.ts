@@ -3,7 +3,7 @@ import { FORCE_CHANGE } from '../config.js';
 import type { World } from '../world.js';
 
 /** N, N and N·m, from `findForces`: numbers that are returned might be boxed. */
-export const forces = new Float64Array(3);
+export const forces = /* @__PURE__ */ new Float64Array(3);
 
 /** Finds what pushes a body in this step, apart from gravity. */
 export function findForces({ fx, fy, appliedTorque, applied }: BodyState): void {

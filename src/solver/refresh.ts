@@ -3,7 +3,7 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { growBounds, HALF_MARGIN } from './bounds.js';
 
-const bounds = new Float64Array(4);
+const bounds = /* @__PURE__ */ new Float64Array(4);
 
 /** The bounds of a shape for the broadphase: two shapes within the speculative margin overlap. Dead after the next call. */
 export function broadphaseBounds(shape: Shape): Float64Array {

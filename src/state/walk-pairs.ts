@@ -17,7 +17,7 @@ interface Places {
 }
 
 /** Scratch. */
-const places: Places = { ofShapes: new Order(), ofWorld: new Order() };
+const places: Places = { ofShapes: /* @__PURE__ */ new Order(), ofWorld: /* @__PURE__ */ new Order() };
 
 /** All pairs: awake ones in order, sleeping ones, then those that only events name. */
 export function walkPairs(tape: Tape, world: World, scene: Scene): void {

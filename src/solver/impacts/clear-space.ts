@@ -5,7 +5,7 @@ import type { World } from '../../world.js';
 import { squareAround } from '../bounds.js';
 import { findNearby } from '../nearby.js';
 
-const bounds = new Float64Array(4);
+const bounds = /* @__PURE__ */ new Float64Array(4);
 
 /** Centre and half the side of a square. */
 const STRIDE = 3;

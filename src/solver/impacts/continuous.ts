@@ -17,7 +17,7 @@ import type { Mover } from './movers.js';
 import { beginSensing, strike } from './strike.js';
 import { squareOfWay } from './swept-bounds.js';
 
-const bounds = new Float64Array(4);
+const bounds = /* @__PURE__ */ new Float64Array(4);
 
 /**
  * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that

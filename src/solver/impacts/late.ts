@@ -17,7 +17,7 @@ const met = /* @__PURE__ */ new List<Arbiter>();
 const isSolved: boolean[] = [];
 const pairs = /* @__PURE__ */ new List<Arbiter>();
 /** The sides of pair k are 2 k and 2 k + 1. Of the slot of each dynamic body the last side with it, plus 1, and of each side the one before. */
-let lastSide = new Int32Array(0);
+let lastSide = /* @__PURE__ */ new Int32Array(0);
 const sideBefore: number[] = [];
 
 export function noteMet(pair: Arbiter): void {

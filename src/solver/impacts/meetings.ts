@@ -32,8 +32,8 @@ import { isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './
 
 const sweep = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 const middle = /* @__PURE__ */ new Middle();
-const bounds = new Float64Array(4);
-const around = new Float64Array(4);
+const bounds = /* @__PURE__ */ new Float64Array(4);
+const around = /* @__PURE__ */ new Float64Array(4);
 
 export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;

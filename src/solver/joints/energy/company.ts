@@ -12,16 +12,16 @@ import { markBodies } from '../joint-numbers.js';
 // Scratch, by slot, for all worlds.
 
 /** Sets of `math/sets.ts`: a company each. */
-let parent = new Int32Array(0);
+let parent = /* @__PURE__ */ new Int32Array(0);
 /** The next body of the same company. */
-let next = new Int32Array(0);
+let next = /* @__PURE__ */ new Int32Array(0);
 /** Of one that stands for a company: the first body of that, and how many there are. */
-let first = new Int32Array(0);
-let size = new Int32Array(0);
+let first = /* @__PURE__ */ new Int32Array(0);
+let size = /* @__PURE__ */ new Int32Array(0);
 /** Something drives it. */
-let driven = new Uint8Array(0);
+let driven = /* @__PURE__ */ new Uint8Array(0);
 /** It is held by something that is not dynamic. */
-let held = new Uint8Array(0);
+let held = /* @__PURE__ */ new Uint8Array(0);
 
 /** Finds which awake bodies are with which, as contacts and joints of this step are. */
 export function findCompanies({ solver, liveDynamics }: World): void {

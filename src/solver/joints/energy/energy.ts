@@ -19,7 +19,7 @@ import { goAsMoved } from './motion.js';
 // together whirls by itself, whatever it is made of.
 
 /** Sums over the bodies of a group: scratch. J, kg, N·s. */
-const sums = new Float64Array(12);
+const sums = /* @__PURE__ */ new Float64Array(12);
 /** Kinetic energy, and by how much that of a sub-step is ahead of the true one … */
 const KINETIC = 0;
 const AHEAD = 1;

@@ -6,7 +6,7 @@ import type { Group } from '../joint-data.js';
 // Whether what hangs together moves as its velocities tell.
 
 /** Of a group: scratch. J, each twice. */
-const motion = new Float64Array(3);
+const motion = /* @__PURE__ */ new Float64Array(3);
 const TOLD = 0;
 const MOVED = 1;
 const APART = 2;

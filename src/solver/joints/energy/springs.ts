@@ -11,7 +11,7 @@ import { weighError } from '../kernels/blocks.js';
 // every turn. So a spring gives what it was given: beyond that it only damps. And what it gives no rigid joint has made.
 
 /** What was found: results would be boxed. */
-const found = new Float64Array(1);
+const found = /* @__PURE__ */ new Float64Array(1);
 
 /** As a step begins: whether there are any. */
 export function beginSprings({ joints: data, bodyCount }: SolverData): void {

@@ -7,7 +7,7 @@ import type { Joint } from '../joint-data.js';
 // The rows of the Jacobian J of a joint whose numbers are written out: products with it.
 
 /** What `findLength` found: a result would be boxed. */
-export const length = new Float64Array(1);
+export const length = /* @__PURE__ */ new Float64Array(1);
 
 /** Of so many numbers of a record, to `length`. */
 export function findLength(r: Float64Array, from: number, count: number): void {

@@ -9,7 +9,7 @@ import * as j from '../joint-layout.js';
 // The loops over rigid point joints, from one of their records to another, which is left out: over each, or every second one, or back. The way is a whole number of steps.
 
 /** Angle, cosine, sine: scratch. */
-const turn = new Float64Array(3);
+const turn = /* @__PURE__ */ new Float64Array(3);
 
 /** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
 export function warmStartPoints(data: SolverData, from: number, to: number, step: number): void {

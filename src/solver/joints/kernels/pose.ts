@@ -13,7 +13,7 @@ import { forgetImpulse } from '../joint-numbers.js';
 import { clear } from './jacobian.js';
 
 /** Angle, cosine, sine: scratch. */
-const around = new Float64Array(3);
+const around = /* @__PURE__ */ new Float64Array(3);
 
 /** As `cosSin`, of the turn of a sub-step, which seldom is large. */
 function turnAround(): void {

@@ -24,33 +24,33 @@ import { impulseAt, pushAt } from '../joint-numbers.js';
 // is taken out of it, and it is followed as far as leaves the least energy, so that the energy of the error never grows: ten sweeps do what hundreds would.
 
 /** Offsets of the bodies of the group that can move, each once, … */
-let movers = new Int32Array(0);
+let movers = /* @__PURE__ */ new Int32Array(0);
 /** … and their masses, kg, and inertias, kg·m². */
-let masses = new Float64Array(0);
+let masses = /* @__PURE__ */ new Float64Array(0);
 let moverCount = 0;
 /** … by slot, in which call a body was found last. */
-let found = new Int32Array(0);
+let found = /* @__PURE__ */ new Int32Array(0);
 let call = 0;
 /** Where the impulses or pushes of all rows are, of points, which are in an array of their own, less than 0: −1 − index. */
-let places = new Int32Array(0);
+let places = /* @__PURE__ */ new Int32Array(0);
 let rowCount = 0;
 /** kg⁻¹, (kg·m²)⁻¹. What a unit of each changes by itself, if nothing else gives way, … */
-let eases = new Float64Array(0);
+let eases = /* @__PURE__ */ new Float64Array(0);
 /** … and whether it acts within bounds only: 1, else 0. */
-let bounds = new Uint8Array(0);
+let bounds = /* @__PURE__ */ new Uint8Array(0);
 /** Some row does; and one of them took hold or let go in the last sweep. */
 let hasBounds = false;
 let hasSwitched = false;
 /** What rows are to meet besides velocities or motion; known after the first sweep. */
-let constants = new Float64Array(0);
+let constants = /* @__PURE__ */ new Float64Array(0);
 let areKnown = false;
 /** Velocities or motions of what can move, three numbers each, then impulses or pushes: before a sweep, and the direction in which the last one went on. */
-let start = new Float64Array(0);
-let direction = new Float64Array(0);
+let start = /* @__PURE__ */ new Float64Array(0);
+let direction = /* @__PURE__ */ new Float64Array(0);
 let hasDirection = false;
 
 /** Scratch, as results would be boxed. Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. The energy of the direction if each row were alone. */
-const sums = new Float64Array(7);
+const sums = /* @__PURE__ */ new Float64Array(7);
 const KINETIC = 0;
 const CHANGED = 1;
 const ALONG = 2;

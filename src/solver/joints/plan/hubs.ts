@@ -23,10 +23,10 @@ const YY = 4;
 const YW = 5;
 const WW = 6;
 const SUM = 7;
-let sums = new Float64Array(0);
+let sums = /* @__PURE__ */ new Float64Array(0);
 
 /** A column of J·M^−½, then of K⁻¹·J·M^−½: scratch. */
-let column = new Float64Array(8);
+let column = /* @__PURE__ */ new Float64Array(8);
 
 /** Whether a group has a body with so many joints, and gives way so easily, that it has to be swept over to and fro. */
 export function hasHub(data: SolverData, group: Group): boolean {

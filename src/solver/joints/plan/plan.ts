@@ -147,7 +147,7 @@ function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
 }
 
 /** 1/kg. The heaviest and the lightest body of a group: scratch. */
-const range = new Float64Array(2);
+const range = /* @__PURE__ */ new Float64Array(2);
 
 function isBurdened(data: SolverData, group: Group): boolean {
   range[0] = Infinity;

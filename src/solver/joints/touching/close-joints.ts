@@ -15,9 +15,9 @@ import { measurePoints, pushPoints } from '../kernels/points.js';
 import { measureTurns, pushTurns } from '../kernels/turns.js';
 
 /** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
-const before = new Float64Array(12);
+const before = /* @__PURE__ */ new Float64Array(12);
 /** How one of them was moved, and how far at least that has to be into a wall. */
-const way = new Float64Array(3);
+const way = /* @__PURE__ */ new Float64Array(3);
 
 /**
  * Ends a sub-step, when what joints gave has been added up: what is torn forgets part of that, and those that contacts hold open have the last word. As contacts are solved last in a position iteration,
