@@ -10,6 +10,7 @@ import {
   removeListener,
 } from '../listeners.js';
 import { type NumberSink, type Vec3, vec3 } from '../math/vectors.js';
+import type { JointData } from '../solver/joints/joint-data.js';
 import type { JointSolver } from '../solver/joints/joints.js';
 import type { Island } from '../solver/sleep.js';
 import type { Tape } from '../state/tape.js';
@@ -52,14 +53,6 @@ export interface Numbers {
   readonly impulse: Float64Array;
   /** What the latest step gave to each member: x, y, angular. */
   readonly given: Float64Array;
-}
-
-/** @internal what keeps the numbers of a constraint for it */
-export interface Keeper {
-  /** Grows whenever they become others. */
-  readonly solved: number;
-  /** Writes those at a place. */
-  fetch(at: number, numbers: Numbers): void;
 }
 
 /**
@@ -129,7 +122,7 @@ export abstract class BaseConstraint {
   /** @internal */
   listeners: Listeners<ConstraintHandler> = NO_LISTENERS;
   private readonly numbers: Numbers;
-  private keeper: Keeper | null = null;
+  private keeper: JointData | null = null;
   private place = 0;
   private fetched = 0;
   /** @internal for how many steps its whole impulse has been too large */
@@ -175,7 +168,7 @@ export abstract class BaseConstraint {
   }
 
   /** @internal From now on its numbers are kept elsewhere, and fetched when they are asked for: most never are. */
-  keepAt(keeper: Keeper, place: number): void {
+  keepAt(keeper: JointData, place: number): void {
     this.fetch();
     this.keeper = keeper;
     this.place = place;
@@ -183,7 +176,7 @@ export abstract class BaseConstraint {
   }
 
   /** @internal … and not any more, if they are. */
-  leave(keeper: Keeper): void {
+  leave(keeper: JointData): void {
     if (this.keeper === keeper) {
       this.fetch();
       this.keeper = null;
@@ -195,7 +188,7 @@ export abstract class BaseConstraint {
     const { keeper, numbers } = this;
     if (keeper !== null && this.fetched !== keeper.solved) {
       this.fetched = keeper.solved;
-      keeper.fetch(this.place, numbers);
+      this.solver!.fetchNumbers(keeper, this.place, numbers);
     }
     return numbers;
   }

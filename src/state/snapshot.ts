@@ -3,7 +3,7 @@ import { EASE_STEPS } from '../config-joints.js';
 import { Constraint } from '../constraint/constraint.js';
 import { drop } from '../math/list.js';
 import { Shape } from '../shape/shape.js';
-import { Group } from '../solver/joints/joint-data.js';
+import { Group, resetJoints } from '../solver/joints/joint-data.js';
 import { orderJoints } from '../solver/joints/order/order.js';
 import { insertHandle } from '../solver/refresh.js';
 import { countIgnoring, leaveWorld } from '../solver/ties.js';
@@ -137,7 +137,7 @@ function walkGroups(on: Tape, world: World): void {
     if (isListed) {
       orderJoints(world);
     } else {
-      world.solver.joints.reset();
+      resetJoints(joints);
     }
     world.jointsStale = !isListed;
     world.jointsTouched = true;

@@ -1,6 +1,6 @@
 import type { RigidBody } from '../../body.js';
 import { FIRM_STEPS, JOINT_MOMENTUM } from '../../config-joints.js';
-import type { Constraint, Keeper, Numbers } from '../../constraint/constraint.js';
+import type { Constraint, Numbers } from '../../constraint/constraint.js';
 import { POSE } from '../../constraint/layout.js';
 import { writeSoftness } from '../../constraint/softness.js';
 import { List } from '../../math/list.js';
@@ -181,7 +181,7 @@ export function keepsNumbers(kernel: number): boolean {
 }
 
 /** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
-export class JointData implements Keeper {
+export class JointData {
   readonly joints: Joint[] = [];
   readonly runs: Run[] = [];
   readonly groups: Group[] = [];
@@ -228,68 +228,65 @@ export class JointData implements Keeper {
   /** How many numbers all records have, and how many members all joints. */
   size = 0;
   members = 0;
+}
 
-  /** Starts a new list. */
-  reset(): void {
-    for (const { constraint } of this.joints) {
-      constraint.leave(this);
-    }
-    this.joints.length = 0;
-    this.runs.length = 0;
-    this.groups.length = 0;
-    this.hasCustoms = false;
-    this.age = 0;
-    this.size = 0;
-    this.members = 0;
+/** Starts a new list. */
+export function resetJoints(data: JointData): void {
+  for (const { constraint } of data.joints) {
+    constraint.leave(data);
   }
+  data.joints.length = 0;
+  data.runs.length = 0;
+  data.groups.length = 0;
+  data.hasCustoms = false;
+  data.age = 0;
+  data.size = 0;
+  data.members = 0;
+}
 
-  /** What a joint that keeps its numbers here has in its record. */
-  fetch(index: number, { impulse, given }: Numbers): void {
-    const { records: r } = this;
-    const { kernel, at } = this.joints[index]!;
-    if (kernel === TURN) {
-      impulse[0] = r[at + TURN_IMPULSE]!;
-      given[2] = r[at + TURN_GIVEN_A]!;
-      given[5] = r[at + TURN_GIVEN_B]!;
-      return;
-    }
-    impulse[0] = r[at + KEPT_IMPULSE_X]!;
-    impulse[1] = r[at + KEPT_IMPULSE_Y]!;
-    given[0] = -r[at + KEPT_SUM_X]!;
-    given[1] = -r[at + KEPT_SUM_Y]!;
-    given[2] = r[at + KEPT_SUM_WA]!;
-    given[3] = r[at + KEPT_SUM_X]!;
-    given[4] = r[at + KEPT_SUM_Y]!;
-    given[5] = r[at + KEPT_SUM_WB]!;
-    for (let k = 0; k < 2; k += 1) {
-      const x = r[at + KEPT_ORIGIN_AX + 2 * k]!;
-      const y = r[at + KEPT_ORIGIN_AY + 2 * k]!;
-      if (x !== 0 || y !== 0) {
-        given[3 * k + 2] = given[3 * k + 2]! - (x * given[3 * k + 1]! - y * given[3 * k]!);
-      }
-    }
+/** What a joint that keeps its numbers here has in its record. */
+export function fetchNumbers({ joints, records: r }: JointData, index: number, { impulse, given }: Numbers): void {
+  const { kernel, at } = joints[index]!;
+  if (kernel === TURN) {
+    impulse[0] = r[at + TURN_IMPULSE]!;
+    given[2] = r[at + TURN_GIVEN_A]!;
+    given[5] = r[at + TURN_GIVEN_B]!;
+    return;
   }
-
-  /** Lets all constraints fetch what they have not yet. */
-  fetchAll(): void {
-    for (const { constraint } of this.joints) {
-      constraint.fetch();
+  impulse[0] = r[at + KEPT_IMPULSE_X]!;
+  impulse[1] = r[at + KEPT_IMPULSE_Y]!;
+  given[0] = -r[at + KEPT_SUM_X]!;
+  given[1] = -r[at + KEPT_SUM_Y]!;
+  given[2] = r[at + KEPT_SUM_WA]!;
+  given[3] = r[at + KEPT_SUM_X]!;
+  given[4] = r[at + KEPT_SUM_Y]!;
+  given[5] = r[at + KEPT_SUM_WB]!;
+  for (let k = 0; k < 2; k += 1) {
+    const x = r[at + KEPT_ORIGIN_AX + 2 * k]!;
+    const y = r[at + KEPT_ORIGIN_AY + 2 * k]!;
+    if (x !== 0 || y !== 0) {
+      given[3 * k + 2] = given[3 * k + 2]! - (x * given[3 * k + 1]! - y * given[3 * k]!);
     }
   }
+}
 
-  /** Notes that a joint broke; from now on it does nothing. */
-  break(joint: Joint): void {
-    this.broken.push(joint);
-    this.silence(joint);
+/** Lets all constraints fetch what they have not yet. */
+export function fetchAll({ joints }: JointData): void {
+  for (const { constraint } of joints) {
+    constraint.fetch();
   }
+}
 
-  /** Takes a joint out of the rest of the step: it is as soft as can be, so nothing it finds has an effect. */
-  silence(joint: Joint): void {
-    const { records: r } = this;
-    const { at, layout } = joint;
-    r.fill(0, at, at + layout.size);
-    r[at + MAX_ERROR] = Infinity;
-  }
+/** Notes that a joint broke; from now on it does nothing. */
+export function breakJoint(data: JointData, joint: Joint): void {
+  data.broken.push(joint);
+  silence(data, joint);
+}
+
+/** Takes a joint out of the rest of the step: it is as soft as can be, so nothing it finds has an effect. */
+export function silence({ records: r }: JointData, { at, layout }: Joint): void {
+  r.fill(0, at, at + layout.size);
+  r[at + MAX_ERROR] = Infinity;
 }
 
 /** Writes the head of a record. */

@@ -20,7 +20,7 @@ import { findCompanies, findGuests } from './energy/company.js';
 import { noteEnergy, takeExcesses } from './energy/energy.js';
 import { beginSprings, enterSprings, noteVelocities } from './energy/springs.js';
 import { turnStress } from './energy/stress.js';
-import type { Group, Joint } from './joint-data.js';
+import { fetchAll, fetchNumbers, type Group, type Joint } from './joint-data.js';
 import { CUSTOM, POINT, PUSH } from './joint-layout.js';
 import { listBodies, steady } from './joint-numbers.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './kernels/blocks.js';
@@ -68,7 +68,7 @@ function packJoints(world: World, h: number): void {
   }
   if (joints.hasCustoms) {
     // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
-    joints.fetchAll();
+    fetchAll(joints);
   }
   for (let i = 0; i < joints.groups.length; i += 1) {
     packGroup(data, joints.groups[i]!, isChanged);
@@ -424,6 +424,7 @@ export const jointSolver = {
   keepDriven,
   joinTied,
   sleepIdle,
+  fetchNumbers,
 };
 
 export type JointSolver = typeof jointSolver;

@@ -5,7 +5,7 @@ import type { CustomConstraint } from '../../../constraint/custom.js';
 import { backward, forward } from '../../../math/solve.js';
 import { remember, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
-import type { Joint } from '../joint-data.js';
+import { breakJoint, type Joint, silence } from '../joint-data.js';
 import * as j from '../joint-layout.js';
 import { noteLag } from '../joint-numbers.js';
 import { cutOrBreak } from './breaking.js';
@@ -132,7 +132,7 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   findLength(r, at + layout.error, rows);
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
-    data.joints.break(joint);
+    breakJoint(data.joints, joint);
     return;
   }
   const rate = r[at + j.RATE]!;
@@ -235,7 +235,7 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
     r[at + work + n] = r[at + work + n]! / substeps;
   }
   if (constraint.failed) {
-    data.joints.silence(joint);
+    silence(data.joints, joint);
   }
 }
 
@@ -256,7 +256,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
   findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
-    data.joints.break(joint);
+    breakJoint(data.joints, joint);
     return;
   }
   correct(data, joint, error);
@@ -317,7 +317,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
     showPoses(data, joint, true);
     constraint.clamp('positionClamp', r, at + work);
     if (constraint.failed) {
-      data.joints.silence(joint);
+      silence(data.joints, joint);
     }
   }
   for (let n = 0; n < rows; n += 1) {

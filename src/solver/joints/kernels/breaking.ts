@@ -1,6 +1,6 @@
 import { BREAK_STEPS, BREAK_STEPS_STEADY, FIRM_FEW, STEADY_CHANGE } from '../../../config-joints.js';
 import type { SolverData } from '../../data.js';
-import type { Joint } from '../joint-data.js';
+import { breakJoint, type Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
 import { applyRows, findLength, length } from './jacobian.js';
 
@@ -43,7 +43,7 @@ export function tear(data: SolverData, joint: Joint): void {
   }
   findLength(r, at + work, rows);
   if (length[0]! > r[at + j.BREAK]!) applyRows(data, joint, jacobian, impulse, -1, false);
-  data.joints.break(joint);
+  breakJoint(data.joints, joint);
 }
 
 /**
@@ -65,7 +65,7 @@ export function breakOverloaded(data: SolverData): void {
         }
       }
     }
-    if (worst !== null) data.joints.break(worst);
+    if (worst !== null) breakJoint(data.joints, worst);
   }
 }
 

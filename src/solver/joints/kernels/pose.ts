@@ -8,7 +8,7 @@ import type { World } from '../../../world.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import { inPieces } from '../../pieces.js';
-import type { Joint } from '../joint-data.js';
+import { type Joint, silence } from '../joint-data.js';
 import { forgetImpulse } from '../joint-numbers.js';
 import { clear } from './jacobian.js';
 
@@ -171,7 +171,7 @@ export function measure(data: SolverData, joint: Joint, moving: boolean): void {
   }
   constraint.measure(data.joints.pose, r, at + error, at + jacobian, moving || constraint.isElastic);
   if (isCustom(constraint) && constraint.failed) {
-    data.joints.silence(joint);
+    silence(data.joints, joint);
     return;
   }
   mergeTwins(data, joint, jacobian);

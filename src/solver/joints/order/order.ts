@@ -4,7 +4,7 @@ import { SETTLE_STEPS } from '../../../config-joints.js';
 import type { Constraint } from '../../../constraint/constraint.js';
 import type { PointConstraint } from '../../../constraint/point.js';
 import type { World } from '../../../world.js';
-import { Group, type JointData } from '../joint-data.js';
+import { Group, type JointData, resetJoints } from '../joint-data.js';
 import { ANCHORED, BLOCK, BlockLayout, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout.js';
 import { angleBeside } from './pinned.js';
 import { addJoint, allot } from './runs.js';
@@ -29,7 +29,7 @@ export function orderJoints(world: World): void {
   }
   acting.sort(byOrder);
   const { joints } = world.solver;
-  joints.reset();
+  resetJoints(joints);
   const left = new Set(acting);
   const unlisted = new Set(acting);
   const met = new Set<RigidBody>();
