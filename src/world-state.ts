@@ -19,7 +19,6 @@ import { Movers } from './solver/impacts/movers.js';
 import { IslandWork } from './solver/islands.js';
 import { JointData } from './solver/joints/joint-data.js';
 import type { JointSolver } from './solver/joints/joints.js';
-import type { Tape } from './state/tape.js';
 import { boolean, callable, instance, integer, optional, options, typeError, vector } from './validate.js';
 import type { World } from './world.js';
 
@@ -164,15 +163,19 @@ export abstract class WorldState {
   listeners: Listeners<WorldEvents[WorldEventType]> = NO_LISTENERS;
 
   /** @internal */
-  protected time = 0;
+  time = 0;
   /** @internal */
-  protected stamp = 0;
+  stamp = 0;
   /** @internal events are being delivered */
   protected delivering = false;
-  private velocityTotal: number;
-  private positionTotal: number;
-  private substepCount: number;
-  private mayRest: boolean;
+  /** @internal */
+  velocityTotal: number;
+  /** @internal */
+  positionTotal: number;
+  /** @internal */
+  substepCount: number;
+  /** @internal */
+  mayRest: boolean;
   private told: PoseUpdate | null = null;
   private timepiece: Clock | null = null;
   private measured: Profile | null = null;
@@ -314,21 +317,6 @@ export abstract class WorldState {
       this.events.fail(error);
       return NaN;
     }
-  }
-
-  /** @internal passes settings and counters over a tape */
-  keep(tape: Tape): void {
-    this.gravityX = tape.number(this.gravityX);
-    this.gravityY = tape.number(this.gravityY);
-    this.time = tape.number(this.time);
-    this.stamp = tape.number(this.stamp) | 0;
-    this.velocityTotal = tape.integer(this.velocityTotal, 1, 0x3fffffff);
-    this.positionTotal = tape.integer(this.positionTotal, 1, 0x3fffffff);
-    this.substepCount = tape.integer(this.substepCount, 1, 0x3fffffff);
-    this.mayRest = tape.flag(this.mayRest);
-    this.solver.previousH = tape.number(this.solver.previousH);
-    this.solver.span = tape.number(this.solver.span);
-    this.solver.spans = tape.number(this.solver.spans);
   }
 
   /** @internal wakes all bodies */

@@ -43,35 +43,31 @@ export class Outline {
     this.corners.set([minX, minY, 0, -1, maxX, minY, 1, 0, maxX, maxY, 0, 1, minX, maxY, -1, 0]);
     this.offsets.set([-minY, maxX, maxY, -minX]);
   }
+}
 
-  /** Corners, normals and offsets of a polygon in its own coordinates. */
-  setPolygon(local: Float64Array, offsets: Float64Array): void {
-    const { x, y, cos, sin } = this;
-    const count = offsets.length;
-    this.room(count);
-    this.count = count;
-    this.edges = count;
-    this.radius = 0;
-    const to = this.corners;
-    for (let i = 0; i < count * EDGE_STRIDE; i += EDGE_STRIDE) {
-      const px = local[i]!;
-      const py = local[i + 1]!;
-      const nx = cos * local[i + 2]! - sin * local[i + 3]!;
-      const ny = sin * local[i + 2]! + cos * local[i + 3]!;
-      to[i] = x + cos * px - sin * py;
-      to[i + 1] = y + sin * px + cos * py;
-      to[i + 2] = nx;
-      to[i + 3] = ny;
-    }
-    for (let i = 0; i < count; i += 1) {
-      this.offsets[i] = offsets[i]! + x * to[EDGE_STRIDE * i + 2]! + y * to[EDGE_STRIDE * i + 3]!;
-    }
+/** Writes the outline of a polygon that is where the outline was put, given its corners, normals and offsets in its own coordinates. */
+export function outlinePolygon(out: Outline, local: Float64Array, offsets: Float64Array): void {
+  const { x, y, cos, sin } = out;
+  const count = offsets.length;
+  if (out.offsets.length < count) {
+    out.corners = new Float64Array(2 * count * EDGE_STRIDE);
+    out.offsets = new Float64Array(2 * count);
   }
-
-  private room(count: number): void {
-    if (this.offsets.length < count) {
-      this.corners = new Float64Array(2 * count * EDGE_STRIDE);
-      this.offsets = new Float64Array(2 * count);
-    }
+  out.count = count;
+  out.edges = count;
+  out.radius = 0;
+  const to = out.corners;
+  for (let i = 0; i < count * EDGE_STRIDE; i += EDGE_STRIDE) {
+    const px = local[i]!;
+    const py = local[i + 1]!;
+    const nx = cos * local[i + 2]! - sin * local[i + 3]!;
+    const ny = sin * local[i + 2]! + cos * local[i + 3]!;
+    to[i] = x + cos * px - sin * py;
+    to[i + 1] = y + sin * px + cos * py;
+    to[i + 2] = nx;
+    to[i + 3] = ny;
+  }
+  for (let i = 0; i < count; i += 1) {
+    out.offsets[i] = offsets[i]! + x * to[EDGE_STRIDE * i + 2]! + y * to[EDGE_STRIDE * i + 3]!;
   }
 }

@@ -2,7 +2,7 @@ import type { RigidBody } from '../body.js';
 import { MAX_SIZE } from '../config.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import { polygonArea, polygonCentre, polygonMasslessInertia } from '../geometry/mass.js';
-import type { Outline } from '../geometry/outline.js';
+import { type Outline, outlinePolygon } from '../geometry/outline.js';
 import { convexVertices, createBoxVertices, repeatedVertex } from '../geometry/vertices.js';
 import { doubles } from '../math/doubles.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from '../math/vectors.js';
@@ -211,7 +211,7 @@ export class Polygon extends BaseShape {
 
   /** @internal */
   override outline(into: Outline): void {
-    into.setPolygon(this.localEdges, this.offsets);
+    outlinePolygon(into, this.localEdges, this.offsets);
   }
 
   /** @internal */

@@ -22,6 +22,7 @@ import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { CIRCLE } from '../shape/shape-kind.js';
 import type { Group } from '../solver/joints/joint-data.js';
+import type { World } from '../world.js';
 import { AGAIN, COUNT, FACE, FLAGS_END, HELD, ROLLED, SOLVED, USUAL } from './layout.js';
 import { areSame, Row, type Tape } from './tape.js';
 
@@ -46,6 +47,22 @@ const usualNear = /* @__PURE__ */ new Float64Array(6);
 export function materialNumbers(material: Material): Float64Array {
   const { elasticity, staticFriction, dynamicFriction, rollingFriction, density } = material;
   return Float64Array.of(elasticity, staticFriction, dynamicFriction, rollingFriction, density);
+}
+
+/** Settings and counters of a world. */
+export function keepWorld(tape: Tape, world: World): void {
+  const { solver } = world;
+  world.gravityX = tape.number(world.gravityX);
+  world.gravityY = tape.number(world.gravityY);
+  world.time = tape.number(world.time);
+  world.stamp = tape.number(world.stamp) | 0;
+  world.velocityTotal = tape.integer(world.velocityTotal, 1, MOST);
+  world.positionTotal = tape.integer(world.positionTotal, 1, MOST);
+  world.substepCount = tape.integer(world.substepCount, 1, MOST);
+  world.mayRest = tape.flag(world.mayRest);
+  solver.previousH = tape.number(solver.previousH);
+  solver.span = tape.number(solver.span);
+  solver.spans = tape.number(solver.spans);
 }
 
 /** @returns whether its mass has to be worked out anew. */

@@ -13,7 +13,7 @@ import { walkPairs } from './walk-pairs.js';
 /** Passes all that influences the future of a world over a tape, except which objects there are and what the solver keeps of joints. */
 export function walk(tape: Tape, world: World, scene: Scene): void {
   tape.begins();
-  world.keep(tape);
+  rows.keepWorld(tape, world);
   if (!tape.hashes) {
     walkMaterials(tape, scene);
   }
