@@ -196,6 +196,12 @@ function roomsOf(house: House, folder: string): House {
   return rooms;
 }
 
+/** What is made as a module is loaded stays in bundles that do not use it, unless it is marked as pure. */
+function unmarked(house: House): string[] {
+  const made = /^(?:export )?(?:const|let) (\w+)\b.*?=.*?(?<!abstract |@__PURE__ \*\/ )\bnew [A-Z]/gm;
+  return [...house].flatMap(([file, source]) => [...source.matchAll(made)].map(([, name]) => `${file}: ${name}`));
+}
+
 function readHouse(): House {
   const src = join(import.meta.dirname, '../../src');
   const files = readdirSync(src, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.ts'));
@@ -247,6 +253,10 @@ describe('src', () => {
     expect(numbers.flatMap((file) => valueImports(house, file))).toEqual([]);
   });
 
+  it('marks what is made as modules are loaded', () => {
+    expect(unmarked(house)).toEqual([]);
+  });
+
   it('imports nothing from outside', () => {
     const outside = [...house].flatMap(([file, source]) =>
       imports(source)
@@ -295,6 +305,18 @@ describe('the scan for functions that are not reproducible', () => {
 
   it('names file and line', () => {
     expect(unreproducible(one('\n/*\n*/ x = Math.sin(1);'))).toEqual(['math/a.ts:3 Math.sin']);
+  });
+});
+
+describe('the scan for what is made as modules are loaded', () => {
+  it('finds what is not marked', () => {
+    expect(unmarked(one('const box = new Float64Array(4);'))).toEqual(['math/a.ts: box']);
+    expect(unmarked(one('export let all: Box[] = [/* @__PURE__ */ new Box(), new Box()];'))).toHaveLength(1);
+  });
+
+  it('passes what is marked, made later, or a type', () => {
+    expect(unmarked(one('const box = /* @__PURE__ */ new Float64Array(4);\n  const later = new Box();'))).toEqual([]);
+    expect(unmarked(one('export const Shape = Base as unknown as abstract new (x: never) => Shape;'))).toEqual([]);
   });
 });
 
