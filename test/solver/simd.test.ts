@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { array, assert, constantFrom, double, integer, oneof, property, record, uniqueArray } from 'fast-check';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { compile } from '../../simd/build.mjs';
+import { bringPolygons } from '../../src/collide/polygon-works.js';
 import { PUSH_SHARE_CIRCLES, PUSH_SHARE_DYNAMIC, PUSH_SHARE_HOOKED } from '../../src/config.js';
 import { createCustomConstraint, createWorld, phys2D, simdKernels, type World, worldState } from '../../src/index.js';
 import { type Kernels, plainKernels } from '../../src/kernels.js';
@@ -29,10 +30,14 @@ import { advancePoses } from '../../src/solver/joints/kernels/pose.js';
 import { addJoint, allot } from '../../src/solver/joints/order/runs.js';
 import * as d from '../../src/solver/layout.js';
 import { type Loops, plain } from '../../src/solver/loops.js';
+import { polygonWorks } from '../../src/solver/polygons.js';
 import { DT, plainBody } from '../conformance/setting.js';
 import { buildJointGrid } from '../scenes/joint-grid.js';
 import { buildMixed } from '../scenes/mixed.js';
 import { buildPyramid } from '../scenes/pyramid.js';
+
+// As the first polygon would: contacts of two points come with it.
+bringPolygons(polygonWorks);
 
 afterEach(() => {
   vi.unstubAllGlobals();
