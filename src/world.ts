@@ -202,7 +202,7 @@ export class World extends WorldState {
       list.length = 0;
     }
     this.broadphase.clear();
-    this.solver.joints.reset();
+    this.jointSolver?.reset(this.solver.joints);
     this.jointsStale = true;
     this.stale.clear();
     this.pairs.clear();

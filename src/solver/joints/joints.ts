@@ -20,7 +20,7 @@ import { findCompanies, findGuests } from './energy/company.js';
 import { noteEnergy, takeExcesses } from './energy/energy.js';
 import { beginSprings, enterSprings, noteVelocities } from './energy/springs.js';
 import { turnStress } from './energy/stress.js';
-import { fetchAll, fetchNumbers, type Group, type Joint } from './joint-data.js';
+import { fetchAll, fetchNumbers, type Group, type Joint, resetJoints } from './joint-data.js';
 import { CUSTOM, POINT, PUSH } from './joint-layout.js';
 import { listBodies, steady } from './joint-numbers.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './kernels/blocks.js';
@@ -415,6 +415,7 @@ export const jointSolver = {
   shareOfChange,
   tie,
   untie,
+  reset: resetJoints,
   leaveWorld,
   switchOn,
   switchOff,
