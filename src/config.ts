@@ -63,11 +63,14 @@ export const CROWD_SWEEPS = 4;
 /** m. What is pressed may overlap so far before its contacts start sub-steps with less than they gave, see `squeezes.ts`; that with the square of this through the overlap. */
 export const SQUEEZE_DEPTH = 0.01;
 
-/** m/s, times the mass that a contact moves: so much it may start with in any case. A claw, that is 5 cm too narrow for what it grips, holds it by that. */
-export const SQUEEZE_SPEED = 1;
+/** m/s², times the mass that a contact moves: so much it may give in any case. A claw that is 5 cm too narrow for what it grips holds it by that. */
+export const SQUEEZE_ACCELERATION = 240;
 
-/** … and this times what forces and gravity give in a sub-step to all that hangs together. */
-export const SQUEEZE_WEIGHTS = 1;
+/** m/s². … and so much all that hangs together weighs, at least: without gravity a pusher went through light boxes before a heavy one. With 20 presses there throw their crates at 2 m/s. */
+export const SQUEEZE_GRAVITY = 10;
+
+/** … times this where joints are in it, which may be levers. */
+export const SQUEEZE_LEVERAGE = 20;
 
 /** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
 export const MAX_PUSH = 0.2;

@@ -195,15 +195,17 @@ export class SqueezeList {
   readonly contacts = new List<number>();
   /** N·s. What each of them may start a sub-step with however deep it is. */
   most = new Float64Array(0);
-  /** By slot: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, and whether they are pressed. */
+  /** By slot: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, whether joints are in them, and whether they are pressed. */
   parent = new Int32Array(0);
   weight = new Float64Array(0);
+  tied = new Uint8Array(0);
   pressed = new Uint8Array(0);
 
   reserve(bodies: number, contacts: number): void {
     if (bodies > this.parent.length) {
       this.parent = new Int32Array(grown(bodies));
       this.weight = new Float64Array(grown(bodies));
+      this.tied = new Uint8Array(grown(bodies));
       this.pressed = new Uint8Array(grown(bodies));
     }
     if (contacts > this.most.length) {

@@ -43,7 +43,7 @@ export function prepare(world: World, h: number): void {
     data.bodyCount = 1;
   }
   packContacts(world);
-  if (data.squeezes.contacts.count > 0) findSqueezes(world);
+  if (data.squeezes.contacts.count > 0) findSqueezes(world, h);
   if (world.jointSolver === null) {
     world.jointsStale = false;
     world.jointsTouched = false;

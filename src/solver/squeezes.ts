@@ -1,4 +1,4 @@
-import { SQUEEZE_DEPTH, SQUEEZE_SPEED, SQUEEZE_WEIGHTS } from '../config.js';
+import { SQUEEZE_ACCELERATION, SQUEEZE_DEPTH, SQUEEZE_GRAVITY, SQUEEZE_LEVERAGE } from '../config.js';
 import { rootOf, unite } from '../math/sets.js';
 import type { World } from '../world.js';
 import { batchOf, type ContactBatch, recordAt, type SolverData } from './data.js';
@@ -10,7 +10,7 @@ import * as d from './layout.js';
 // a claw needs to hold what it lifts.
 
 /** Finds which of the deep contacts are of what is pressed, and what each may start a sub-step with in any case. */
-export function findSqueezes(world: World): void {
+export function findSqueezes(world: World, h: number): void {
   const { solver } = world;
   const { squeezes } = solver;
   const { contacts } = squeezes;
@@ -23,9 +23,9 @@ export function findSqueezes(world: World): void {
     return;
   }
   squeezes.reserve(solver.bodyCount, contacts.count);
-  const { parent, pressed, weight, most } = squeezes;
-  joinAll(world, parent);
-  weigh(solver, parent, weight);
+  const { pressed, weight, tied, most } = squeezes;
+  joinAll(world);
+  weigh(solver, h);
   pressed.fill(0);
   for (let i = 0; i < contacts.count; i += 1) {
     const contact = contacts.items[i]!;
@@ -37,61 +37,69 @@ export function findSqueezes(world: World): void {
     const set = setOf(solver, contact);
     if (pressed[set] === 1) {
       contacts.items[kept] = contact;
-      most[kept] = SQUEEZE_WEIGHTS * weight[set]!;
+      most[kept] = (tied[set] === 1 ? SQUEEZE_LEVERAGE : 1) * weight[set]!;
       kept += 1;
     }
   }
   contacts.count = kept;
 }
 
-/** Before a sub-step: what its deep contacts start with. */
-export function easeSqueezes(data: SolverData): void {
+/** Before a sub-step of length h: what its deep contacts start with. */
+export function easeSqueezes(data: SolverData, h: number): void {
   const { contacts, most } = data.squeezes;
+  const speed = SQUEEZE_ACCELERATION * h;
   for (let i = 0; i < contacts.count; i += 1) {
     const contact = contacts.items[i]!;
     const { records, stride } = batchOf(data, contact);
     const at = recordAt(contact >> 1, stride);
     if (stride === d.TWO_STRIDE) {
-      ease(records, at, Math.max(most[i]!, SQUEEZE_SPEED / records[at + d.K11]!));
-      ease(records, at + d.SECOND, Math.max(most[i]!, SQUEEZE_SPEED / records[at + d.K22]!));
+      ease(records, at, Math.max(most[i]!, speed / records[at + d.K11]!));
+      ease(records, at + d.SECOND, Math.max(most[i]!, speed / records[at + d.K22]!));
     } else {
-      ease(records, at, Math.max(most[i]!, SQUEEZE_SPEED * records[at + d.NORMAL_MASS]!));
+      ease(records, at, Math.max(most[i]!, speed * records[at + d.NORMAL_MASS]!));
     }
   }
 }
 
-/** What is taken away was given in the sub-step before. */
+/** What is taken away was given in the sub-step before. In this order of the terms the sum is never below 0. */
 function ease(r: Float64Array, at: number, least: number): void {
   const p = r[at + d.NORMAL1]!;
   const share = SQUEEZE_DEPTH / -r[at + d.START1]!;
   if (p > least && share > 0 && share < 1) {
     const next = Math.max(least, share * share * p);
     r[at + d.NORMAL1] = next;
-    r[at + d.NORMAL_SUM1] = r[at + d.NORMAL_SUM1]! + (p - next);
+    r[at + d.NORMAL_SUM1] = r[at + d.NORMAL_SUM1]! + p - next;
   }
 }
 
-/** One of its bodies is kinematic, or of infinite mass. */
+/** One of its bodies is kinematic, or gives way as little. */
 function isDriven(data: SolverData, contact: number): boolean {
   const { bodies } = batchOf(data, contact);
   const a = bodies[contact & ~1]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
-  return (a > 0 && data.velocity[a + d.INV_MASS] === 0) || (b > 0 && data.velocity[b + d.INV_MASS] === 0);
+  return (a > 0 && !givesWay(data, a)) || (b > 0 && !givesWay(data, b));
 }
 
-/** The set of the first of its bodies that can be moved. */
+/** The record of a body: also what only turns, as a seesaw of infinite mass, gives way. */
+function givesWay({ velocity: v }: SolverData, at: number): boolean {
+  return v[at + d.INV_MASS]! > 0 || v[at + d.INV_INERTIA]! > 0;
+}
+
+/** The set of the first of its bodies that gives way. */
 function setOf(data: SolverData, contact: number): number {
   const { bodies } = batchOf(data, contact);
   const a = bodies[contact & ~1]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
-  return rootOf(data.squeezes.parent, (data.velocity[a + d.INV_MASS]! > 0 ? a : b) / d.BODY_STRIDE);
+  return rootOf(data.squeezes.parent, (givesWay(data, a) ? a : b) / d.BODY_STRIDE);
 }
 
-/** Makes sets of the slots of bodies that can be moved, and press upon each other or are tied. */
-function joinAll(world: World, parent: Int32Array): void {
+/** Makes sets of the slots of bodies that give way, and press upon each other or are tied. */
+function joinAll(world: World): void {
   const { solver, liveConstraints } = world;
+  const { parent, tied } = solver.squeezes;
   for (let slot = 0; slot < solver.bodyCount; slot += 1) {
     parent[slot] = slot;
+    tied[slot] = 0;
   }
   joinContacts(solver, solver.two, parent);
   joinContacts(solver, solver.one, parent);
@@ -100,36 +108,39 @@ function joinAll(world: World, parent: Int32Array): void {
     let joined = 0;
     for (let k = 0; k < members.length; k += 1) {
       const { owner, liveIndex, slot } = members[k]!;
-      if (owner === world && liveIndex >= 0 && solver.velocity[slot * d.BODY_STRIDE + d.INV_MASS]! > 0) {
+      if (owner === world && liveIndex >= 0 && givesWay(solver, slot * d.BODY_STRIDE)) {
         if (joined > 0) unite(parent, joined, slot);
         joined = slot;
+        tied[slot] = 1;
       }
     }
   }
 }
 
 function joinContacts(data: SolverData, { records, bodies, count, stride }: ContactBatch, parent: Int32Array): void {
-  const { velocity: v } = data;
   for (let k = 0; k < count; k += 1) {
     const a = bodies[2 * k]! & d.OFFSET;
     const b = bodies[2 * k + 1]! & d.OFFSET;
     const at = recordAt(k, stride);
     const bears = records[at + d.NORMAL1]! > 0 || (stride === d.TWO_STRIDE && records[at + d.NORMAL2]! > 0);
-    if (bears && v[a + d.INV_MASS]! > 0 && v[b + d.INV_MASS]! > 0) {
+    if (bears && givesWay(data, a) && givesWay(data, b)) {
       unite(parent, a / d.BODY_STRIDE, b / d.BODY_STRIDE);
     }
   }
 }
 
-/** N·s. By sets: what forces and gravity give all in it in a sub-step. */
-function weigh({ velocity: v, drive, bodyCount }: SolverData, parent: Int32Array, weight: Float64Array): void {
+/** By sets: N·s, what forces and gravity give all in it in a sub-step of length h, and no less than a gravity would, as it may be pushed; and whether joints are in it. */
+function weigh({ velocity: v, drive, bodyCount, squeezes }: SolverData, h: number): void {
+  const { parent, weight, tied } = squeezes;
   weight.fill(0, 0, bodyCount);
   for (let slot = 1; slot < bodyCount; slot += 1) {
     const at = slot * d.BODY_STRIDE;
+    const root = rootOf(parent, slot);
     const inverseMass = v[at + d.INV_MASS]!;
     if (inverseMass > 0) {
       const gain = Math.abs(drive[at + d.GAIN_X]!) + Math.abs(drive[at + d.GAIN_Y]!);
-      weight[rootOf(parent, slot)]! += gain / inverseMass;
+      weight[root]! += Math.max(gain, SQUEEZE_GRAVITY * h) / inverseMass;
     }
+    if (tied[slot] === 1) tied[root] = 1;
   }
 }

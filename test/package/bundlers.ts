@@ -71,7 +71,7 @@ globalThis.used = [createMaterial(), createPolygonShape, createCollisionUtils(),
       name: `one kind of constraint, ${kind}`,
       code: `import { ${FREE}, ${MARKS[kind]} } from 'phys2d';\nglobalThis.used = ${MARKS[kind]};${DROP}`,
       parts: [kind, 'joints'],
-      budget: 86_000,
+      budget: 86_100,
     }),
   ),
   {
@@ -81,7 +81,7 @@ const saved = createWorld({ state: worldState });
 saved.restore(saved.snapshot());${DROP}`,
     // Polygons, as one may have to stand in for a shape that is gone.
     parts: ['state', 'polygon'],
-    budget: 79_000,
+    budget: 79_100,
   },
   {
     name: 'everything',
@@ -99,7 +99,7 @@ debug.drawWorld(phys2D.createWorld());
 debug.end();
 ${DEVICE}${DROP}`,
     parts: [...ALL, 'debug'],
-    budget: 122_900,
+    budget: 123_000,
   },
 ];
 

@@ -137,3 +137,38 @@ it.each([0.1, 0.2])('what overlaps two walls by %f m each falls asleep', (deep) 
   steps(world, 300);
   expect(ball.sleeping).toBe(true);
 });
+
+it('a pusher without gravity does not go into light boxes before a heavy one', () => {
+  const world = phys2D.createWorld({ gravity: [0, 0] });
+  const pusher = phys2D.createRigidBody({ type: 'kinematic', position: [-2, -0.5], shapes: [box(1, 1.9)] });
+  const boxes = Array.from({ length: 5 }, (_, i) =>
+    phys2D.createRigidBody({ position: [0.5 * i - 1.2, 0.25], mass: 1, shapes: [box(0.5, 0.5)] }),
+  );
+  const heavyOne = phys2D.createRigidBody({
+    position: [1.8, -0.5],
+    mass: 200,
+    inertia: Infinity,
+    shapes: [box(1, 2)],
+  });
+  add(world, pusher, ...boxes, heavyOne);
+  pusher.setVelocity([5, 0]);
+  let least = Infinity;
+  for (let i = 0; i < 180; i += 1) {
+    world.step(DT);
+    least = Math.min(least, heavyOne.getPosition()[0] - pusher.getPosition()[0] - 1);
+  }
+  // Of 2.5 m; 1.98 if only gravity counts as a weight.
+  expect(least).toBeGreaterThan(2.3);
+});
+
+it('a seesaw of infinite mass holds a load on a light crate, as what turns gives way', () => {
+  const world = heavy();
+  const seesaw = phys2D.createRigidBody({ mass: Infinity, inertia: 5, shapes: [box(5, 0.2)] });
+  const block = phys2D.createRigidBody({ type: 'static', position: [1, 1.1], shapes: [box(1, 1)] });
+  const crate = phys2D.createRigidBody({ position: [1, 0.35], mass: 0.25, shapes: [box(0.5, 0.5)] });
+  const load = phys2D.createRigidBody({ position: [2.2, -0.35], mass: 100, shapes: [box(0.5, 0.5)] });
+  add(world, seesaw, block, crate, load);
+  steps(world, 240);
+  expect(seesaw.getRotation()).toBeLessThan(0.05);
+  expect(load.getPosition()[1]).toBeCloseTo(-0.34, 1);
+});

@@ -244,7 +244,8 @@ function keepEnergy(): void {
   setVelocities(ledger.without);
   for (let i = 0; i < count; i += 1) {
     for (const point of impacts[i]!.points) {
-      point.normal += kept * (point.normalRubbed - point.normal);
+      // Rounding would make it negative where hardly anything is left.
+      point.normal = Math.max(0, point.normal + kept * (point.normalRubbed - point.normal));
       point.tangent = kept * point.tangentRubbed;
     }
   }
