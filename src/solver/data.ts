@@ -193,8 +193,8 @@ export class ShockList {
 export class SqueezeList {
   /** Contacts that are deeper than SQUEEZE_DEPTH, as `batchOf` is told them; then those of them that are of what is pressed. */
   readonly contacts = new List<number>();
-  /** N·s. What each of them may start a sub-step with however deep it is. */
-  most = new Float64Array(0);
+  /** N·s. What each of their points, two by two, may start a sub-step with however deep it is. */
+  least = new Float64Array(0);
   /** By slot: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, whether joints are in them, and whether they are pressed. */
   parent = new Int32Array(0);
   weight = new Float64Array(0);
@@ -208,8 +208,8 @@ export class SqueezeList {
       this.tied = new Uint8Array(grown(bodies));
       this.pressed = new Uint8Array(grown(bodies));
     }
-    if (contacts > this.most.length) {
-      this.most = new Float64Array(grown(contacts));
+    if (2 * contacts > this.least.length) {
+      this.least = new Float64Array(grown(2 * contacts));
     }
   }
 }

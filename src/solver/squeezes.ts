@@ -23,7 +23,7 @@ export function findSqueezes(world: World, h: number): void {
     return;
   }
   squeezes.reserve(solver.bodyCount, contacts.count);
-  const { pressed, weight, tied, most } = squeezes;
+  const { pressed, weight, tied, least } = squeezes;
   joinAll(world);
   weigh(solver, h);
   pressed.fill(0);
@@ -36,37 +36,38 @@ export function findSqueezes(world: World, h: number): void {
     const contact = contacts.items[i]!;
     const set = setOf(solver, contact);
     if (pressed[set] === 1) {
+      const { records: r, stride } = batchOf(solver, contact);
+      const at = recordAt(contact >> 1, stride);
+      const isTwo = stride === d.TWO_STRIDE;
+      const mass = isTwo ? 1 / r[at + d.K11]! : r[at + d.NORMAL_MASS]!;
+      const weighs = (tied[set] === 1 ? SQUEEZE_LEVERAGE : 1) * weight[set]!;
       contacts.items[kept] = contact;
-      most[kept] = (tied[set] === 1 ? SQUEEZE_LEVERAGE : 1) * weight[set]!;
+      least[2 * kept] = Math.max(weighs, SQUEEZE_ACCELERATION * h * mass);
+      least[2 * kept + 1] = isTwo ? Math.max(weighs, (SQUEEZE_ACCELERATION * h) / r[at + d.K22]!) : 0;
       kept += 1;
     }
   }
   contacts.count = kept;
 }
 
-/** Before a sub-step of length h: what its deep contacts start with. */
-export function easeSqueezes(data: SolverData, h: number): void {
-  const { contacts, most } = data.squeezes;
-  const speed = SQUEEZE_ACCELERATION * h;
+/** Before a sub-step: what its deep contacts start with. */
+export function easeSqueezes(data: SolverData): void {
+  const { contacts, least } = data.squeezes;
   for (let i = 0; i < contacts.count; i += 1) {
     const contact = contacts.items[i]!;
     const { records, stride } = batchOf(data, contact);
     const at = recordAt(contact >> 1, stride);
-    if (stride === d.TWO_STRIDE) {
-      ease(records, at, Math.max(most[i]!, speed / records[at + d.K11]!));
-      ease(records, at + d.SECOND, Math.max(most[i]!, speed / records[at + d.K22]!));
-    } else {
-      ease(records, at, Math.max(most[i]!, speed * records[at + d.NORMAL_MASS]!));
-    }
+    ease(records, at, least, 2 * i);
+    if (stride === d.TWO_STRIDE) ease(records, at + d.SECOND, least, 2 * i + 1);
   }
 }
 
 /** What is taken away was given in the sub-step before. In this order of the terms the sum is never below 0. */
-function ease(r: Float64Array, at: number, least: number): void {
+function ease(r: Float64Array, at: number, least: Float64Array, which: number): void {
   const p = r[at + d.NORMAL1]!;
   const share = SQUEEZE_DEPTH / -r[at + d.START1]!;
-  if (p > least && share > 0 && share < 1) {
-    const next = Math.max(least, share * share * p);
+  if (p > least[which]! && share > 0 && share < 1) {
+    const next = Math.max(least[which]!, share * share * p);
     r[at + d.NORMAL1] = next;
     r[at + d.NORMAL_SUM1] = r[at + d.NORMAL_SUM1]! + p - next;
   }

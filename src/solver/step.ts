@@ -64,7 +64,7 @@ function integrate(world: World, h: number): void {
     planBounces(solver, h);
     integrateVelocities(solver);
     jointSolver?.warmStart(solver, substep === 0);
-    easeSqueezes(solver, h);
+    easeSqueezes(solver);
     warmStartContacts(solver, h);
     applyBounces(solver);
     const iterations = share(world.velocityIterations, substep, substeps);
