@@ -11,22 +11,22 @@ import { Contact } from './contact.js';
 import * as c from './layout.js';
 import { PairState } from './pair-state.js';
 
-/** Which of the mixed values were set by hand. */
+/** Bits of `fixed`: which of the combined material values were set by hand. */
 const FIXED_ELASTICITY = 1;
 const FIXED_STATIC = 2;
 const FIXED_DYNAMIC = 4;
 const FIXED_ROLLING = 8;
 
-/** [jx, jy, jw]: scratch. */
+/** [jx, jy, jw], written by `sumImpulses`: scratch. */
 const sum = /* @__PURE__ */ new Float64Array(3);
 
-/** The point `which` of a record is a new one. */
+/** Zeroes the impulses of a point, 0 or 1, in the record of a pair: the point is new. */
 export function clearPoint(n: Float64Array, o: number, which: number): void {
   const from = o + c.NORMAL + c.IMPULSES * which;
   n.fill(0, from, from + c.IMPULSES);
 }
 
-/** What a pair gave in a step before its points became others within it. */
+/** The impulses of a pair from before it was collided a second time within a step: linear on body B, angular on each body. */
 export interface Before {
   step: number;
   x: number;
@@ -35,16 +35,16 @@ export interface Before {
   wB: number;
 }
 
-/** A manifold as it was at the end of a step. */
+/** A manifold as it was at the end of a step, kept because a body has been moved by hand since. */
 export interface Held {
   step: number;
-  /** The normal, then position and penetration of one point and the other. */
+  /** The normal, then position and penetration of the first point and of the second. */
   readonly numbers: Float64Array;
 }
 
 /**
- * What two shapes have to do with each other: contacts, impulses, combined material. Made by the engine and recycled: read it
- * from `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and keep none beyond the next step.
+ * The interaction of two shapes: contacts, impulses, combined material. Made and recycled by the engine: read it from
+ * `world.dynamicArbiters`, `world.staticArbiters`, `shape.arbiters` and event handlers, and do not keep it beyond the next step.
  */
 export class Arbiter extends PairState {
   /** Of the class, as in Turbulenz. */
@@ -52,35 +52,38 @@ export class Arbiter extends PairState {
     return 1;
   }
 
-  /** @internal what else its dynamic shape lies on or near; in the pool the one that is used after it */
+  /** @internal links the list that begins at `shape.grounds` of its dynamic shape; in the pool, the next free arbiter */
   next: Arbiter | null = null;
   /** @internal index in shapeA.arbiters */
   indexA = -1;
   /** @internal index in shapeB.arbiters */
   indexB = -1;
-  /** @internal what was given in a step before the points became others within it */
+  /** @internal the impulses from before the pair was collided a second time within a step; valid if `metAgain` */
   before: Before | null = null;
-  /** @internal the manifold at the end of a step, if a body was put elsewhere since: see `at-end.ts` */
+  /** @internal the manifold at the end of a step, if a body was moved by hand since: see `at-end.ts`; valid if `isHeld` */
   held: Held | null = null;
-  /** `contacts`, and the objects it is filled with, made when first asked for: most never are. */
+  /** The array behind `contacts`, and the two objects it is filled with. Made on first use: most pairs are never asked. */
   private seenPoints: { readonly list: Contact[]; readonly points: readonly Contact[] } | null = null;
 
-  /** @internal how many points were found, 0 to 2 */
+  /** @internal how many points the manifold has, 0 to 2 */
   get count(): number {
     return this.numbers[this.at + g.COUNT]! | 0;
   }
 
-  /** Of `shapeA`; in an `end` handler, if that has been removed from its body, the one that it was on, unless it is on another by now. */
+  /** The body of `shapeA`. In an `end` handler, if the shape was removed from its body: the body it was on, unless it is on another by now. */
   get bodyA(): RigidBody {
     return this.shapeA.owner ?? this.shapeA.former!;
   }
 
-  /** Of `shapeB`; likewise. */
+  /** The body of `shapeB`; likewise. */
   get bodyB(): RigidBody {
     return this.shapeB.owner ?? this.shapeB.former!;
   }
 
-  /** Up to two points; of two the second lies farther along (−ny, nx), the normal turned by a right angle. Skip those that are not `active`. */
+  /**
+   * Up to two contact points. Of two, the second lies farther along (−ny, nx), the normal turned by a right angle. Skip those that are not
+   * `active`.
+   */
   get contacts(): Contact[] {
     this.seenPoints ??= { list: [], points: [new Contact(this, 0), new Contact(this, 1)] };
     const { list, points } = this.seenPoints;
@@ -101,14 +104,15 @@ export class Arbiter extends PairState {
     return vec2(atEnd.nx, atEnd.ny, 'Arbiter.getNormal', dst);
   }
 
-  /** N·m·s of the latest step; 0 unless a circle is involved. */
+  /** The rolling impulse of the latest step, N·m·s; 0 unless a circle is involved. */
   getRollingImpulse(): number {
     return this.numbers[this.at + c.STEP_ROLL]!;
   }
 
   /**
-   * `[jx, jy, jw]` given to a body in the latest step, jw about its origin; zeros for a stranger. Of two contacts jw is that of their friction as it is told of each, which may
-   * be some per cent off where one of them lies deeper: the solver has one friction for both.
+   * The impulse `[jx, jy, jw]` that a body received in the latest step, N·s and N·m·s, jw about the body's origin; zeros for any other
+   * body. With two contacts, the share of friction in jw is the sum over both as each reports it. It may be some per cent off where one
+   * contact is deeper than the other, as the solver has one friction for both.
    */
   getImpulseForBody(body: RigidBody): Vec3;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
@@ -122,7 +126,7 @@ export class Arbiter extends PairState {
     return vec3(sum[0]!, sum[1]!, sum[2]!, 'Arbiter.getImpulseForBody', dst);
   }
 
-  /** Of this step, to `sum`: what body B (`sign` 1) or A (−1) got. */
+  /** Sums the impulses of this step that body B (`sign` 1) or body A (−1) received, into `sum`. */
   private sumImpulses(sign: number): void {
     const { numbers: n, at: o } = this;
     const ofB = sign > 0 ? 1 : 0;
@@ -141,7 +145,7 @@ export class Arbiter extends PairState {
       const tangent = sign * n[o + c.STEP_TANGENT + c.IMPULSES * i]!;
       const jx = n[o + g.NX]! * normal - n[o + g.NY]! * tangent;
       const jy = n[o + g.NY]! * normal + n[o + g.NX]! * tangent;
-      // The arms are those that the solver had, not those of the end of the step.
+      // The arms are those the solver used, not those at the end of the step.
       w +=
         (n[o + g.X0 + g.POINT * i]! - ofB * n[o + g.DX]!) * jy - (n[o + g.Y0 + g.POINT * i]! - ofB * n[o + g.DY]!) * jx;
       x += jx;
@@ -152,7 +156,7 @@ export class Arbiter extends PairState {
     sum[2] = w;
   }
 
-  /** Of this pair, of both materials unless set; `undefined` for a sensor. */
+  /** The combined elasticity: mixed from both materials unless set by hand; `undefined` for a sensor. */
   getElasticity(): number | undefined {
     return this.material(c.ELASTICITY);
   }
@@ -173,8 +177,8 @@ export class Arbiter extends PairState {
   }
 
   /**
-   * Fixes the combined elasticity, any number (±Infinity: as of a material), for the life of the arbiter, which ends 30 steps after the shapes parted, or until `setElasticityFromShapes`.
-   * Outside a step wakes both bodies silently.
+   * Fixes the combined elasticity: any number, ±Infinity as in a material. It holds until `setElasticityFromShapes`, or for the life of the
+   * arbiter, which ends 30 steps after the shapes part. Outside a step, wakes both bodies without an event.
    */
   setElasticity(elasticity: number): void {
     const given = notNaN('Arbiter.setElasticity', 'elasticity', elasticity);
@@ -196,7 +200,7 @@ export class Arbiter extends PairState {
     this.fix(FIXED_ROLLING, c.ROLLING_FRICTION, nonNegative('Arbiter.setRollingFriction', 'friction', friction));
   }
 
-  /** Lets the elasticity follow the shapes' materials again. */
+  /** Mixes the elasticity from the shapes' materials again. */
   setElasticityFromShapes(): void {
     this.release(FIXED_ELASTICITY);
   }
@@ -216,17 +220,17 @@ export class Arbiter extends PairState {
     this.release(FIXED_ROLLING);
   }
 
-  /** Whether the collision takes effect. */
+  /** Whether the collision is accepted, and so takes effect. */
   isStateAccepted(): boolean {
     return this.is(ACCEPTED);
   }
 
-  /** Whether that decision holds until the interaction ends. */
+  /** Whether the accepted state is persistent: holds until the interaction ends. */
   isStatePersistent(): boolean {
     return this.is(PERSISTENT);
   }
 
-  /** Decides whether the collision takes effect; reset in every step unless persistent. */
+  /** Accepts or rejects the collision. Reset to accepted in every step, unless persistent. */
   setAcceptedState(accepted: boolean): void {
     boolean('Arbiter.setAcceptedState', 'accepted', accepted);
     if (!this.sensor) {
@@ -235,7 +239,7 @@ export class Arbiter extends PairState {
     }
   }
 
-  /** Keeps the decision, without asking `preSolve` handlers again, until the interaction ends. */
+  /** Makes the accepted state persistent: it holds until the interaction ends, and `preSolve` handlers are not called again. */
   setPersistentState(persistent: boolean): void {
     boolean('Arbiter.setPersistentState', 'persistent', persistent);
     if (!this.sensor) {
@@ -244,7 +248,7 @@ export class Arbiter extends PairState {
     }
   }
 
-  /** @internal combines the materials, except for values set by hand */
+  /** @internal mixes the materials, except for values set by hand */
   mixMaterials(): void {
     const a = this.shapeA.material;
     const b = this.shapeB.material;
@@ -256,7 +260,7 @@ export class Arbiter extends PairState {
     if ((fixed & FIXED_ROLLING) === 0) n[o + c.ROLLING_FRICTION] = mixFriction(a.rollingFriction, b.rollingFriction);
   }
 
-  /** @internal a new pair in a recycled object */
+  /** @internal makes a recycled object the arbiter of a new pair */
   reuse(shapeA: Shape, shapeB: Shape): void {
     this.shapeA = shapeA;
     this.shapeB = shapeB;
@@ -270,7 +274,7 @@ export class Arbiter extends PairState {
     this.forget();
   }
 
-  /** @internal in a world that is restored, with what a snapshot has of it, which is set next */
+  /** @internal resets what a snapshot does not hold; in a world that is being restored, what it does hold is set next */
   revive(): void {
     this.unmark(DEAD | AWAKE | NEAR);
     this.foreseen = 0;
@@ -278,14 +282,17 @@ export class Arbiter extends PairState {
     this.held = null;
   }
 
-  /** @internal drops what is only kept while an interaction runs or is cached */
+  /** @internal drops what lasts only as long as the interaction runs or is cached */
   forget(): void {
     this.dropPoints();
     this.unmark(PERSISTENT | (3 << SHOWN) | (15 << FIXED));
     this.put(ACCEPTED, !this.sensor);
   }
 
-  /** @internal in this step the pair meets once more, at other points: keeps the sum of what the ones so far gave, in what other pairs need no more */
+  /**
+   * @internal the pair is collided a second time in this step: keeps the sum of the impulses so far, in a spare object if there is one, and
+   * drops the points
+   */
   meetAgain(spare: Before[]): void {
     this.sumImpulses(-1);
     const wA = sum[2]!;
@@ -295,8 +302,11 @@ export class Arbiter extends PairState {
     this.dropPoints();
   }
 
-  /** @internal of what a pair that met again gave body B before, along a direction, the share of one of its points: as of the normal impulses since */
-  gaveBefore(which: number, x: number, y: number): number {
+  /**
+   * @internal N·s along (x, y) that body B received before the pair was collided again in the latest step: the share of one point, split as
+   * the normal impulses since are
+   */
+  earlierShare(which: number, x: number, y: number): number {
     if (!this.active || !this.metAgain()) {
       return 0;
     }
@@ -307,7 +317,7 @@ export class Arbiter extends PairState {
     return (which === 0 ? ofFirst : 1 - ofFirst) * (before!.x * x + before!.y * y);
   }
 
-  /** @internal of the latest step */
+  /** @internal sets `before` for the latest step */
   noteBefore(x: number, y: number, wA: number, wB: number): void {
     this.before ??= { step: 0, x: 0.5, y: 0.5, wA: 0.5, wB: 0.5 };
     const { before } = this;
@@ -318,43 +328,43 @@ export class Arbiter extends PairState {
     before.wB = wB;
   }
 
-  /** @internal … which it did in the latest step */
+  /** @internal whether the pair was collided a second time in the latest step, so that `before` counts */
   metAgain(): boolean {
     return this.before !== null && this.before.step === this.lastInteraction;
   }
 
-  /** @internal whether the manifold at the end of the latest step is held */
+  /** @internal whether `held` is the manifold at the end of the latest step */
   isHeld(): boolean {
     return this.held !== null && this.held.step === this.lastInteraction;
   }
 
-  /** @internal holds it from now on. @returns its numbers. */
+  /** @internal makes `held` that of the latest step. @returns its numbers, for the caller to write. */
   hold(): Float64Array {
     this.held ??= { step: -1, numbers: new Float64Array(c.HELD_NUMBERS) };
     this.held.step = this.lastInteraction;
     return this.held.numbers;
   }
 
-  /** @internal lists the points that the manifold has, as new ones */
+  /** @internal lists the points of the manifold as new ones, without impulses */
   showPoints(): void {
     this.dropPoints();
     this.bits = (this.bits & ~(3 << SHOWN)) | (this.count << SHOWN);
   }
 
-  /** @internal new points: nothing is kept of the impulses of old ones */
+  /** @internal drops the impulses of both points */
   dropPoints(): void {
     this.numbers.fill(0, this.at + c.NORMAL, this.at + c.ELASTICITY);
     this.unmark((3 << USED) | (3 << FRESH));
   }
 
-  /** @internal the point `which` is a new one */
+  /** @internal drops the impulses of one point: it is new */
   dropPoint(which: 0 | 1): void {
     clearPoint(this.numbers, this.at, which);
     this.unmark(1 << (USED + which));
   }
 
-  /** @internal the point `which` is the one that was the other */
-  takePoint(which: 0 | 1): void {
+  /** @internal point `which` is the one that used to be the other: takes over its impulses, and the other one is new */
+  takeOverPoint(which: 0 | 1): void {
     const to = this.at + c.NORMAL + c.IMPULSES * which;
     const from = this.at + c.NORMAL + c.IMPULSES * (1 - which);
     this.numbers.copyWithin(to, from, from + c.IMPULSES);
@@ -362,7 +372,7 @@ export class Arbiter extends PairState {
     this.dropPoint(which === 0 ? 1 : 0);
   }
 
-  /** @internal the points gave no impulse in this step; what is kept for the next one stays */
+  /** @internal zeroes the impulses of this step; those that warm start the next one stay */
   idle(): void {
     const { numbers: n, at: o } = this;
     n[o + c.STEP_NORMAL] = 0;
@@ -393,7 +403,7 @@ export class Arbiter extends PairState {
     }
   }
 
-  /** Not if the arbiter is only kept for its `end` event: its shapes may be anywhere. */
+  /** Wakes both bodies; not if the arbiter is only kept for its `end` event, as its shapes may be anywhere by then. */
   private rouse(): void {
     const world = this.is(LISTED) ? this.bodyA.owner : null;
     if (world !== null && !world.stepping) {

@@ -7,22 +7,23 @@ import { POLYGON } from '../shape/shape-kind.js';
 import type { Arbiter } from './arbiter.js';
 import { HELD_NUMBERS } from './layout.js';
 
-// A manifold followed from the placements that it was found for to those at the end of the step. Worked out when asked for, because most contacts are never asked; or before a body is put elsewhere.
+// A manifold is found for the placements at the start of a step. Here it is followed to those at the end: on demand, as most contacts are
+// never asked for, or just before a body is moved by hand.
 
-/** What was found: scratch. */
+/** The result of `normalAtEnd` and `pointAtEnd`: scratch. */
 export const atEnd = { nx: 0.5, ny: 0.5, x: 0.5, y: 0.5, penetration: 0.5 };
 
 const found = /* @__PURE__ */ new Float64Array(HELD_NUMBERS);
 
-/** How much two units may differ by rounding. */
+/** By how much components of two equal unit vectors may differ by rounding; also a length, m, too short to give a direction. */
 const SAME = 1e-9;
 
-/** A body is about to be put elsewhere, or to leave. */
+/** Keeps the manifold at the end of the step, as a body of the pair is about to be moved by hand or to leave. */
 export function holdAtEnd(arbiter: Arbiter): void {
   if (!(arbiter.active || arbiter.sleeping) || arbiter.count === 0 || arbiter.isHeld()) {
     return;
   }
-  // Held only when all is found: what is held is told.
+  // Written to the arbiter only at the end: once it is held, `pointAtEnd` returns what is held.
   for (let which = 0; which < 2; which += 1) {
     pointAtEnd(arbiter, which);
     const at = 2 + 3 * which;
@@ -35,7 +36,10 @@ export function holdAtEnd(arbiter: Arbiter): void {
   arbiter.hold().set(found);
 }
 
-/** The normal: that of an edge turns with its body; that of corners and circles is the way from the middle of one to that of the other. */
+/**
+ * Writes the normal to `atEnd`. The normal of an edge turns with its body. Between corners and circles it runs from the one contact point
+ * to the other, or from centre to centre.
+ */
 export function normalAtEnd(arbiter: Arbiter): void {
   const { numbers: n, at: o, shapeA, shapeB } = arbiter;
   const a = shapeA.owner;
@@ -51,7 +55,7 @@ export function normalAtEnd(arbiter: Arbiter): void {
     return;
   }
   if (a === null || b === null) {
-    // A handler has removed the shape.
+    // A handler has removed a shape from its body.
     return;
   }
   const turnA = a.angle - n[o + g.ANGLE_A]!;
@@ -64,11 +68,11 @@ export function normalAtEnd(arbiter: Arbiter): void {
   } else if (hasEdge(shapeB, -nx, -ny, n[o + g.ANGLE_B]!)) {
     turnNormal(turnB);
   } else if (nx * nx + ny * ny > 0) {
-    pointNormal(arbiter);
+    joinPoints(arbiter);
   }
 }
 
-/** Whether a polygon that was turned by an angle had an edge with that outer normal. */
+/** Whether a shape is a polygon with this outward edge normal when turned by `angle`. */
 function hasEdge(shape: Shape, nx: number, ny: number, angle: number): boolean {
   if (shape.kind !== POLYGON) {
     return false;
@@ -93,8 +97,8 @@ function turnNormal(angle: number): void {
   atEnd.ny = s * nx + c * ny;
 }
 
-/** Of circles the centres count, of polygons the corners. */
-function pointNormal(arbiter: Arbiter): void {
+/** The normal between two points that move with their bodies: the centre of a circle, the corner of a polygon. */
+function joinPoints(arbiter: Arbiter): void {
   const { numbers: n, at: o, bodyA: a, bodyB: b, shapeA, shapeB } = arbiter;
   const { nx, ny } = atEnd;
   const separation = n[o + g.S0]!;
@@ -111,14 +115,14 @@ function pointNormal(arbiter: Arbiter): void {
   const x = b.x + cB * bx - sB * by - (a.x + cA * ax - sA * ay);
   const y = b.y + sB * bx + cB * by - (a.y + sA * ax + cA * ay);
   const length = Math.sqrt(x * x + y * y);
-  // Two corners that touch have no direction, nor have those that went through each other.
+  // Corners that coincide define no direction, and of points that have passed through each other it is the wrong one.
   if (toA + toB > SAME && length > SAME && x * nx + y * ny > 0) {
     atEnd.nx = x / length;
     atEnd.ny = y / length;
   }
 }
 
-/** A point, half-way into the overlap, and how deep that is. */
+/** Writes normal, position and penetration of a point, 0 or 1, to `atEnd`. The position is half-way into the overlap. */
 export function pointAtEnd(arbiter: Arbiter, which: number): void {
   normalAtEnd(arbiter);
   if (arbiter.isHeld()) {
@@ -150,7 +154,7 @@ export function pointAtEnd(arbiter: Arbiter, which: number): void {
   const gapX = b.x + cB * bx - sB * by - nx * roundB - endX;
   const gapY = b.y + sB * bx + cB * by - ny * roundB - endY;
   const gap = nx * gapX + ny * gapY;
-  // Along the surfaces half-way too, but where one is round: that one goes with its centre.
+  // Along the surfaces half-way, too, unless exactly one is round: the point goes with its centre.
   const share = roundA > 0 === roundB > 0 ? 0.5 : roundB > 0 ? 1 : 0;
   atEnd.x = endX + share * gapX + (0.5 - share) * gap * nx;
   atEnd.y = endY + share * gapY + (0.5 - share) * gap * ny;

@@ -4,7 +4,7 @@ import type { Arbiter } from './arbiter.js';
 import { atEnd, pointAtEnd } from './at-end.js';
 import * as c from './layout.js';
 
-/** One point of a collision. Recycled by the engine: do not keep it beyond the next step. */
+/** One contact point. Recycled by the engine: do not keep it beyond the next step. */
 export class Contact {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
@@ -17,22 +17,22 @@ export class Contact {
     private readonly which: 0 | 1,
   ) {}
 
-  /** Belongs to the latest step; an inactive contact is a cache and has to be skipped. */
+  /** Whether it belongs to the latest step. An inactive contact is a cached one: skip it. */
   get active(): boolean {
     return this.arbiter.active && this.which < this.arbiter.count;
   }
 
-  /** Found but not used by the velocity solver, because the surfaces are apart here. */
+  /** Whether the velocity solver did not use the point, because the surfaces are apart here. */
   get virtual(): boolean {
     return (this.arbiter.usedPoints & (1 << this.which)) === 0;
   }
 
-  /** This is the first step in which the velocity solver uses the point. */
+  /** Whether the latest step is the first in which the velocity solver used the point. */
   get fresh(): boolean {
     return (this.arbiter.freshPoints & (1 << this.which)) !== 0;
   }
 
-  /** World point half-way into the overlap, at the end of the step, m. */
+  /** The contact point in world coordinates at the end of the step, half-way into the overlap, m. */
   getPosition(): Vec2;
   getPosition<T extends NumberSink>(dst: T): T;
   getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -40,26 +40,27 @@ export class Contact {
     return vec2(atEnd.x, atEnd.y, 'Contact.getPosition', dst);
   }
 
-  /** m; negative where the surfaces are apart. */
+  /** How deep the shapes overlap here at the end of the step, m; negative where the surfaces are apart. */
   getPenetration(): number {
     pointAtEnd(this.arbiter, this.which);
     return atEnd.penetration;
   }
 
-  /** N·s along the arbiter's normal that body B got in the latest step, >= 0; body A got the opposite. */
+  /** The normal impulse of the latest step on body B, along the arbiter's normal, N·s, >= 0. Body A received the opposite. */
   getNormalImpulse(): number {
     const { numbers: n, at: o } = this.arbiter;
-    const earlier = this.arbiter.gaveBefore(this.which, n[o + g.NX]!, n[o + g.NY]!);
+    const earlier = this.arbiter.earlierShare(this.which, n[o + g.NX]!, n[o + g.NY]!);
     return n[o + c.STEP_NORMAL + c.IMPULSES * this.which]! + Math.max(0, earlier);
   }
 
   /**
-   * N·s along the tangent (−n.y, n.x) that body B got in the latest step. Two contacts have one friction, of which each is told the share that it
-   * has of their normal impulses; and likewise where the shapes met twice in the step, of what they gave each other before.
+   * The friction impulse of the latest step on body B, along the tangent (−n.y, n.x), N·s. Two contacts share one friction impulse: each
+   * reports a part in proportion to its normal impulse. Where the shapes were collided twice in the step, the earlier impulses are shared
+   * out likewise.
    */
   getTangentImpulse(): number {
     const { numbers: n, at: o } = this.arbiter;
-    const earlier = this.arbiter.gaveBefore(this.which, -n[o + g.NY]!, n[o + g.NX]!);
+    const earlier = this.arbiter.earlierShare(this.which, -n[o + g.NY]!, n[o + g.NX]!);
     return n[o + c.STEP_TANGENT + c.IMPULSES * this.which]! + earlier;
   }
 }

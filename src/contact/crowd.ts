@@ -6,16 +6,17 @@ import { isOlder, type Shape } from '../shape/shape.js';
 import type { Pairs } from './pairs.js';
 
 /**
- * Shapes that lie in the middle of each other, of which there may be thousands at one point: all pairs of them would be millions, and none of
- * them matters much. Each shape is given its first partners, by their ids, until it has enough; two that both have enough wait until they do not lie so deep
- * any more. So it does not depend on the order in which they are reported which pairs are made, and what carries many things counts every one of them.
+ * Shapes that overlap so much that each covers the other's centre. There may be thousands at one point: all pairs of them would be
+ * millions, and none matters much. So each shape gets only a limited number of partners, those with the lowest ids; two shapes that both
+ * have enough are not paired until they overlap less. Which pairs are made thus does not depend on the order in which they are reported,
+ * and what carries many things meets every one of them.
  */
 export class Crowd {
-  /** Those that have partners, and what they are put into: the lists are used again in the next step. */
+  /** The shapes that have partners in this step, and the lists of these, which are used again in the next one. */
   private readonly shapes = new List<Shape>();
   private readonly lists: List<Shape>[] = [];
 
-  /** Takes two shapes that may interact and have no pair yet. @returns `false` if they are no case for a crowd. */
+  /** Takes two shapes that may interact and have no pair yet. @returns `false`, without effect, if they are no case for a crowd. */
   take(a: Shape, b: Shape): boolean {
     if (!isCrowding(a, b)) {
       return false;
@@ -52,7 +53,7 @@ export class Crowd {
     }
   }
 
-  /** Tells which pairs are to be made, some twice. */
+  /** Reports the pairs that are to be made, some of them twice. */
   drainTo(pairs: Pairs): void {
     for (let i = 0; i < this.shapes.count; i += 1) {
       const shape = this.shapes.items[i]!;
@@ -68,7 +69,7 @@ export class Crowd {
   }
 }
 
-/** No one listens to them, nothing but each other is in their way, and each reaches over the middle of the other. */
+/** Whether two shapes are both dynamic and solid, without listeners, and each covers the centre of the other's bounds. */
 function isCrowding(a: Shape, b: Shape): boolean {
   return (
     reaches(a, b) &&

@@ -11,38 +11,38 @@ export class Hit {
   private readonly point: Vec2 = [0, 0];
   private readonly normal: Vec2 = [0, 0];
 
-  /** m/s, >= 0. How fast the surfaces came together along the normal, where they did so fastest, when they met or the step began. */
+  /** How fast the surfaces approached each other along the normal at the fastest contact, when they met or the step began, m/s, >= 0. */
   get approachSpeed(): number {
     return this.speed;
   }
 
-  /** N·s, >= 0. The normal impulse of the collision in the step, over all its contacts; with what friction gave see `arbiter.getImpulseForBody`. */
+  /** The normal impulse of the collision in the step, over all its contacts, N·s, >= 0. For friction as well see `arbiter.getImpulseForBody`. */
   get impulse(): number {
     return this.given;
   }
 
-  /** World point in the middle of that impulse, at the end of the step, m. */
+  /** Where the impulse acted: the mean of the contact points at the end of the step, weighted by their normal impulses, in world coordinates, m. */
   getPosition(): Vec2;
   getPosition<T extends NumberSink>(dst: T): T;
   getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
     return vec2(this.point[0], this.point[1], 'Hit.getPosition', dst);
   }
 
-  /** Unit vector from `arbiter.shapeA` towards `arbiter.shapeB`, along which the impulse was given. */
+  /** Unit vector from `arbiter.shapeA` towards `arbiter.shapeB`, along which the impulse acted. */
   getNormal(): Vec2;
   getNormal<T extends NumberSink>(dst: T): T;
   getNormal<T extends NumberSink>(dst?: T): T | Vec2 {
     return vec2(this.normal[0], this.normal[1], 'Hit.getNormal', dst);
   }
 
-  /** @internal copies what the step made of the collision, which handlers may change */
+  /** @internal copies the outcome of the step, as handlers may change the arbiter */
   read(arbiter: Arbiter): void {
     this.speed = arbiter.numbers[arbiter.at + c.APPROACH]!;
     let x = 0;
     let y = 0;
     let sum = 0;
     for (const contact of arbiter.contacts) {
-      // Points without any impulse count alike.
+      // Points without any impulse weigh the same.
       const weight = contact.getNormalImpulse() + 1e-300;
       sum += weight;
       const share = weight / sum;
@@ -61,7 +61,10 @@ export class Hit {
   }
 }
 
-/** @internal notes how fast the surfaces of a pair come together at the contact where they do so fastest; 0 if they part. To be called before it is solved. */
+/**
+ * @internal Writes to the record how fast the surfaces approach each other at the fastest contact; 0 if they separate. Call before the pair
+ * is solved.
+ */
 export function noteApproach({ bodyA: a, bodyB: b, count, numbers: n, at: o }: Arbiter): void {
   let fastest = 0;
   for (let i = 0; i < count; i += 1) {

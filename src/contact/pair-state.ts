@@ -3,42 +3,45 @@ import { Slab } from '../math/doubles.js';
 import type { Shape } from '../shape/shape.js';
 import { ACCEPTED, ACTIVE, FIXED, FRESH, NEAR, ROCKS, SENSOR, SHOWN, SLEEPING, STRAINS, USED } from './bits.js';
 
-/** Long before the first step. */
+/** A step number long before the first. */
 const LONG_AGO = -1e6;
 
 /** The records of pairs. */
 const slab = /* @__PURE__ */ new Slab();
 
 /**
- * What steps ask of each of thousands of pairs, in as little memory as it takes, as that is what they wait for: of what is so or not, each is a bit of one number. {@link Arbiter} is
- * its public face.
+ * What each step reads of thousands of pairs. It is kept small, as steps wait for memory here: all that is true or false is a bit of one
+ * number. {@link Arbiter} is its public face.
  */
 export abstract class PairState {
   /** @internal see `bits.ts` */
   bits: number = ACCEPTED;
-  /** @internal where the record of the pair begins: what collision and solver found, see `collide/layout.ts` and `layout.ts` */
+  /** @internal where the record of the pair begins: the output of collision and solver, see `collide/layout.ts` and `layout.ts` */
   at: number = slab.take(g.PAIR_STRIDE);
-  /** @internal the slab that it is in */
+  /** @internal the slab that holds the record */
   numbers: Float64Array = slab.numbers;
   /** The shape with the lower id. */
   shapeA: Shape;
-  /** The other one: normals point from A to B. */
+  /** The shape with the higher id: normals point from A to B. */
   shapeB: Shape;
-  /** @internal among those of its world, from 1 on */
+  /** @internal the number of this object among those of its world, from 1 on */
   readonly number: number;
-  /** @internal the last step in which the broadphase reported the pair, and filters let it pass */
+  /** @internal the last step in which the broadphase reported the pair and the filters let it pass */
   seen = -1;
   /** @internal the last step in which the shapes interacted */
   lastInteraction = -1;
-  /** @internal index in the world's list it is in */
+  /** @internal index in the world's list of dynamic or static arbiters */
   listIndex = -1;
-  /** @internal where `Movers.foresight` tells how much nearer the surfaces are when they will meet, of which its points are; 0 if they are those of now */
+  /**
+   * @internal if the points are those of a predicted meeting: index into `Movers.foresight`, which has how far the surfaces approach until
+   * then; 0 if the points are those of the present placements
+   */
   foreseen = 0;
-  /** @internal the last step in which it bore far more than the bodies weigh for long */
+  /** @internal the last step in which it had borne far more than its bodies weigh for several steps on end */
   strained = LONG_AGO;
   /** @internal the step in which the present interaction began, or the last one */
   began = -1;
-  /** @internal for so many steps on end it did, see `strainFor` */
+  /** @internal for how many steps on end it has borne far more than its bodies weigh, see `strainFor` */
   strain = 0;
 
   /** @internal */
@@ -49,19 +52,22 @@ export abstract class PairState {
   }
 
   /**
-   * The shapes interacted in the latest step. If not, and the arbiter is not `sleeping` either, it is kept of an interaction that is over, and
-   * has to be skipped.
+   * Whether the shapes interacted in the latest step. An arbiter that is neither `active` nor `sleeping` is the cache of an interaction
+   * that is over: skip it.
    */
   get active(): boolean {
     return this.is(ACTIVE);
   }
 
-  /** In the latest step both bodies were asleep, interacting still; the arbiter is in no list of the world, and its impulses read 0. */
+  /**
+   * Whether in the latest step both bodies were asleep while the shapes still interacted. The arbiter is then in no list of the world, and
+   * its impulses read 0.
+   */
   get sleeping(): boolean {
     return this.is(SLEEPING);
   }
 
-  /** One of the shapes is a sensor: no contacts, no physics. */
+  /** Whether one of the shapes is a sensor: then there are no contacts and no physics. */
   get sensor(): boolean {
     return this.is(SENSOR);
   }
@@ -81,22 +87,22 @@ export abstract class PairState {
     this.bits &= ~bits;
   }
 
-  /** @internal marks or unmarks */
+  /** @internal sets or clears bits */
   put(bits: number, on: boolean): void {
     this.bits = on ? this.bits | bits : this.bits & ~bits;
   }
 
-  /** @internal which of the mixed values were set by hand: four bits */
+  /** @internal which of the combined material values were set by hand: four bits */
   get fixed(): number {
     return (this.bits >> FIXED) & 15;
   }
 
-  /** @internal bit 0 and 1: the velocity solver used the point when it was last there */
+  /** @internal bits 0 and 1: whether the velocity solver used the point when it last solved the pair */
   get usedPoints(): number {
     return (this.bits >> USED) & 3;
   }
 
-  /** @internal … for the first time in the latest step */
+  /** @internal bits 0 and 1: whether the latest step was the first in which it used the point */
   get freshPoints(): number {
     return (this.bits >> FRESH) & 3;
   }
@@ -111,23 +117,23 @@ export abstract class PairState {
     this.bits = (this.bits & ~(3 << USED)) | (points << USED);
   }
 
-  /** @internal joins islands */
+  /** @internal whether it joins its bodies to one island: active and accepted */
   isSolid(): boolean {
     return (this.bits & (ACTIVE | ACCEPTED)) === (ACTIVE | ACCEPTED);
   }
 
-  /** @internal has a place in the solver */
+  /** @internal whether the solver has a contact for it: solid or speculative */
   isSolved(): boolean {
     return this.is(NEAR) || this.isSolid();
   }
 
-  /** @internal sets for how many steps on end it is strained */
+  /** @internal sets for how many steps on end it has been strained */
   strainFor(steps: number): void {
     this.strain = steps;
     this.put(STRAINS, steps > 0);
   }
 
-  /** @internal neither strained, long since, if ever, nor rocking */
+  /** @internal as if it had never been strained or rocking */
   calm(): void {
     this.strainFor(0);
     this.strained = LONG_AGO;

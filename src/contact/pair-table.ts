@@ -1,7 +1,7 @@
 import type { Shape } from '../shape/shape.js';
 import type { Arbiter } from './arbiter.js';
 
-/** Spreads two ids over 32 bits by odd multipliers (Knuth, The Art of Computer Programming 3, 6.4). */
+/** Spreads two ids over 32 bits with odd multipliers (Knuth, The Art of Computer Programming 3, 6.4). */
 function hash({ id: idA }: Shape, { id: idB }: Shape): number {
   const h = Math.imul(idA, 0x9e3779b1) ^ Math.imul(idB, 0x85ebca6b);
   return h ^ (h >>> 15);
@@ -35,7 +35,7 @@ export class PairTable {
     this.size += 1;
   }
 
-  /** Removes an arbiter that is in the table, and moves up those that had to probe past it. */
+  /** Removes an arbiter that is in the table, and moves up those that were probed past it. */
   remove(arbiter: Arbiter): void {
     const { arbiters } = this;
     const mask = arbiters.length - 1;

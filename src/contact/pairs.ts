@@ -8,69 +8,72 @@ import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
 import { Places } from './places.js';
 
-/** Whether a pair comes before that of two shapes. */
+/** Whether a pair comes before that of two other shapes in the order of `Pairs.sorted`. */
 export function isBefore({ shapeA, shapeB }: Report, nextA: Shape, nextB: Shape): boolean {
   return shapeA === nextA ? shapeB.id < nextB.id : shapeA.id < nextA.id;
 }
 
-function before(a: Report, b: Report): boolean {
+function comesBefore(a: Report, b: Report): boolean {
   return isBefore(a, b.shapeA, b.shapeB);
 }
 
-/** In place of a step in which the broadphase reported a pair: it never did. */
+/** In place of the number of a step: the broadphase has not reported the pair. */
 export const NOT_REPORTED = -1;
 
-/** Two shapes that the broadphase reported for the first time. Used again and again. */
+/** Two shapes that the broadphase has reported and that have no pair yet. Used again and again. */
 interface Report {
   shapeA: Shape;
   shapeB: Shape;
 }
 
 /**
- * Every pair of shapes whose bounds overlap, or that interacted a short while ago. A pair is made when the broadphase first
- * reports it and becomes visible as an arbiter (LISTED) when its shapes first touch.
+ * Every pair of shapes whose bounds overlap, or that interacted a short while ago. A pair is made when the broadphase first reports it, and
+ * becomes visible as an arbiter (LISTED) when its shapes first touch.
  *
- * `sorted` holds the pairs with something awake, ordered by the ids of their shapes, so that the order in which the
- * broadphase reports them cannot matter. Pairs that sleep are only in the table, and cost nothing.
+ * `sorted` holds the pairs with at least one awake body, ordered by the ids of their shapes, so that the order in which the broadphase
+ * reports them cannot matter. Pairs that sleep are only in the table, and cost nothing.
  */
 export class Pairs {
   readonly sorted = new List<Arbiter>();
 
   /** @internal */
   readonly table = new PairTable();
-  /** @internal the awake pairs that there were, while a world is restored */
+  /** @internal while a world is restored: the pairs that were awake before */
   readonly earlier = new List<Arbiter>();
   /** @internal */
   readonly arriving = new List<Arbiter>();
-  /** What lies beyond the count is old. */
+  /** The first `reportedCount` are of this step; the rest are for reuse. */
   private readonly reported: Report[] = [];
   /** @internal */
   reportedCount = 0;
   private readonly crowd = new Crowd();
   private readonly places = new Places();
   /**
-   * By the numbers of pairs: the last step in which the broadphase reported it. It does so in an order of its own, and would have to wait for each arbiter
-   * otherwise.
+   * By the number of a pair: the last step in which the broadphase reported it. Apart from the arbiters, as the broadphase reports in an
+   * order of its own, and each arbiter would have to be waited for.
    * @internal
    */
   sightings = new Int32Array(64).fill(NOT_REPORTED);
-  /** How many arbiters were made: their numbers begin with 1. */
+  /** How many arbiters have been made: their numbers begin with 1. */
   private made = 0;
-  /** @internal the first of those that are free; each knows the next, as a list would grow when many pairs end */
+  /** @internal the first free arbiter; each links the next one, as an array would grow when many pairs end */
   pool: Arbiter | null = null;
-  /** @internal for pairs that meet again: kept with those in the pool it would be one more object in every arbiter, in the end */
+  /** @internal objects for `Arbiter.before`: left in the arbiters in the pool, there would be one in every arbiter in the end */
   readonly spare: Before[] = [];
-  /** @internal cut from an interaction: still named by an `end` event that is delivered with the next step, or the one before */
+  /**
+   * @internal pairs that were cut off since the last step began, and those from before: an `end` event that is yet to be delivered may
+   * still name them
+   */
   cut: Arbiter[] = [];
   /** @internal */
   cutBefore: Arbiter[] = [];
 
-  /** The pair of two shapes, in any order, if there is one. */
+  /** The pair of two shapes, given in any order, or `null`. */
   find(one: Shape, two: Shape): Arbiter | null {
     return isOlder(one, two) ? this.table.find(one, two) : this.table.find(two, one);
   }
 
-  /** The same, made if needed. */
+  /** The pair of two shapes, given in any order; made if there is none. */
   obtain(one: Shape, two: Shape): Arbiter {
     let pair = this.find(one, two);
     if (pair === null) {
@@ -103,7 +106,10 @@ export class Pairs {
     return pair;
   }
 
-  /** The broadphase reports a pair by its number. @returns whether it did in the last step too; if not, the number may be that of another pair by now. */
+  /**
+   * Takes a report of the broadphase by the number of the pair. @returns whether the pair was reported in the last step too; if not, the
+   * number may be that of another pair by now.
+   */
   reportAgain(number: number, stamp: number): boolean {
     const isKnown = this.sightings[number] === stamp - 1;
     if (isKnown) {
@@ -112,7 +118,10 @@ export class Pairs {
     return isKnown;
   }
 
-  /** The broadphase reports two shapes that may interact, in any order. @returns the number of the pair, 0 if it is yet to be made. */
+  /**
+   * Takes a report of the broadphase by the two shapes, in any order, which may interact. @returns the number of the pair, 0 if it is yet
+   * to be made.
+   */
   report(one: Shape, two: Shape, stamp: number): number {
     const pair = this.find(one, two);
     if (pair !== null) {
@@ -126,7 +135,7 @@ export class Pairs {
     return 0;
   }
 
-  /** @internal the pair of two shapes, in any order, is to be made */
+  /** @internal notes two shapes, in any order, whose pair `makeReported` will make */
   note(one: Shape, two: Shape): void {
     const isFirst = isOlder(one, two);
     const shapeA = isFirst ? one : two;
@@ -140,21 +149,21 @@ export class Pairs {
     this.reportedCount += 1;
   }
 
-  /** Whether the broadphase reported a pair in a step. */
+  /** Whether the broadphase reported a pair in the step `stamp`. */
   isReported(pair: Arbiter, stamp: number): boolean {
     return this.sightings[pair.number] === stamp;
   }
 
-  /** As if the broadphase had not reported the pair. */
+  /** Forgets that the broadphase reported the pair. */
   overlook(pair: Arbiter): void {
     this.sightings[pair.number] = NOT_REPORTED;
   }
 
-  /** Makes the pairs that were reported for the first time, in order: then they lie in memory as they are walked through. */
+  /** Makes the pairs that were reported for the first time, in order, so that they lie in memory in the order in which steps walk through them. */
   makeReported(stamp: number): void {
     this.crowd.drainTo(this);
     const { reported, reportedCount } = this;
-    sortFirst(reported, reportedCount, before);
+    sortFirst(reported, reportedCount, comesBefore);
     for (let i = 0; i < reportedCount; i += 1) {
       const { shapeA, shapeB } = reported[i]!;
       const { number } = this.obtain(shapeA, shapeB);
@@ -171,14 +180,14 @@ export class Pairs {
     }
   }
 
-  /** Merges the pairs that arrived into the sorted list, from the back, in place: they are few, and all the others need not be looked at. */
+  /** Merges the pairs that arrived into `sorted`, in place, from the back: they are few, and most others are moved without being compared. */
   merge(): void {
     const { sorted, arriving } = this;
     if (arriving.count === 0) {
       return;
     }
     const { items } = sorted;
-    sortFirst(arriving.items, arriving.count, before);
+    sortFirst(arriving.items, arriving.count, comesBefore);
     let rest = sorted.count;
     for (let n = 0; n < arriving.count; n += 1) {
       sorted.add(arriving.items[n]!);
@@ -188,7 +197,7 @@ export class Pairs {
       let low = 0;
       for (let high = rest; low < high; ) {
         const middle = (low + high) >> 1;
-        if (before(pair, items[middle]!)) {
+        if (comesBefore(pair, items[middle]!)) {
           high = middle;
         } else {
           low = middle + 1;
@@ -203,12 +212,12 @@ export class Pairs {
     arriving.clear();
   }
 
-  /** Lays the records of awake pairs out in their order again, now and then. For a moment when nobody holds on to where one is. */
+  /** Every now and then lays the records of awake pairs out in their order again. Only to be called when nobody holds on to where a record is. */
   arrange(stamp: number): void {
     this.places.arrange(this.sorted, stamp);
   }
 
-  /** Makes the pair visible to both shapes. */
+  /** Makes the pair visible as an arbiter of both shapes. */
   list(pair: Arbiter): void {
     pair.mark(LISTED);
     pair.indexA = pair.shapeA.arbiters.push(pair) - 1;
@@ -216,7 +225,7 @@ export class Pairs {
     pair.mixMaterials();
   }
 
-  /** Takes the pair from both shapes; nothing is remembered of its interaction. */
+  /** Takes the arbiter from both shapes, and forgets its interaction. */
   unlist(pair: Arbiter): void {
     removeAt(pair.shapeA, pair.indexA);
     removeAt(pair.shapeB, pair.indexB);
@@ -224,19 +233,19 @@ export class Pairs {
     pair.forget();
   }
 
-  /** The cache of an interaction that is over has run out. */
+  /** Whether the interaction has been over for so long that its cache has expired. */
   isExpired(pair: Arbiter, stamp: number): boolean {
     return pair.is(LISTED) && pair.lastInteraction + (pair.sensor ? SENSOR_CACHE : ARBITER_CACHE) < stamp;
   }
 
-  /** Drops a pair that is not listed and is leaving the sorted list. */
+  /** Frees a pair that is not listed and is leaving `sorted`. */
   retire(pair: Arbiter): void {
     this.drop(pair);
     this.free(pair);
   }
 
   /**
-   * Takes a listed pair out of everything because a shape or body goes. The object is reused only after the `end` event that
+   * Takes a listed pair out of everything, because one of its shapes or bodies goes. The object is reused only after the `end` event that
    * names it.
    */
   cutOff(pair: Arbiter): void {
@@ -264,7 +273,7 @@ export class Pairs {
     this.pool = pair;
   }
 
-  /** At the start of a step: frees what was cut before the last one. */
+  /** At the start of a step: frees the pairs that were cut off before the last one. */
   recycle(): void {
     const free = this.cutBefore;
     for (let i = 0; i < free.length; i += 1) {
@@ -280,15 +289,15 @@ export class Pairs {
     this.cut = free;
   }
 
-  /** Lets go of shapes of earlier steps. */
+  /** Lets go of shapes of earlier steps, so that they can be collected. */
   release(): void {
     this.crowd.release();
     for (let i = this.reportedCount; i < this.reported.length; i += 1) {
-      nameNone(this.reported[i]!);
+      dropShapes(this.reported[i]!);
     }
-    // Those below were let go of before.
+    // The rest of the pool was let go of before.
     for (let pair = this.pool; pair !== null && pair.shapeA !== null; pair = pair.next) {
-      nameNone(pair);
+      dropShapes(pair);
     }
   }
 
@@ -307,7 +316,7 @@ export class Pairs {
     this.arriving.clear();
   }
 
-  /** @internal frees what was cut at once: no event names it any more */
+  /** @internal frees the pairs that were cut off at once: no event names them any more */
   freeCut(): void {
     for (const list of [this.cut, this.cutBefore]) {
       for (const pair of list) {
@@ -318,8 +327,8 @@ export class Pairs {
   }
 }
 
-/** Holds on to no shapes: they, and what is bound to them, may be gone. */
-function nameNone(report: Report): void {
+/** Lets go of the shapes of a report: they, and what is bound to them, may be gone. */
+function dropShapes(report: Report): void {
   report.shapeA = null!;
   report.shapeB = null!;
 }

@@ -5,18 +5,18 @@ import type { List } from '../math/list.js';
 import type { Arbiter } from './arbiter.js';
 
 /**
- * Keeps the records of pairs in memory in the order in which steps walk through them. As pairs come and go they get the records of others that went; where these lie
- * anywhere, a processor waits for each instead of fetching it ahead.
+ * Keeps the records of pairs in memory in the order in which steps walk through them. A new pair takes over the record of one that ended;
+ * where records lie anywhere, the processor waits for each instead of fetching it ahead.
  */
 export class Places {
-  /** Whose record is at a place: places lie in memory as the records were made. */
+  /** By place: the pair whose record is there. Places are numbered as the records lie in memory. */
   private readonly owners: Arbiter[] = [];
   /** By the number of a pair: the place of its record. */
   private places = new Int32Array(64);
-  /** How many pairs came among the awake ones since these were last arranged. */
+  /** How many pairs have become awake since `arrange` last did anything. */
   arrived = 0;
 
-  /** A pair that was just made, and its record. */
+  /** Notes the record of a new arbiter object. */
   add(pair: Arbiter): void {
     if (pair.number >= this.places.length) {
       this.places = widened(this.places, new Int32Array(2 * pair.number));
@@ -25,7 +25,7 @@ export class Places {
     this.owners.push(pair);
   }
 
-  /** Now and then, if enough came: gives awake pairs the first places, whoever has them. */
+  /** Every now and then, if enough pairs have arrived: gives awake pairs the first places, exchanging records with whoever has them. */
   arrange({ items, count }: List<Arbiter>, stamp: number): void {
     if (count < ARRANGE_FROM || 16 * this.arrived < count || stamp % ARRANGE_STEPS !== 0) {
       return;

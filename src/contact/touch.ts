@@ -6,7 +6,7 @@ import { collide, intersect } from '../collide/table.js';
 import type { Arbiter } from './arbiter.js';
 import { LISTED } from './bits.js';
 
-/** Tells the kernels how the bodies of a pair lie to each other. */
+/** Writes the relative placement of the two bodies to the record, for the kernels. */
 function placePair({ numbers: n, at: o, bodyA, bodyB }: Arbiter): void {
   n[o + g.DX] = bodyB.x - bodyA.x;
   n[o + g.DY] = bodyB.y - bodyA.y;
@@ -14,43 +14,43 @@ function placePair({ numbers: n, at: o, bodyA, bodyB }: Arbiter): void {
   n[o + g.ANGLE_B] = bodyB.angle;
 }
 
-/** A sensor meets something: no more than whether the shapes intersect. */
+/** Whether a sensor and another shape intersect; no contacts are made. */
 export function overlap(pair: Arbiter): boolean {
   placePair(pair);
   return intersect(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
 }
 
-/** Which corners and edges were found the last time, if it has two points: scratch. */
-const found = { id0: 0, id1: 0, edgeA: 0, edgeB: 0 };
+/** The corners and edges of the points found last time, if there were two: scratch. */
+const last = { id0: 0, id1: 0, edgeA: 0, edgeB: 0 };
 
-function noteFeatures({ shown, numbers: n, at: o }: Arbiter): void {
+function rememberFeatures({ shown, numbers: n, at: o }: Arbiter): void {
   if (shown < 2) {
     return;
   }
-  found.id0 = n[o + g.ID0]! | 0;
-  found.id1 = n[o + g.ID1]! | 0;
-  found.edgeA = n[o + g.EDGE_A]! | 0;
-  found.edgeB = n[o + g.EDGE_B]! | 0;
+  last.id0 = n[o + g.ID0]! | 0;
+  last.id1 = n[o + g.ID1]! | 0;
+  last.edgeA = n[o + g.EDGE_A]! | 0;
+  last.edgeB = n[o + g.EDGE_B]! | 0;
 }
 
-/** Renews what is known of the collision and carries the impulses of its points over. @returns whether the shapes collide. */
+/** Collides the shapes anew, and carries the impulses of the points over. @returns whether the shapes collide. */
 export function touch(pair: Arbiter): boolean {
   const { shapeA, shapeB, numbers: n, at: o } = pair;
   placePair(pair);
-  noteFeatures(pair);
+  rememberFeatures(pair);
   collide(shapeA, shapeB, n, o);
   keepPoints(pair);
   return overlaps(n, o);
 }
 
-/** As `touch`, along a direction that is known: the unit vector from A to B that is the normal in the record. As arguments its numbers would be boxed. */
+/** As `touch`, along a known direction: the normal in the record, a unit vector from A to B. It is not passed as numbers, as these would be boxed. */
 export function touchAlong(pair: Arbiter): void {
-  noteFeatures(pair);
+  rememberFeatures(pair);
   collideAlong(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
   keepPoints(pair);
 }
 
-/** Lists the points that were found. Those that were there before keep their impulses. */
+/** Lists the points that were found. Points that were there before keep their impulses. */
 function keepPoints(pair: Arbiter): void {
   const { shown, count, numbers: n, at: o } = pair;
   if (count === 0) {
@@ -59,31 +59,31 @@ function keepPoints(pair: Arbiter): void {
     }
   } else if (shown !== count) {
     pair.showPoints();
-  } else if (count === 2 && (n[o + g.EDGE_A] !== found.edgeA || n[o + g.EDGE_B] !== found.edgeB)) {
+  } else if (count === 2 && (n[o + g.EDGE_A] !== last.edgeA || n[o + g.EDGE_B] !== last.edgeB)) {
     matchPoints(pair);
   }
 }
 
-/** Other edges than in the last step: points are recognised by the corner that limits them. */
+/** With other edges than last time, points are recognised by the corners that limit them. */
 function matchPoints(pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   const id0 = n[o + g.ID0];
   const id1 = n[o + g.ID1];
-  if (id0 === found.id1) {
-    pair.takePoint(0);
-  } else if (id1 === found.id0) {
-    pair.takePoint(1);
+  if (id0 === last.id1) {
+    pair.takeOverPoint(0);
+  } else if (id1 === last.id0) {
+    pair.takeOverPoint(1);
   } else {
-    if (id0 !== found.id0) {
+    if (id0 !== last.id0) {
       pair.dropPoint(0);
     }
-    if (id1 !== found.id1) {
+    if (id1 !== last.id1) {
       pair.dropPoint(1);
     }
   }
 }
 
-/** For corners that meet corners, where no edges face each other: the one point where they do. */
+/** Makes the one point where the shapes are nearest. For corners that meet corners, where no edges face each other. */
 export function touchAtPoint(pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   const distance = gapBetween(pair.shapeA, pair.shapeB);
