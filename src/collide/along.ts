@@ -5,21 +5,21 @@ import { setPoint } from './circles.js';
 import * as g from './layout.js';
 import { collidePolygonsAlong, endOfEdges } from './polygons.js';
 
-/** What is asked for along a unit vector, and what was found. An object, as numbers that go from function to function would be boxed. */
+/** A question about shapes along a unit vector, and the answer. An object, as numbers passed from function to function would be boxed. */
 export class Along {
   /** The unit vector. */
   x = 0.5;
   y = 0.5;
-  /** m. Where B's body is from A's. */
+  /** From the origin of A's body to that of B's, m. */
   dx = 0.5;
   dy = 0.5;
-  /** m. */
+  /** The answer, m. */
   found = 0.5;
 }
 
 const between = /* @__PURE__ */ new Along();
 
-/** Finds how far a placed shape reaches along the unit vector, or with `sign` −1 against it, from the origin of its body. */
+/** Writes to `along.found` how far a placed shape reaches from the origin of its body along the unit vector, or with `sign` −1 against it. */
 export function reachAlong(shape: Shape, along: Along, sign: number): void {
   const nx = sign * along.x;
   const ny = sign * along.y;
@@ -36,7 +36,7 @@ export function reachAlong(shape: Shape, along: Along, sign: number): void {
   along.found = most;
 }
 
-/** Finds how far two placed shapes are apart along the unit vector. */
+/** Writes to `along.found` the separation of two placed shapes along the unit vector. */
 export function separationAlong(a: Shape, b: Shape, along: Along): void {
   reachAlong(b, along, -1);
   const rest = along.x * along.dx + along.y * along.dy - along.found;
@@ -45,14 +45,14 @@ export function separationAlong(a: Shape, b: Shape, along: Along): void {
 }
 
 /**
- * The part of a contact's arm that does not turn with the body: on a circle all from its centre to the contact point, half-way into the overlap;
- * on a polygon nothing.
+ * The length of that part of a contact's arm that does not turn with the body, m: on a circle the way from its centre to the contact point,
+ * half-way into the overlap; on a polygon 0.
  */
 export function roundness(shape: Shape, separation: number): number {
   return shape.kind === POLYGON ? 0 : shape.radius + 0.5 * separation;
 }
 
-/** Collides two placed shapes along a direction that is known: the unit vector from A to B that is the normal in the record. */
+/** Collides two placed shapes along a known direction: the normal in the record, a unit vector from A to B. */
 export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {
     collidePolygonsAlong(a, b, n, o);

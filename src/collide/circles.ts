@@ -4,7 +4,10 @@ import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
 
-/** Stores the single point half-way between two surfaces that face each other: from `(x, y)` by the separation along n. */
+/**
+ * Writes a manifold of one point, half-way between two surfaces that face each other. `(x, y)` is on the surface of A, and the separation
+ * leads from there along n to that of B.
+ */
 export function setPoint(
   n: Float64Array,
   o: number,
@@ -23,7 +26,7 @@ export function setPoint(
   n[o + g.ID0] = 0;
 }
 
-/** Two circles. Centres that coincide are pushed apart along x. */
+/** Collides two circles. If their centres coincide, the normal is the x-axis. */
 export function collideCircles(a: Circle, b: Circle, n: Float64Array, o: number): void {
   const ax = a.numbers[a.at + CENTRE_X]!;
   const ay = a.numbers[a.at + CENTRE_Y]!;
@@ -43,12 +46,12 @@ export function collideCircles(a: Circle, b: Circle, n: Float64Array, o: number)
   setPoint(n, o, nx, ny, ax + nx * a.radius, ay + ny * a.radius, distance - reach);
 }
 
-/** A polygon and a circle. */
+/** Collides a polygon and a circle. */
 export function collidePolygonCircle(a: Polygon, b: Circle, n: Float64Array, o: number): void {
   faceCircle(a, b, n, o, 1);
 }
 
-/** A circle and a polygon: the polygon's view of it, turned round. */
+/** Collides a circle and a polygon: as `collidePolygonCircle`, with A and B exchanged. */
 export function collideCirclePolygon(a: Circle, b: Polygon, n: Float64Array, o: number): void {
   faceCircle(b, a, n, o, -1);
   n[o + g.NX] = -n[o + g.NX]!;
@@ -58,8 +61,8 @@ export function collideCirclePolygon(a: Circle, b: Polygon, n: Float64Array, o: 
 }
 
 /**
- * The circle as the polygon sees it; `side` is 1 if the polygon is A, else −1. The edge farthest from the
- * centre decides; beyond its ends the nearer corner does (Ericson, Real-Time Collision Detection, 5.1).
+ * Collides a circle with a polygon, as if the polygon were A; `side` is 1 if it is, else −1. The edge with the largest separation from the
+ * centre decides; beyond its ends, the nearer corner does (Ericson, Real-Time Collision Detection, 5.1).
  */
 function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: number): void {
   const cx = side * n[o + g.DX]! + b.numbers[b.at + CENTRE_X]!;
@@ -101,7 +104,7 @@ function faceCircle(a: Polygon, b: Circle, n: Float64Array, o: number, side: num
         return;
       }
       separation = Math.sqrt(squared);
-      // Of what is so near that its square is 0 the edge has a normal.
+      // A centre so near to the corner that the square of the distance is 0 keeps the normal of the edge.
       if (separation > 0) {
         nx = vx / separation;
         ny = vy / separation;

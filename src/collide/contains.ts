@@ -19,7 +19,10 @@ export function containsPoint(shape: Shape, x: number, y: number): boolean {
   return polygonContains(shape, asked, POLYGON_POINT_TOLERANCE);
 }
 
-/** Whether a placed polygon contains a point, given relative to the origin of its body, or is no farther from it than a tolerance beyond any edge. */
+/**
+ * Whether a point, given relative to the origin of the body, is at most a tolerance beyond every edge of a placed polygon. With 0, whether
+ * the polygon contains it.
+ */
 export function polygonContains({ numbers: n, at, offsets }: Polygon, point: Float64Array, tolerance: number): boolean {
   const x = point[0]!;
   const y = point[1]!;

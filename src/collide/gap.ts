@@ -7,10 +7,10 @@ const outlineA = /* @__PURE__ */ new Outline();
 const outlineB = /* @__PURE__ */ new Outline();
 const distance = /* @__PURE__ */ new Distance();
 
-/** m. What `findImpactDepth` found; an array, so that it is not boxed. */
+/** The result of `findImpactDepth`, m; an array, so that it is not boxed. */
 export const impactDepth = /* @__PURE__ */ new Float64Array(1);
 
-/** How two shapes lie to each other where their bodies are now, relative to the origin of the first body. Dead after the next call. */
+/** The signed distance of two shapes where their bodies are now, relative to the origin of the first body. The object is reused by the next call. */
 export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   const a = shapeA.owner!;
   const b = shapeB.owner!;
@@ -20,7 +20,10 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   return distance;
 }
 
-/** Writes to `impactDepth` how deep two shapes may get into each other before it is an impact: `IMPACT_DEPTH`, or less if they are thin, so that they cannot pass each other. */
+/**
+ * Writes to `impactDepth` how deep two shapes may overlap before it counts as an impact: `IMPACT_DEPTH`, or less if they are thin, so that
+ * they cannot pass through each other.
+ */
 export function findImpactDepth(a: Shape, b: Shape): void {
   impactDepth[0] = Math.min(IMPACT_DEPTH, IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b)));
 }

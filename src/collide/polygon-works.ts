@@ -7,7 +7,7 @@ import type { World } from '../world.js';
 import type { RayTest } from './rays.js';
 import type { Kernel } from './table.js';
 
-/** What only polygons need, from their kernels to contacts of two points; `solver/polygons.ts` has it. */
+/** Everything that only polygons need, from their collision kernels to contacts of two points; `solver/polygons.ts` implements it. */
 export interface PolygonWorks {
   readonly collideCirclePolygon: Kernel<Circle, Polygon>;
   readonly collidePolygonCircle: Kernel<Polygon, Circle>;
@@ -24,10 +24,10 @@ export interface PolygonWorks {
   readonly storeTwo: (data: SolverData, index: number, stamp: number) => void;
 }
 
-/** `null` as long as there is no polygon. */
+/** `null` until the first polygon is made. */
 export let works: PolygonWorks | null = null;
 
-/** Called before a polygon is made, which brings this along: what has none has nothing of it in its bundle. */
+/** Called before a polygon is made. So a bundle without polygons has no code for them. */
 export function bringPolygons(brought: PolygonWorks): void {
   works = brought;
 }

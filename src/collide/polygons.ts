@@ -2,17 +2,23 @@ import { FACE_TIE, SPECULATIVE_MARGIN } from '../config.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
 import type { Polygon } from '../shape/polygon.js';
 import * as g from './layout.js';
-import { faceChosen, keepsFace } from './manifold.js';
+import { keepsFace, noteFace } from './manifold.js';
 
-/** The best edge so far of `deepestEdge`: scratch that is dead when the kernel returns. An object, so that nothing is boxed. */
+/**
+ * The result of `deepestEdge`: the edge with the largest separation so far. Scratch that is dead when the kernel returns; an object, so
+ * that nothing is boxed.
+ */
 const best = { separation: -Infinity, edge: 0 };
 
-/** Where the edges of a polygon end in its numbers. */
+/** The index after the last edge of a polygon in its numbers. */
 export function endOfEdges({ at, offsets }: Polygon): number {
   return at + EDGES + EDGE_STRIDE * offsets.length;
 }
 
-/** Whether Q lies beyond edge `i` of P, and not near it: min over Q's corners q of n · q − offset tells. `side` is 1 if P is A, else −1. */
+/**
+ * Whether edge `i` of P separates Q by more than the speculative margin: the separation is min over Q's corners q of n · q − offset. `side`
+ * is 1 if P is A, else −1.
+ */
 function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): boolean {
   const ox = side * n[o + g.DX]!;
   const oy = side * n[o + g.DY]!;
@@ -29,8 +35,9 @@ function isBeyond(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number,
 }
 
 /**
- * Looks for an edge of P that Q lies farther beyond than `best` says, and puts it there; `side` is 1 if P is A, else −1. Starts
- * with a likely edge, gives an edge up at the first corner that makes it no better, and stops at one that separates.
+ * Finds the edge of P with the largest separation from Q, and writes it to `best` if that is larger than what is there; `side` is 1 if P is
+ * A, else −1. Starts with a likely edge, gives an edge up at the first corner that makes it no better, and stops at one that separates the
+ * shapes.
  */
 function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: number, likely: number): void {
   const pe = p.numbers;
@@ -66,7 +73,7 @@ function deepestEdge(p: Polygon, q: Polygon, n: Float64Array, o: number, side: n
   best.separation = deepest;
 }
 
-/** The edge of Q that faces the direction `(nx, ny)` most squarely. */
+/** The edge of Q whose normal is most opposed to `(nx, ny)`. */
 function opposedEdge(q: Polygon, nx: number, ny: number): number {
   const edges = q.numbers;
   const first = q.at + EDGES;
@@ -84,13 +91,13 @@ function opposedEdge(q: Polygon, nx: number, ny: number): number {
 }
 
 /**
- * Two polygons. Separating axes over all edge normals; the shallowest one
- * becomes the reference edge (ties go to A), and the opposed edge of the other polygon is clipped to its width (Catto,
- * "Contact Manifolds", GDC 2007). The last separating axis is tried first, and the choice of edges is kept while it can hardly change.
+ * Collides two polygons. Among the normals of all edges, the axis of largest separation gives the reference edge (ties go to A), and the
+ * opposed edge of the other polygon is clipped to its width (Catto, "Contact Manifolds", GDC 2007). The last separating axis is tried
+ * first, and the choice of edges is kept while it can hardly change.
  */
 export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
   n[o + g.COUNT] = 0;
-  look(a, n, o);
+  locateB(a, n, o);
   const stamp = a.geometryStamp + b.geometryStamp;
   if (keepsFace(n, o, stamp, b.owner!.radius) && clipToFace(a, b, n, o)) {
     return;
@@ -98,13 +105,13 @@ export function collidePolygons(a: Polygon, b: Polygon, n: Float64Array, o: numb
   n[o + g.COUNT] = 0;
   n[o + g.FACE] = -1;
   if (!isStillApart(a, b, n, o) && chooseFace(a, b, n, o)) {
-    faceChosen(n, o, stamp);
+    noteFace(n, o, stamp);
     clipToFace(a, b, n, o);
   }
 }
 
-/** Finds where B's origin is in the coordinates of A. */
-function look({ owner }: Polygon, n: Float64Array, o: number): void {
+/** Writes the origin of B in the coordinates of A to the record. */
+function locateB({ owner }: Polygon, n: Float64Array, o: number): void {
   const { cos, sin } = owner!;
   const dx = n[o + g.DX]!;
   const dy = n[o + g.DY]!;
@@ -118,11 +125,11 @@ function clipToFace(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean
     return clip(a, n[o + g.EDGE_A]! | 0, b, n, o, 1);
   }
   const isRight = clip(b, n[o + g.EDGE_B]! | 0, a, n, o, -1);
-  if (n[o + g.COUNT]! > 0) turnRound(n, o);
+  if (n[o + g.COUNT]! > 0) exchangeSides(n, o);
   return isRight;
 }
 
-/** Finds the edge that the other polygon is clipped to. @returns whether the shapes are near each other. */
+/** Chooses the reference edge. @returns whether the shapes are within the speculative margin of each other. */
 function chooseFace(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   best.separation = -Infinity;
   deepestEdge(a, b, n, o, 1, n[o + g.EDGE_A]! | 0);
@@ -150,8 +157,8 @@ function chooseFace(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean
 }
 
 /**
- * Whether two polygons intersect: no edge of either has the other beyond it; touching counts. Keeps in the record the edge that separated them, to
- * look there first.
+ * Whether two polygons intersect, that is no edge of either separates them; touching counts. Keeps the separating edge in the record, to
+ * start there next time.
  */
 export function polygonsIntersect(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   best.separation = -Infinity;
@@ -166,7 +173,10 @@ export function polygonsIntersect(a: Polygon, b: Polygon, n: Float64Array, o: nu
   return best.separation <= 0;
 }
 
-/** As `collidePolygons`, with the edge for reference that lies most squarely along the normal in the record, from A to B, or against it. */
+/**
+ * As `collidePolygons`, but the reference edge is the one whose normal is closest to the direction in the record, the normal from A to B,
+ * or to its opposite.
+ */
 export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o: number): void {
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
@@ -175,17 +185,17 @@ export function collidePolygonsAlong(a: Polygon, b: Polygon, n: Float64Array, o:
   const edgeB = opposedEdge(b, nx, ny);
   n[o + g.EDGE_A] = edgeA;
   n[o + g.EDGE_B] = edgeB;
-  look(a, n, o);
+  locateB(a, n, o);
   const atA = a.at + EDGES + EDGE_STRIDE * edgeA;
   const atB = b.at + EDGES + EDGE_STRIDE * edgeB;
   const alongA = a.numbers[atA + EDGE_NX]! * nx + a.numbers[atA + EDGE_NY]! * ny;
   const alongB = b.numbers[atB + EDGE_NX]! * nx + b.numbers[atB + EDGE_NY]! * ny;
   n[o + g.FACE] = alongA >= -alongB - FACE_TIE ? 0 : 1;
-  faceChosen(n, o, a.geometryStamp + b.geometryStamp);
+  noteFace(n, o, a.geometryStamp + b.geometryStamp);
   clipToFace(a, b, n, o);
 }
 
-/** The axis that separated the shapes last time does so again. */
+/** Whether the axis that separated the shapes last time still does. */
 function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boolean {
   const axis = n[o + g.AXIS]! | 0;
   const edge = axis >> 1;
@@ -203,9 +213,10 @@ function isStillApart(a: Polygon, b: Polygon, n: Float64Array, o: number): boole
  *     Q   w1 <──────────── w2        the ends are sorted by t = (−ny, nx), along which P's edges run
  *     P        v1 ──────> v2         low = max(v1, w2), high = min(v2, w1)
  *
- * Edges that are apart and not above each other do not face each other: no points.
+ * Edges that are apart and side by side do not face each other: no points.
  *
- * @returns false if they are not above each other though one is below the other's line: if the edge was not chosen for where the shapes are now, there may be a gap between them.
+ * @returns `false` if the edges are side by side though one end is below the other's line. If the edge was not chosen for the present
+ * placement, there may be a gap between the shapes then.
  */
 function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, side: number): boolean {
   const ox = side * n[o + g.DX]!;
@@ -255,12 +266,13 @@ function clip(p: Polygon, i: number, q: Polygon, n: Float64Array, o: number, sid
   } else {
     n[o + g.EDGE_A] = j;
   }
-  // An end below the line, and none of what is above the edge: if the edge was not chosen for this, the corner may be in P through another one.
+  // An end below the line, but nothing above the edge: if the edge was not chosen for this placement, the corner may have entered P through
+  // another one.
   return !areBeside && (lowDepth < 0 || highDepth < 0 || (d1 >= 0 && d2 >= 0));
 }
 
-/** Makes a manifold clipped to B's edge one of A and B: the normal turns and with it the order of the ends. */
-function turnRound(n: Float64Array, o: number): void {
+/** Turns a manifold with B as the reference into one from A to B: the normal is reversed, and with it the order of the points. */
+function exchangeSides(n: Float64Array, o: number): void {
   const x0 = n[o + g.X0]!;
   const y0 = n[o + g.Y0]!;
   const s0 = n[o + g.S0]!;

@@ -5,27 +5,27 @@ import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import { works } from './polygon-works.js';
 
-/** A ray o + d · f, 0 ≤ f < `most`, relative to the origin of a body, and where it met a shape of that body. */
+/** A ray o + d · f, 0 ≤ f < `most`, relative to the origin of a body; and where it hits a shape of that body. */
 export class RayTest {
   ox = 0;
   oy = 0;
   dx = 1;
   dy = 0;
   most = Infinity;
-  /** A ray that starts inside a shape does not see it. */
+  /** A ray that starts inside a shape does not hit it. */
   outerOnly = false;
-  /** Where it met the surface, and the unit normal there, which faces against the ray. */
+  /** The hit: its factor f, and the unit normal of the surface there, which faces against the ray. */
   factor = 0;
   nx = 0;
   ny = 0;
 }
 
-/** Whether a ray meets the surface of a placed shape; convex, so that it does so from outside or, if it starts inside, from there. */
+/** Whether a ray hits the surface of a placed shape. Shapes are convex, so it does so from outside or, if it starts inside, from within. */
 export function rayShape(shape: Shape, ray: RayTest): boolean {
   return shape.kind === POLYGON ? works!.rayPolygon(shape, ray) : rayCircle(shape, ray);
 }
 
-/** Clips the ray to the half-planes of the edges: it is inside from the last one that it enters to the first that it leaves (Cyrus & Beck 1978). */
+/** Clips the ray to the half-planes of the edges: it is inside from the last one it enters to the first one it leaves (Cyrus & Beck 1978). */
 export function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): boolean {
   const { ox, oy, dx, dy } = ray;
   let enter = -Infinity;
@@ -60,7 +60,7 @@ export function rayPolygon({ numbers: n, at, offsets }: Polygon, ray: RayTest): 
   return accept(ray, outer, outer ? enter : leave, side * n[edge + EDGE_NX]!, side * n[edge + EDGE_NY]!);
 }
 
-/** The ray is nearest to the centre at `middle`; the surface lies as far before and behind that as the chord is long. */
+/** The ray is nearest to the centre at the factor `middle`; the surface lies half a chord before and behind that. */
 function rayCircle({ numbers: n, at, radius }: Circle, ray: RayTest): boolean {
   const { dx, dy } = ray;
   const px = ray.ox - n[at + CENTRE_X]!;
@@ -76,11 +76,12 @@ function rayCircle({ numbers: n, at, radius }: Circle, ray: RayTest): boolean {
   const half = Math.sqrt(chord / squared);
   const outer = middle - half >= 0;
   const factor = outer ? middle - half : middle + half;
-  // From where the ray is nearest to the centre: from its origin, which may be far away, rounding would be as far as that is.
+  // Computed from the point nearest to the centre: from the origin of the ray, which may be far away, rounding would be in proportion to
+  // that distance.
   const from = outer ? -half : half;
   const nx = qx + dx * from;
   const ny = qy + dy * from;
-  // Far away the hit is not as near to the circle as its normal has to be to 1.
+  // Far away the hit is not as exactly on the circle as the length of the normal has to be 1.
   const length = Math.sqrt(nx * nx + ny * ny) || 1;
   const side = outer ? 1 / length : -1 / length;
   return accept(ray, outer, factor, side * nx, side * ny);

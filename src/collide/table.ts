@@ -4,10 +4,10 @@ import { collideCircles } from './circles.js';
 import { empty, overlaps } from './manifold.js';
 import { works } from './polygon-works.js';
 
-/** Reads the placement from the record of a pair and writes the rest; a count of 0 means that the shapes are apart. */
+/** A collision function: reads the relative placement from the record of a pair and writes the manifold there; no points if the shapes are apart. */
 export type Kernel<A extends Shape, B extends Shape> = (a: A, b: B, n: Float64Array, o: number) => void;
 
-/** Collides two placed shapes; the manifold says how their bodies lie to each other. */
+/** Collides two placed shapes, whose relative placement is in the record. */
 export function collide(a: Shape, b: Shape, n: Float64Array, o: number): void {
   if (a.kind === POLYGON) {
     if (b.kind === POLYGON) works!.collidePolygons(a, b, n, o);
@@ -19,7 +19,7 @@ export function collide(a: Shape, b: Shape, n: Float64Array, o: number): void {
   }
 }
 
-/** Whether two placed shapes intersect; touching counts. The record, which says how their bodies lie, gets no points. */
+/** Whether two placed shapes intersect; touching counts. Their relative placement is in the record, which gets no points. */
 export function intersect(a: Shape, b: Shape, n: Float64Array, o: number): boolean {
   if (a.kind === POLYGON && b.kind === POLYGON) {
     return works!.polygonsIntersect(a, b, n, o);

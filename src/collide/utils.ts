@@ -11,8 +11,8 @@ const sweep = /* @__PURE__ */ new Sweep();
 const test = /* @__PURE__ */ new RayTest();
 
 /**
- * Geometry of shapes where their bodies are now, in a world or not. Every shape must have a body. Sensors, groups and masks play no part, and
- * nothing is changed.
+ * Geometry of shapes where their bodies are now, in a world or not. Every shape must have a body. Sensors, groups and masks play no part,
+ * and nothing is changed.
  */
 export class CollisionUtils {
   /** Of the class, as in Turbulenz. */
@@ -20,7 +20,7 @@ export class CollisionUtils {
     return 1;
   }
 
-  /** Whether a shape contains a world point; its boundary counts. */
+  /** Whether a shape contains a world point; the boundary counts. */
   containsPoint(shape: Shape, point: Vec2Like): boolean {
     const where = 'CollisionUtils.containsPoint';
     const { x, y } = bodyOf(where, 'shape', shape);
@@ -29,8 +29,8 @@ export class CollisionUtils {
   }
 
   /**
-   * The distance of two shapes, m; if they overlap, minus the least translation that separates them. Writes the points that it is between, and
-   * the unit axis from A to B: `witnessB = witnessA + axis · distance`.
+   * The signed distance of two shapes, m: if they overlap, minus the shortest translation that separates them. Writes the two witness
+   * points, which the distance lies between, in world coordinates, and the unit axis from A to B: `witnessB = witnessA + axis · distance`.
    */
   signedDistance(shapeA: Shape, shapeB: Shape, witnessA: NumberSink, witnessB: NumberSink, axis: NumberSink): number {
     const where = 'CollisionUtils.signedDistance';
@@ -58,8 +58,8 @@ export class CollisionUtils {
   }
 
   /**
-   * The factor at which a ray meets a shape, as `World.rayCast`, with the unit normal there written to `normal`; `undefined`, and nothing written,
-   * if it does not.
+   * The factor at which a ray hits a shape, as in `World.rayCast`; writes the unit normal there to `normal`. `undefined`, and nothing is
+   * written, if it does not.
    */
   rayTest(shape: Shape, ray: Ray, normal: NumberSink, ignoreInnerSurfaces: boolean = false): number | undefined {
     const where = 'CollisionUtils.rayTest';
@@ -83,9 +83,9 @@ export class CollisionUtils {
   }
 
   /**
-   * When two shapes that move with their bodies' velocities first touch, s; 0 if they do, `undefined` if not before `deltaTime` seconds (> 0). Writes
-   * the unit normal from A to B, and the point in the middle between the surfaces at that time. What turns more than some three hundred times while it is
-   * within reach of the other shape is given up.
+   * The time at which two shapes first touch if they move with the velocities of their bodies, s: 0 if they touch now, `undefined` if they
+   * do not within `deltaTime` seconds (> 0). Writes the unit normal from A to B, and the point half-way between the surfaces at that time.
+   * A shape that turns more than some three hundred times within reach of the other is given up.
    */
   sweepTest(
     shapeA: Shape,
