@@ -1,11 +1,14 @@
-/** What `crosses` is asked: the x and y of a way, and how much more than the bounds may be apart. It writes the share of the way after that, … */
+/**
+ * The input of `crosses`: x and y of the displacement, m, and by how much more than nothing the bounds may be apart, m. It writes the share
+ * of the displacement after which they meet, …
+ */
 export const crossing = /* @__PURE__ */ new Float64Array(4);
 /** … here. */
 export const REACHED = 3;
 
 /**
- * Whether bounds in `a` from `i` on that go along the way may meet those in `b` from `j` on, and where on the way: along each axis they overlap for a while
- * (slabs; Kay & Kajiya 1986).
+ * Whether bounds in `a` from `i` on meet those in `b` from `j` on as they go along the displacement, and after which share of it: along
+ * each axis they overlap for an interval of it (slabs; Kay & Kajiya 1986).
  */
 export function crosses(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): boolean {
   let from = 0;

@@ -1,37 +1,37 @@
 import { EDGE_STRIDE } from './layout.js';
 import type { Outline } from './outline.js';
 
-/** How two outlines lie to each other. */
+/** The signed distance of two outlines, and where it is measured. */
 export class Distance {
-  /** m; negative where they overlap: minus the least translation that separates them. */
+  /** m; if they overlap, minus the shortest translation that separates them. */
   value = 0;
-  /** Unit vector from A towards B: B's witness is A's plus this times the distance. */
+  /** Unit vector from A towards B: the witness point of B is that of A plus this times the distance. */
   axisX = 1;
   axisY = 0;
-  /** The two points of the outlines that the distance is between. */
+  /** The witness points, one on each outline: the distance is between them. */
   ax = 0;
   ay = 0;
   bx = 0;
   by = 0;
 }
 
-/** Relative to the size of the outlines: corners this nearly as deep as the deepest count as level with it. */
+/** Relative to the size of the outlines: a corner that is as deep as the deepest but for this counts as level with it. */
 const LEVEL = 1e-12;
 
-/** The edge that lies farthest from the other outline, of either: scratch. */
+/** Of both outlines, the edge with the largest separation from the other outline: scratch. */
 const best = { separation: 0.5, edge: 0, corner: 0, ofB: false };
 
 /**
- * The best edge: its normal, its span along (−ny, nx), n · p of the nearest corner of the other outline, and where along the edge that is nearest. Scratch;
- * numbers that go from function to function would be boxed.
+ * The best edge: its normal, its ends along (−ny, nx), n · p of the nearest corner of the other outline, and where along the edge that is
+ * nearest. Scratch; numbers passed from function to function would be boxed.
  */
 const span = { nx: 0.5, ny: 0.5, start: 0.5, end: 0.5, height: 0.5, along: 0.5 };
 
 /**
- * Signed distance of two convex outlines. Of all edges of both the one with the other outline farthest beyond it gives the depth if they
- * overlap, and the distance if the nearest corner lies above that edge. Only if not, which is when two corners are nearest, all pairs of
- * corners and of edges and corners are compared. So nothing iterates, and the result is right to rounding (Ericson, Real-Time Collision
- * Detection, 5.1 and 9.5; an iterative method such as GJK would be faster for outlines of more than some twenty corners).
+ * The signed distance of two convex outlines. The edge with the largest separation, of both outlines, gives the depth if they overlap, and
+ * the distance if the nearest corner lies above that edge. Otherwise two corners are nearest to each other, or a corner and another edge:
+ * only then are all pairs compared. So nothing iterates, and the result is exact to rounding (Ericson, Real-Time Collision Detection, 5.1
+ * and 9.5; an iterative method such as GJK would be faster for outlines of more than some twenty corners).
  */
 export function measureDistance(a: Outline, b: Outline, out: Distance): void {
   best.separation = -Infinity;
@@ -47,7 +47,7 @@ export function measureDistance(a: Outline, b: Outline, out: Distance): void {
   out.by -= out.axisY * b.radius;
 }
 
-/** Looks for an edge of P that Q lies farther beyond than `best` says. */
+/** Finds the edge of P with the largest separation from Q, and writes it to `best` if that is larger than what is there. */
 function findEdge(p: Outline, q: Outline, ofB: boolean): void {
   const { corners: pc, offsets } = p;
   const qc = q.corners;
@@ -76,8 +76,8 @@ function findEdge(p: Outline, q: Outline, ofB: boolean): void {
 }
 
 /**
- * Takes the best edge for the answer: always if the outlines overlap, else if the nearest corner, or some point between it and another one
- * that is level with it, lies above the edge.
+ * Measures the distance from the best edge, if that is right: always if the outlines overlap, else if the nearest corner, or some point
+ * between it and another one that is level with it, lies above the edge. @returns whether it is.
  */
 function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   const { separation, edge, ofB } = best;
@@ -101,7 +101,7 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   findLevel(q);
   const { along } = span;
   const level = LEVEL * (Math.abs(start) + Math.abs(end) + Math.abs(p.offsets[edge]!));
-  // Of long needles the tips may be far apart where one lies hardly above the other's edge, produced.
+  // The tips of long needles may be far apart where one lies hardly above the line of the other's edge.
   const slack = separation > level ? 0 : separation > 0 ? level : Infinity;
   if (along < start - slack || along > end + slack) {
     return false;
@@ -121,7 +121,10 @@ function meetEdge(a: Outline, b: Outline, out: Distance): boolean {
   return true;
 }
 
-/** Finds where along the edge the other outline is nearest: at its nearest corner, or in the middle of what an edge that is parallel shares with the span. */
+/**
+ * Finds where along the edge the other outline is nearest: at its nearest corner, or, if an edge is parallel, in the middle of what the two
+ * edges share.
+ */
 function findLevel(q: Outline): void {
   const { nx, ny, start, end, height } = span;
   const qc = q.corners;
@@ -141,7 +144,7 @@ function findLevel(q: Outline): void {
   span.along = from <= to ? 0.5 * (from + to) : low > end ? low : high;
 }
 
-/** Compares corners with corners, and edges with the corners above them. */
+/** Compares all corners with all corners, and all edges with the corners above them. */
 function meetNearest(a: Outline, b: Outline, out: Distance): void {
   let least = Infinity;
   const { corners: ac } = a;
@@ -170,7 +173,7 @@ function meetNearest(a: Outline, b: Outline, out: Distance): void {
   compareEdges(b, a, out, -1);
 }
 
-/** Whether some corner of Q above an edge of P is nearer to it than `out` says; `side` is 1 if P is A, else −1. */
+/** Takes any corner of Q above an edge of P that is nearer to it than `out` says; `side` is 1 if P is A, else −1. */
 function compareEdges(p: Outline, q: Outline, out: Distance, side: number): void {
   const { corners: pc, offsets } = p;
   const qc = q.corners;

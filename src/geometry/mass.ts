@@ -1,12 +1,18 @@
 /**
- * Area, inertia and centre of a clockwise polygon given as `[x0, y0, x1, y1, …]`, by summing the triangles that each
- * edge makes with a point (Green's theorem). Clockwise as seen on screen with y down: the sums are positive.
+ * Area, inertia and centre of a clockwise polygon given as `[x0, y0, x1, y1, …]`, by summing over the triangles that each edge makes with a
+ * reference point (Green's theorem). Clockwise as seen on a screen with y down: the sums are positive.
  */
 
-/** That point, the origin or one near the polygon; and the sums over the triangles: twice the area, six times the first moments, twelve times the second one. Scratch. */
+/**
+ * The reference point, the origin or a point near the polygon; and the sums over the triangles: twice the area, six times the first
+ * moments, twelve times the second moment. Scratch.
+ */
 const sums = { atX: 0.5, atY: 0.5, area: 0.5, x: 0.5, y: 0.5, second: 0.5 };
 
-/** Where a polygon is farther from the origin than it is large, the middle of its bounds: about the origin the triangles would all but cancel. */
+/**
+ * One coordinate of the reference point: for a polygon that is farther from the origin than it is large, the middle of its bounds, as about
+ * the origin the triangles would all but cancel; else 0.
+ */
 function middleIfFar(vertices: ArrayLike<number>, axis: number): number {
   let min = Infinity;
   let max = -Infinity;
@@ -54,7 +60,7 @@ export function polygonArea(vertices: ArrayLike<number>): number {
 export function polygonMasslessInertia(vertices: ArrayLike<number>): number {
   sum(vertices);
   const { atX, atY, area, x, y, second } = sums;
-  // What is off the point by d adds 2 · d · (the centre as seen from there) + d² about the origin.
+  // Parallel axes: with the reference point at d from the origin, 2 · d · (the centre relative to it) + d² is added.
   return second / (6 * area) + atX * ((2 * x) / (3 * area) + atX) + atY * ((2 * y) / (3 * area) + atY);
 }
 

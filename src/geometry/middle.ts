@@ -2,7 +2,7 @@ import { EDGE_STRIDE } from './layout.js';
 import type { Outline } from './outline.js';
 import type { Swept } from './sweep.js';
 
-/** The point amid the corners of a shape, to be swept. */
+/** The mean of the corners of a shape, as a point that can be swept in place of the shape. */
 export class Middle implements Swept {
   shape: Swept | null = null;
 

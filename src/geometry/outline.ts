@@ -1,8 +1,8 @@
 import { EDGE_STRIDE } from './layout.js';
 
 /**
- * A convex outline somewhere in the plane: corners, and a radius around them. A polygon has no radius, a circle is one corner
- * with a radius. Outlines are scratch space for queries and sweeps: filled in for a placement, used, filled in again.
+ * A convex outline somewhere in the plane: corners, and a radius around them. A polygon has radius 0, a circle is one corner with a radius.
+ * Outlines are scratch space for queries and sweeps: filled in for a placement, used, filled in again.
  */
 export class Outline {
   /** [x, y, nx, ny] per corner: the corner, and the outward normal of the edge that starts there. */
@@ -11,10 +11,10 @@ export class Outline {
   offsets = new Float64Array(8);
   /** Number of corners. */
   count = 0;
-  /** Number of edges: that of the corners, or 0 for a single corner. */
+  /** Number of edges: as many as corners, or 0 for a single corner. */
   edges = 0;
   radius = 0;
-  /** Where the origin of a shape is, whose outline is to be written, and how it is turned. */
+  /** The placement to write an outline for: the origin of the shape's body, and its rotation. */
   x = 0.5;
   y = 0.5;
   cos = 0.5;
@@ -28,14 +28,14 @@ export class Outline {
     return this;
   }
 
-  /** One corner, which the caller writes to the first of `corners`: handed over here, its numbers might be boxed. */
+  /** Makes it a circle. The caller writes the centre to the start of `corners`: passed as arguments, its numbers might be boxed. */
   setCircle(radius: number): void {
     this.count = 1;
     this.edges = 0;
     this.radius = radius;
   }
 
-  /** An upright rectangle, which may have no width or height. */
+  /** Makes it an axis-aligned rectangle, which may have no width or height. */
   setRectangle(minX: number, minY: number, maxX: number, maxY: number): void {
     this.count = 4;
     this.edges = 4;
@@ -45,7 +45,7 @@ export class Outline {
   }
 }
 
-/** Writes the outline of a polygon that is where the outline was put, given its corners, normals and offsets in its own coordinates. */
+/** Writes the outline of a polygon at the placement in `out`, from its corners, normals and offsets in body coordinates. */
 export function outlinePolygon(out: Outline, local: Float64Array, offsets: Float64Array): void {
   const { x, y, cos, sin } = out;
   const count = offsets.length;

@@ -7,10 +7,13 @@ import { Outline } from './outline.js';
 /** Angle, cosine, sine: scratch. */
 const turned = /* @__PURE__ */ new Float64Array(3);
 
-/** The rate at which the axis turns along which two travels are apart; a bound on the farthest corner along it in a while, and its rate: scratch. */
+/**
+ * The rate at which the separating axis turns, rad/s; and, written by `findFarthest`, a bound on how far corners reach along it after a
+ * while, and the rate at which that grows: scratch.
+ */
 const bound = { turning: 0.5, height: 0.5, rate: 0.5 };
 
-/** What can be swept: writes its outline where that was put. */
+/** What can be swept: writes its outline for the placement in `into`. */
 export interface Swept {
   outline(into: Outline): void;
 }
@@ -27,7 +30,7 @@ interface Velocity {
   readonly w: number;
 }
 
-/** A shape on its way: where its origin is at time 0, and at what rates it moves and turns. */
+/** A moving shape: where its body's origin is at time 0, and the rates at which it moves and turns. */
 export class Travel {
   shape: Swept | null = null;
   readonly outline = new Outline();
@@ -38,16 +41,16 @@ export class Travel {
   vx = 0;
   vy = 0;
   w = 0;
-  /** The time that it is placed for; the outline has where the origin is then. */
+  /** The time that `place` is for. The outline has the placement at that time. */
   at = 0.5;
-  /** Its rates then, as seen from the axis of the sweep, which turns about the origin of all coordinates. */
+  /** Its rates at that time, as seen from the axis of the sweep, which turns about the origin of the coordinates. */
   seenX = 0.5;
   seenY = 0.5;
   seenW = 0.5;
-  /** Largest distance of a corner from the origin; right after `measureReach`. */
+  /** The largest distance of a corner from the body's origin, as of the last `measureReach`. */
   reach = 0.5;
 
-  /** Puts a shape where its body is, relative to another one, at rest. */
+  /** Sets a shape at rest where its body is, relative to another body. */
   stand(shape: Swept, at: Placement, origin: Placement): void {
     this.shape = shape;
     this.x = at.x - origin.x;
@@ -58,7 +61,7 @@ export class Travel {
     this.w = 0;
   }
 
-  /** The same, on its way with the velocities of the body. */
+  /** The same, moving with the velocities of its body. */
   start(shape: Swept, at: Placement & Velocity, origin: Placement): void {
     this.stand(shape, at, origin);
     this.vx = at.vx;
@@ -66,7 +69,7 @@ export class Travel {
     this.w = at.w;
   }
 
-  /** Brings the outline to where it is at time `at`, for the first time since the travel was changed, or again. */
+  /** Moves the outline to where the shape is at time `at`. `isFirst`: it has not been placed since `stand` or `start`. */
   place(isFirst: boolean): void {
     const { at, outline, w, vx, vy } = this;
     if (isFirst || w !== 0) {
@@ -95,22 +98,23 @@ export class Travel {
   }
 }
 
-/** Two shapes on their ways, and how they lie to each other at the time last looked at. */
+/** Two moving shapes, and their distance at the time last looked at. */
 export class Sweep {
   readonly a = new Travel();
   readonly b = new Travel();
   readonly distance = new Distance();
-  /** What is looked for, see `findImpact`: from function to function numbers go through fields, as arguments and results would be boxed. */
+  /** What is looked for, see `findImpact`. Numbers pass from function to function through fields, as arguments and results would be boxed. */
   target = 0.5;
   tolerance = 0.5;
   most = 0.5;
-  /** The time from which to look, then that last looked at, and the longest that certainly is safe from there. */
+  /** The time to start from, then the one last looked at; and the longest time from there for which the shapes are certain to stay apart. */
   time = 0.5;
   safe = 0.5;
 
   /**
-   * `patience`: how many looks to take at most; by itself several times what any sweep has been seen to need, some 4,000 for shapes that turn forty times close to each other. The mean is 22.
-   * `cautious`: what to say when that is used up: that they meet where they are by then.
+   * `patience`: how many looks to take at most. The default is several times what any sweep has been seen to need, some 4,000 for shapes
+   * that turn forty times close to each other. The mean is 22.
+   * `cautious`: what to return when these are used up: `true`, that the shapes meet where they are by then.
    */
   constructor(
     readonly patience = 20_000,
@@ -124,17 +128,17 @@ export class Sweep {
   }
 }
 
-/** By what share of its time a meeting of circles is reckoned too early. */
+/** By what share the time at which circles meet is reckoned too early. */
 const SHORT = 1e-9;
 
-/** Of a way, by how much its end may be off by rounding. */
+/** By what share of its length the end of a way may be off by rounding. */
 const ROUNDING = 4 * Number.EPSILON;
 
 /**
- * How far along the axis, now `(nx, ny)`, the outline of a travel reaches at most after another `dt`: every corner goes on at its present rate, as seen
- * from the axis, and the curvature of its way is added by the caller.
+ * Writes to `bound` how far a moving outline reaches at most along the axis, now `(nx, ny)`, after another `dt`: every corner goes on at
+ * its present rate, as seen from the axis. The caller adds for the curvature of its path.
  */
-function reachAlong(travel: Travel, nx: number, ny: number, dt: number): void {
+function findFarthest(travel: Travel, nx: number, ny: number, dt: number): void {
   const { corners, count, x: atX, y: atY } = travel.outline;
   const { seenW } = travel;
   const base = nx * travel.seenX + ny * travel.seenY;
@@ -152,11 +156,11 @@ function reachAlong(travel: Travel, nx: number, ny: number, dt: number): void {
 }
 
 /**
- * The longest time for which two travels certainly stay farther apart than `target` along the axis on which they are apart now; at most
- * `most`, and until an axis that turns has turned by a radian. Their gap is at least g(s) = gap − (A's reach + B's) − ½·c·s², which is concave: if it
- * holds at the end it holds all the way, and Newton's method from there comes down on its root. The end is where the corners that are farthest now
- * would meet, or before. Seen from an axis that turns at a rate t, corners go round at w − t, with a curvature of (w − t)²·r, and the
- * origins, which part at v, with t²·d + 2·|t|·v, where they are d ≤ x + v·s apart, and s ≤ 1 / |t|.
+ * Finds the longest time for which two moving shapes are certain to stay farther apart than `target` along the axis of their present
+ * distance; at most until `most`, and until a turning axis has turned by a radian. Their gap is at least g(s) = gap − (A's reach + B's) −
+ * ½·c·s², which is concave: if it holds at the end it holds all the way, and Newton's method from there comes down on its root. The end is
+ * where the corners that are farthest now would meet, or before. Seen from an axis that turns at a rate t, corners go round at w − t, with
+ * a curvature of (w − t)²·r, and the origins, which part at v, with t²·d + 2·|t|·v, where they are d ≤ x + v·s apart, and s ≤ 1 / |t|.
  */
 function findSafe(sweep: Sweep): void {
   const { a, b, distance, target } = sweep;
@@ -166,15 +170,15 @@ function findSafe(sweep: Sweep): void {
   const v = Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy);
   const curvature = a.seenW * a.seenW * a.reach + b.seenW * b.seenW * b.reach + t * (t * x + 3 * v);
   const limit = target + a.outline.radius + b.outline.radius;
-  reachAlong(a, axisX, axisY, 0);
+  findFarthest(a, axisX, axisY, 0);
   const { rate: rateA } = bound;
-  reachAlong(b, -axisX, -axisY, 0);
+  findFarthest(b, -axisX, -axisY, 0);
   const root = latestRoot(distance.value - target, rateA + bound.rate, curvature);
   let s = Math.min(sweep.most - sweep.time, 1 / t, root);
   for (let i = 0; i < 64; i += 1) {
-    reachAlong(a, axisX, axisY, s);
+    findFarthest(a, axisX, axisY, s);
     const { height, rate } = bound;
-    reachAlong(b, -axisX, -axisY, s);
+    findFarthest(b, -axisX, -axisY, s);
     const gap = -bound.height - height - limit - 0.5 * curvature * s * s;
     const slope = -bound.rate - rate - curvature * s;
     if (gap >= 0 || slope >= 0) {
@@ -189,7 +193,7 @@ function findSafe(sweep: Sweep): void {
   sweep.safe = s;
 }
 
-/** When a gap that closes at a rate, faster by the curvature, is closed. */
+/** The time after which a gap is closed that shrinks at a rate, which itself grows by `curvature` per second. */
 function latestRoot(gap: number, rate: number, curvature: number): number {
   const root = Math.sqrt(rate * rate + 2 * curvature * gap);
   if (rate > 0) {
@@ -198,7 +202,7 @@ function latestRoot(gap: number, rate: number, curvature: number): number {
   return curvature > 0 ? (root - rate) / curvature : Infinity;
 }
 
-/** When two travelling shapes first touch, from time 0 on, or −1 if they do not before `most`. */
+/** The time at which two moving shapes first touch, from 0 on, or −1 if they do not before `most`. */
 export function timeOfImpact(sweep: Sweep, most: number): number {
   sweep.target = 0;
   sweep.tolerance = CAST_TOLERANCE;
@@ -208,22 +212,25 @@ export function timeOfImpact(sweep: Sweep, most: number): number {
 }
 
 /**
- * Goes on from the time of the sweep to the first at which two travelling shapes are no farther apart than `target` (negative: overlap by that much) and
- * `tolerance`. @returns whether that comes before `most`. Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive
- * 3D Environments, 2003), with steps by a bound of second order for the axis of the signed distance, so that it closes in on an impact
- * quadratically however fast the shapes turn. What takes long is also looked at along axes that turn with either shape: across one that stands still
- * the far end of a long thing comes at once. Leaves the sweep as it is at that time.
+ * Advances from the time of the sweep to the first at which two moving shapes are no farther apart than `target` (negative: overlap by that
+ * much) and `tolerance`. @returns whether that comes before `most`; the sweep is left as it is at that time.
+ *
+ * Conservative advancement (Mirtich 1996; van den Bergen, Collision Detection in Interactive 3D Environments, 2003), with steps by a bound
+ * of second order along the axis of the signed distance, so that it converges on an impact quadratically however fast the shapes turn. What
+ * takes many steps is also looked at along axes that turn with either shape: across an axis that stands still, the far end of a long shape
+ * arrives at once.
  */
 export function findImpact(sweep: Sweep): boolean {
   bound.turning = 0;
-  look(sweep, true);
+  placeAndMeasure(sweep, true);
   sweep.a.measureReach();
   sweep.b.measureReach();
   return (sweep.cautious || comeNear(sweep)) && findNext(sweep);
 }
 
 /**
- * Goes on to where the circles around both shapes meet, however they turn: else a shape that turns often on a long way would be looked at for each turn. @returns whether they do.
+ * Advances to where the bounding circles of both shapes meet, however the shapes turn: else one that turns often on a long way would be
+ * looked at for each turn. @returns whether they meet.
  */
 function comeNear(sweep: Sweep): boolean {
   const { a, b, time } = sweep;
@@ -237,7 +244,7 @@ function comeNear(sweep: Sweep): boolean {
   if (!(near > 0 && speed > 0)) {
     return true;
   }
-  // Of the middle of B, seen from A's: how far aside of the way of A it lies, and how far ahead.
+  // The origin of B as seen from that of A: how far to the side of A's way it lies, and how far ahead.
   const aside = (x * vy - y * vx) / speed;
   const ahead = -(x * vx + y * vy) / speed;
   if (Math.abs(aside) > near) {
@@ -250,16 +257,16 @@ function comeNear(sweep: Sweep): boolean {
   }
   if (safe > 0 && (a.w !== 0 || b.w !== 0)) {
     sweep.time = time + safe;
-    look(sweep, false);
+    placeAndMeasure(sweep, false);
   }
   return true;
 }
 
-/** The same from where the sweep is, for another target. */
+/** As `findImpact`, from where the sweep is, for another target. */
 export function findNext(sweep: Sweep): boolean {
   const { a, b, cautious, distance, most } = sweep;
   const enough = sweep.target + sweep.tolerance;
-  // m/s. How much less sure places are of which they come nearer to each other from far away.
+  // m per second of sweep: rounding of the places of shapes that approach each other from far away.
   const blur = ROUNDING * (Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy));
   for (let i = 1; i <= sweep.patience; i += 1) {
     const { time: t } = sweep;
@@ -272,14 +279,14 @@ export function findNext(sweep: Sweep): boolean {
     }
     sweep.time = t + sweep.safe;
     bound.turning = i < STILL_LOOKS || i % 3 === 0 ? 0 : i % 3 === 1 ? a.w : b.w;
-    look(sweep, false);
+    placeAndMeasure(sweep, false);
   }
   // Nothing is asked of an object here, where hardly any sweep gets: that would make compiled code bail out.
   return cautious;
 }
 
-/** How they lie to each other at the time of the sweep. */
-function look({ a, b, distance, time }: Sweep, isFirst: boolean): void {
+/** Places both shapes at the time of the sweep, and measures their distance. */
+function placeAndMeasure({ a, b, distance, time }: Sweep, isFirst: boolean): void {
   a.at = time;
   b.at = time;
   a.place(isFirst);

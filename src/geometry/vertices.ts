@@ -59,11 +59,11 @@ export function createRegularPolygonVertices(diameterX: number, diameterY: numbe
 }
 
 /**
- * Checks the vertices of a polygon and returns them flat, `[x0, y0, …]`, in clockwise order, without those that lie
- * inside an edge. Counter-clockwise input is reversed.
+ * Checks the vertices of a polygon and returns them flat, `[x0, y0, …]`, in clockwise order, without those that lie inside an edge.
+ * Counter-clockwise input is reversed.
  *
- * @throws TypeError for anything but a list of points; RangeError, naming the vertex, unless the vertices are at least
- * three, finite, distinct and go once around a convex polygon.
+ * @throws TypeError for anything but a list of points; RangeError, naming the vertex, unless the vertices are at least three, finite,
+ * distinct and go once around a convex polygon.
  */
 export function convexVertices(where: string, name: string, value: unknown): number[] {
   const list = value as ArrayLike<Vec2Like> | null | undefined;
@@ -156,8 +156,9 @@ function withoutCollinear(where: string, name: string, flat: readonly number[], 
 }
 
 /**
- * 0 for a path that goes round once; else the vertex at which the edges start their second round, to and fro along the longer side of its bounds. Edges that are square to that but for so much lead neither way: each
- * corner that was left out may have bent back a little.
+ * 0 for a path that goes round once; else the vertex at which the edges begin a second round. That shows in their direction along the
+ * longer side of the bounds, which changes sign twice in a round. Edges that are square to it but for `slack` count as neither direction:
+ * each corner that was left out may have bent back a little.
  */
 function firstSecondRound(flat: readonly number[], slack: number): number {
   const count = flat.length / 2;
@@ -182,7 +183,7 @@ function firstSecondRound(flat: readonly number[], slack: number): number {
   return 0;
 }
 
-/** How far a path reaches along an axis, 0 or 1. */
+/** The extent of a path along an axis, 0 or 1. */
 function extent(flat: readonly number[], axis: number): number {
   let least = Infinity;
   let most = -Infinity;
