@@ -13,19 +13,22 @@ import {
 import { BOX, END_A, END_B, FIRST, LEAF, MARK, MOVED, NONE, NOTE, PAIR, STATE, STATIC, STRANGER } from './layout.js';
 import { PackedTree } from './packed-tree.js';
 
-/** m. How far a moving thing may go before its leaf is looked at again; more means fewer updates and more pairs to test. */
+/**
+ * By how much the leaf of a moving handle is larger than its bounds, m: how far it may go before the leaf is updated. More means fewer
+ * updates and more pairs to test.
+ */
 const MARGIN = 0.1;
 
-/** Steps by which the leaf of a moving thing is ahead of it. */
+/** For how many steps ahead the leaf of a moving handle is extended along its motion. */
 const AHEAD = 4;
 
-/** m. What goes farther than this in a step is fast, and its leaf is not ahead of it. */
+/** m. What moves farther than this in a step is fast, and its leaf is not extended ahead. */
 const MAX_AHEAD = 1;
 
-/** m. How large the leaf of a faster thing may get to hold where it was before, too. */
+/** m. How large the leaf of a fast handle may get to keep its earlier places within it. */
 const MAX_STAY = 3;
 
-/** In place of a group: that of no handle. */
+/** In place of a group: the group of no handle. */
 const NO_GROUP = /* @__PURE__ */ Symbol();
 
 /** A handle of {@link BoxTreeBroadphase}. */
@@ -33,19 +36,19 @@ class TreeHandle<T> implements BroadphaseHandle<T> {
   constructor(
     public data: T,
     public isStatic: boolean,
-    /** By which the broadphase has what it knows of it. */
+    /** Index of its box and state in the broadphase. */
     readonly number: number,
     readonly group: unknown,
     readonly filter: BroadphaseFilter,
-    /** The same number: the same group. */
+    /** Handles of the same kin are of the same group; see `latestGroup`. */
     readonly kin: number,
   ) {}
 }
 
 /**
- * Two box trees, for static and for moving handles. Leaves are larger than their handles, and the pairs of overlapping leaves are kept
- * from call to call: only handles that left their leaf are looked up again, so what rests costs one comparison a pair, and what is
- * static costs nothing.
+ * Two box trees, one for static and one for moving handles. Leaves are larger than the bounds of their handles, and the pairs of
+ * overlapping leaves are kept from call to call: only handles that left their leaf are looked up again. So what rests costs one comparison
+ * a pair, and what is static costs nothing.
  */
 export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   /** Of the class, as in Turbulenz. */
@@ -55,29 +58,35 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private readonly moving = new PackedTree<TreeHandle<T>>(MARGIN);
   private readonly still = new PackedTree<TreeHandle<T>>(0);
-  /** Bounds of all handles, and what else is known of them, by their numbers. Side by side, as `perform` goes through all of them. */
+  /** Bounds and state of all handles, by their numbers. Side by side, as `perform` walks through all of them. */
   private boxes = new Float64Array(16 * BOX);
   private states = new Int32Array(16 * STATE).fill(NONE);
   private handleCount = 0;
-  /** The group that was inserted last, as long as nothing is removed, and its number: what is inserted on end in one group is of one kin. A group may have several, which only takes longer. */
+  /**
+   * The last group that was inserted, as long as nothing has been removed since, and the number of its kin: handles inserted one after the
+   * other in one group are of one kin. A group may have several kins, which only makes queries slower.
+   */
   private latestGroup: unknown = NO_GROUP;
   private kin = 0;
   private readonly freeNumbers: number[] = [];
-  /** The first `movedCount` are numbers of handles. As `met` and `samples` not shortened, which would cost the storage. */
+  /**
+   * The numbers of handles that moved: the first `movedCount`. The list is not shortened, which would give its memory back; nor are `met`
+   * and `samples`.
+   */
   private readonly moved: number[] = [];
   private movedCount = 0;
-  /** Two handles each, not both static, whose leaves overlap. */
+  /** The pairs of handles, not both static, whose leaves overlap. */
   private pairs = new Int32Array(16 * PAIR);
   private pairCount = 0;
-  /** Lists of the pairs of each handle: pair p is linked into that of its A as 2 p, into that of its B as 2 p + 1. */
+  /** Linked lists of the pairs of each handle: pair p has link 2 p in the list of its handle A, and link 2 p + 1 in that of its handle B. */
   private next = new Int32Array(32);
   private previous = new Int32Array(32);
   private search = 0;
   private readonly met: number[] = [];
   private readonly box = new Float64Array(BOX);
-  /** Bounds that a handle will not leave for a while. */
+  /** The leaf that `foresee` makes: bounds that a handle will not leave for a while. */
   private readonly reach = new Float64Array(BOX);
-  /** Leaves that `sample` found, one list for each call that is inside another. */
+  /** Leaves that `sample` found: a list for each call within another. */
   private readonly samples: number[][] = [];
   private depth = 0;
 
@@ -99,7 +108,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     return handle;
   }
 
-  /** Puts a handle into the tree of its kind. */
+  /** Puts a handle into the static or the moving tree. */
   private enter(handle: TreeHandle<T>, bounds: RectLike): void {
     const { number, isStatic } = handle;
     const at = number * STATE;
@@ -133,8 +142,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   /**
-   * Writes bounds to `reach` that will not be left for a while by what goes on as in the last step. What is too fast for that often turns back soon:
-   * what holds where it was of late, unless that is too much, as where it was put elsewhere.
+   * Writes bounds to `reach` that a handle will not leave for a while if it goes on as in the last step. A fast one often turns back soon:
+   * its bounds keep the earlier places within them, unless that makes them too large, as after a teleport.
    */
   private foresee(box: number, bounds: RectLike, reach: Float64Array): void {
     const { boxes } = this;
@@ -258,7 +267,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
     thisObject: unknown,
   ): void {
-    // Read before any callback, which may write to it.
+    // Read before any callback, which may write to the array.
     const minX = bounds[0]!;
     const minY = bounds[1]!;
     const maxX = bounds[2]!;
@@ -283,7 +292,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   cast(start: RectLike, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void {
-    // Read before any visit, which may write to them.
+    // Read before any visit, which may write to the arrays.
     const from = [start[0]!, start[1]!, start[2]!, start[3]!];
     const along = [direction[0]!, direction[1]!];
     this.still.cast(from, along, this.moving.cast(from, along, limit, visit), visit);
@@ -323,10 +332,10 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     boxes[at + 3] = bounds[3]!;
   }
 
-  /** Drops the pairs of a handle whose leaves have parted, or that are both static now, and finds the new ones. */
+  /** Drops the pairs of a handle whose leaves have parted, or of which both are static now, and finds the new ones. */
   private renewPairs(handle: number): void {
     const { states, moving, still } = this;
-    // Of 32 bits, as the marks are, and none of them the one of what was never found.
+    // Wraps to 32 bits, as the marks do, and skips NONE, the mark of handles that were never met.
     this.search = (this.search + 1) | 0;
     if (this.search === NONE) this.search = 0;
     const isStatic = states[handle * STATE + STATIC] === 1;
@@ -341,7 +350,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
       if ((isStatic && isOtherStatic) || !tree.overlaps(leaf, isOtherStatic ? still : moving, states[other + LEAF]!)) {
         this.dropPair(pair);
         if (link >> 1 === this.pairCount) {
-          // The last pair, which has taken the place of the one that was dropped.
+          // The next link was of the last pair, which has taken the place of the dropped one.
           link = 2 * pair + (link & 1);
         }
       } else {
@@ -357,7 +366,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
   }
 
-  /** Adds the pairs of a handle with the leaves that overlap `box`, unless they are marked, of its group, or kept apart by their filters. */
+  /** Adds the pairs of a handle with the leaves that overlap `box`, unless they are marked, of the same group, or kept apart by the filters. */
   private addPairs({ number, group, filter, kin }: TreeHandle<T>, tree: PackedTree<TreeHandle<T>>): void {
     const { met, states, search, box } = this;
     const count = tree.query(box, met, 0, kin);
@@ -394,7 +403,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.join(handle, NONE, link);
   }
 
-  /** Makes one link follow another in the list of a handle; none before it: it is the first. */
+  /** Makes link `after` follow link `before` in the list of a handle; with NONE before, it is the first. */
   private join(handle: number, before: number, after: number): void {
     if (before === NONE) {
       this.states[handle * STATE + FIRST] = after;
@@ -406,7 +415,7 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
   }
 
-  /** Takes a pair out; the last one takes its place. */
+  /** Removes a pair; the last one takes its place. */
   private dropPair(pair: number): void {
     this.unlink(2 * pair);
     this.unlink(2 * pair + 1);
@@ -423,14 +432,14 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     this.join(this.endOf(link), this.previous[link]!, this.next[link]!);
   }
 
-  /** Another link takes the place of one. */
+  /** Link `to` takes the place of link `from`. */
   private relink(from: number, to: number): void {
     const handle = this.endOf(from);
     this.join(handle, this.previous[from]!, to);
     this.join(handle, to, this.next[from]!);
   }
 
-  /** The handle that a link is of. */
+  /** The handle in whose list a link is. */
   private endOf(link: number): number {
     return this.pairs[(link >> 1) * PAIR + (link & 1)]!;
   }

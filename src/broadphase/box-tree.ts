@@ -15,19 +15,19 @@ import { checkRect } from './broadphase.js';
 import { BOX, NONE } from './layout.js';
 import { PackedTree } from './packed-tree.js';
 
-/** Anything that can be put into a {@link BoxTree}; the tree writes its index. */
+/** Anything that can be put into a {@link BoxTree}; the tree writes its index into it. */
 export interface BoxTreeExternalNode {
-  /** Written by the tree: place of the object in it, `undefined` if it is in none. */
+  /** Written by the tree: the index of the object in it, `undefined` if it is in none. */
   boxTreeIndex?: number | undefined;
 }
 
-/** What a {@link BoxTree.rayTest} callback answers for a hit. */
+/** What a {@link BoxTree.rayTest} callback returns for a hit. */
 export interface BoxTreeRayResult {
-  /** How far along the ray, in lengths of its direction; the ray ends there for what is visited later. */
+  /** How far along the ray, in lengths of its direction. What is visited later has to be nearer than that. */
   factor: number;
 }
 
-/** A node as `getNodes` shows it: depth first, each followed by its subtrees. */
+/** A node as `getNodes` lists it: depth first, each followed by its subtrees. */
 export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
@@ -44,21 +44,21 @@ export class BoxTreeNode<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     public maxX: number,
     /** Lower side of the bounds. */
     public maxY: number,
-    /** How many places further the next node outside this subtree is. */
+    /** How many places further in the list the next node outside this subtree is. */
     public escapeNodeOffset: number,
-    /** Set on leaves only. */
+    /** The object of a leaf; `undefined` for inner nodes. */
     public externalNode: T | undefined,
   ) {}
 
-  /** Whether it has a box of its own, and no children. */
+  /** Whether it is a leaf, with an object and without children. */
   isLeaf(): boolean {
     return this.externalNode !== undefined;
   }
 }
 
 /**
- * A hierarchy of bounding boxes over objects of yours. Boxes that touch overlap. After `add`, `update` or `remove`, `finalize` is to
- * be called before queries. Results come in no particular order.
+ * A hierarchy of bounding boxes over objects of yours. Boxes that touch overlap. After `add`, `update` or `remove`, call `finalize` before
+ * queries. Results come in no particular order.
  */
 export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   /** Of the class, as in Turbulenz. */
@@ -72,7 +72,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   private dirty = false;
   private nodes: BoxTreeNode<T>[] | null = null;
 
-  /** `highQuality` is accepted for compatibility: every tree is built with the same care. */
+  /** Makes an empty tree. `highQuality` is accepted for compatibility: every tree is built with the same care. */
   static create<T extends BoxTreeExternalNode = BoxTreeExternalNode>(highQuality: boolean): BoxTree<T> {
     boolean('BoxTree.create', 'highQuality', highQuality);
     return new BoxTree<T>();
@@ -107,7 +107,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.changed();
   }
 
-  /** Takes an object out; one that is in no tree is ignored. @throws TypeError if it is in another tree. */
+  /** Removes an object; one that is in no tree is ignored. @throws TypeError if it is in another tree. */
   remove(externalNode: T): void {
     checkNode('BoxTree.remove', externalNode);
     if (externalNode.boxTreeIndex === undefined) {
@@ -120,7 +120,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.changed();
   }
 
-  /** Whether there were changes since the last `finalize`. */
+  /** Whether there have been changes since the last `finalize`. */
   needsFinalize(): boolean {
     return this.dirty;
   }
@@ -130,7 +130,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.dirty = false;
   }
 
-  /** Takes everything out. */
+  /** Removes everything. */
   clear(): void {
     for (const item of this.tree.items) {
       if (item !== null) {
@@ -142,7 +142,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.dirty = false;
   }
 
-  /** Writes what overlaps `queryExtents` from `startIndex` (default: the array's length) on. @returns how many. */
+  /** Writes the objects that overlap `queryExtents` to `overlappingNodes`, from `startIndex` (default: the array's length) on. @returns how many. */
   getOverlappingNodes(queryExtents: RectLike, overlappingNodes: T[], startIndex?: number): number {
     checkRect('BoxTree.getOverlappingNodes', queryExtents, 'queryExtents');
     const start = checkedStart('BoxTree.getOverlappingNodes', 'overlappingNodes', overlappingNodes, startIndex);
@@ -154,14 +154,14 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     return count;
   }
 
-  /** Appends what lies within `radius` of `center`: boxes whose squared distance to it is at most radius². */
+  /** Appends the objects within `radius` of `center`: boxes whose squared distance to it is at most radius². */
   getCircleOverlappingNodes(center: Vec2Like, radius: number, overlappingNodes: T[]): void {
     vector('BoxTree.getCircleOverlappingNodes', 'center', center, 2);
     nonNegative('BoxTree.getCircleOverlappingNodes', 'radius', radius);
     const start = checkedStart('BoxTree.getCircleOverlappingNodes', 'overlappingNodes', overlappingNodes, undefined);
     const x = center[0]!;
     const y = center[1]!;
-    // The square of the radius shall be neither infinite nor 0.
+    // Scaled so that the square of the radius is neither infinite nor 0.
     const scale = radius > 1e150 ? 1e-200 : radius < 1e-150 ? 1e200 : 1;
     const reach = radius * scale;
     const isNear = (boxes: Float64Array, at: number): boolean => {
@@ -172,7 +172,10 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     this.select(isNear, overlappingNodes, start);
   }
 
-  /** Writes each overlapping pair once, as two consecutive entries, from `startIndex` on. @returns the number of entries. */
+  /**
+   * Writes each overlapping pair once, as two consecutive entries, from `startIndex` (default: the array's length) on. @returns the number
+   * of entries.
+   */
   getOverlappingPairs(overlappingPairs: T[], startIndex?: number): number {
     const start = checkedStart('BoxTree.getOverlappingPairs', 'overlappingPairs', overlappingPairs, startIndex);
     const { tree, met } = this;
@@ -195,8 +198,8 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
   }
 
   /**
-   * Writes what lies inside all planes `[nx, ny, d]` from `startIndex` on: boxes whose farthest corner along (nx, ny) has
-   * n · p ≥ d. @returns how many.
+   * Writes the objects inside all planes `[nx, ny, d]`, from `startIndex` (default: the array's length) on: boxes whose farthest corner
+   * along (nx, ny) has n · p ≥ d. @returns how many.
    */
   getVisibleNodes(planes: ArrayLike<Vec3Like>, visibleNodes: T[], startIndex?: number): number {
     if (typeof planes !== 'object' || planes === null || !(planes.length >= 0)) {
@@ -220,7 +223,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     return this.select(inside, visibleNodes, start) - start;
   }
 
-  /** The top node, or `undefined` for an empty tree. */
+  /** The root node, or `undefined` for an empty tree. */
   getRootNode(): BoxTreeNode<T> | undefined {
     return this.getNodes()[0];
   }
@@ -243,7 +246,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
 
   /**
    * Calls back for each object whose box the ray meets at a distance (as a factor of the direction; 0 if it starts inside) below the
-   * smallest factor answered so far, at first `ray.maxFactor`. @returns the answer with the smallest factor, or `null`.
+   * smallest factor returned so far, at first `ray.maxFactor`. @returns the result with the smallest factor, or `null`.
    */
   static rayTest<N extends BoxTreeExternalNode, R extends BoxTreeRayResult>(
     trees: readonly BoxTree<N>[],
@@ -291,7 +294,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     return best;
   }
 
-  /** Writes the leaves for which `test` holds; it must hold for every box around one for which it holds. */
+  /** Writes the objects for which `test` holds. It must hold for every box around one for which it holds. */
   private select(test: (boxes: Float64Array, at: number) => boolean, out: T[], start: number): number {
     const { tree } = this;
     const stack = tree.root < 0 ? [] : [tree.root];
@@ -311,7 +314,7 @@ export class BoxTree<T extends BoxTreeExternalNode = BoxTreeExternalNode> {
     return end;
   }
 
-  /** Lists the nodes depth first; an inner node learns its offset when its subtree is done. */
+  /** Lists the nodes depth first; an inner node gets its offset when its subtree is done. */
   private listNodes(nodes: BoxTreeNode<T>[]): void {
     const { tree } = this;
     const stack = [tree.root];
@@ -356,14 +359,14 @@ function checkNode(where: string, externalNode: unknown): void {
   }
 }
 
-/** Writes the index of an object before anything else is changed: a frozen one is refused. */
+/** Writes the index into an object, before anything else is changed: a frozen object is refused. */
 function writeIndex(where: string, externalNode: BoxTreeExternalNode, index: number | undefined): void {
   if (!Reflect.set(externalNode, 'boxTreeIndex', index)) {
     throw typeError(where, 'externalNode', 'an object with a boxTreeIndex that can be written', externalNode);
   }
 }
 
-/** Where to begin to write to an array: where told, or at its end. */
+/** The index from which to write to an array: `startIndex`, or its end. */
 function checkedStart(where: string, name: string, out: ArrayLike<unknown>, startIndex: number | undefined): number {
   list(where, name, out);
   return integer(where, 'startIndex', optional(startIndex, out.length), 0);

@@ -1,8 +1,11 @@
 import { BOX } from './layout.js';
 
-// Boxes that lie side by side in an array, by their numbers.
+// Boxes side by side in an array, each [minX, minY, maxX, maxY], by their numbers.
 
-/** 1 if the box with a number does not overlap `asked`, else 0: combined as numbers, as for a cast. That is an array, as numbers would be boxed for each call that is not inlined. */
+/**
+ * 1 if a box does not overlap the box `asked`, else 0: a number, as the answers are combined without branches, see `PackedTree.cast`.
+ * `asked` is an array, as numbers would be boxed in each call that is not inlined.
+ */
 export function misses(boxes: Float64Array, node: number, asked: Float64Array): number {
   const at = BOX * node;
   return (
@@ -13,13 +16,13 @@ export function misses(boxes: Float64Array, node: number, asked: Float64Array): 
   );
 }
 
-/** Half the perimeter of the box with a number. */
+/** Half the perimeter of a box. */
 export function perimeterOf(boxes: Float64Array, node: number): number {
   const at = BOX * node;
   return boxes[at + 2]! - boxes[at]! + (boxes[at + 3]! - boxes[at + 1]!);
 }
 
-/** The box around two of them has no larger perimeter than both together. Without calls, which would box what they return. */
+/** Whether the box around two boxes has no larger perimeter than both together. Without calls, which would box their results. */
 export function areBeside(boxes: Float64Array, a: number, b: number): boolean {
   const i = BOX * a;
   const j = BOX * b;

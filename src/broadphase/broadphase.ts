@@ -1,7 +1,7 @@
 import type { RectLike, Vec2Like } from '../math/vectors.js';
 import { boolean, notNaN, rangeError, typeError } from '../validate.js';
 
-/** A thing in a broadphase. */
+/** An item in a broadphase: a proxy for your data. */
 export interface BroadphaseHandle<T = unknown> {
   /** What was inserted. */
   data: T;
@@ -9,38 +9,39 @@ export interface BroadphaseHandle<T = unknown> {
   readonly isStatic: boolean;
 }
 
-/** Which things make pairs: those of which each one's `group` has a bit in common with the other one's `mask`. */
+/** Decides which items make pairs: two do if the `group` of each has a bit in common with the `mask` of the other. */
 export interface BroadphaseFilter {
-  /** Bits that say what it is. */
+  /** The groups it is in, as bits. */
   readonly group: number;
-  /** Bits of the groups that it meets. */
+  /** The groups it meets, as bits. */
   readonly mask: number;
 }
 
-/** Whether two filters let things make a pair. */
+/** Whether two filters allow a pair. */
 export function letsMeet(a: BroadphaseFilter, b: BroadphaseFilter): boolean {
   return (a.group & b.mask) !== 0 && (b.group & a.mask) !== 0;
 }
 
-/** Of things without a filter. */
+/** The filter of items without one. */
 export const UNFILTERED: BroadphaseFilter = { group: -1, mask: -1 };
 
 /**
- * Finds things whose bounds overlap; knows nothing of shapes. Usable on its own, with any data; the same data may be
- * inserted many times. Bounds are `[minX, minY, maxX, maxY]`, copied, may be infinite; bounds that touch overlap. Any object
- * with these methods may be given to `createWorld`: the choice does not change results, only their cost.
+ * Finds items whose bounds overlap; knows nothing of shapes. It can be used on its own, with any data; the same data may be inserted many
+ * times. Bounds are `[minX, minY, maxX, maxY]`, are copied, and may be infinite; bounds that touch overlap. Any object with these methods
+ * can be given to `createWorld`: the choice does not change results, only their cost.
  *
  * Callbacks of `perform` and `sample` may query, but must not modify.
  */
 export interface Broadphase<T = unknown> {
   /**
-   * Adds a thing. Things of the same `group`, whatever that is, never make a pair: the world gives shapes their body as theirs. What the filters of two
-   * keep apart need make no pair either: the world gives shapes themselves as theirs. A filter may change, which `refilter` tells.
-   * @throws TypeError or RangeError unless `bounds` is a rectangle, and `filter` has its numbers.
+   * Adds an item. Items of the same `group`, which may be any value, never make a pair: the world passes the body of each shape. Items
+   * whose filters keep them apart need not make a pair, either: the world passes each shape as its own filter. A filter may change later,
+   * which `refilter` reports.
+   * @throws TypeError or RangeError unless `bounds` is a rectangle and `filter` has both its numbers.
    */
   insert(data: T, bounds: RectLike, isStatic: boolean, group?: unknown, filter?: BroadphaseFilter): BroadphaseHandle<T>;
 
-  /** Gives a handle new bounds, and another kind if `isStatic` is given. */
+  /** Gives a handle new bounds, and makes it static or moving if `isStatic` is given. */
   update(handle: BroadphaseHandle<T>, bounds: RectLike, isStatic?: boolean): void;
 
   /** Removes a handle; it may be reused by a later `insert`. */
@@ -50,9 +51,9 @@ export interface Broadphase<T = unknown> {
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void;
 
   /**
-   * Reports each pair of overlapping handles once, in any order, except pairs of static ones and of one group. Given `isKnown`, a broadphase may
-   * keep the integer that `callback` returns for a pair, other than 0, as long as the pair is reported in every call, and then ask
-   * `isKnown(integer)` first: if that is `true` the pair is not reported.
+   * Reports each pair of overlapping handles once, in any order, except pairs of two static handles and pairs within a group. With
+   * `isKnown`, a broadphase may keep the integer other than 0 that `callback` returns for a pair, as long as the pair is reported in every
+   * call, and then call `isKnown(integer)` first: if that returns `true`, the pair is not reported.
    */
   perform(
     callback: (a: BroadphaseHandle<T>, b: BroadphaseHandle<T>) => unknown,
@@ -60,7 +61,7 @@ export interface Broadphase<T = unknown> {
     isKnown?: (note: number) => boolean,
   ): void;
 
-  /** Reports each handle that overlaps `bounds` once, static or not. Those of the group of `like`, if given, need not be reported. */
+  /** Reports each handle that overlaps `bounds` once, static or not. Handles of the same group as `like`, if given, need not be reported. */
   sample(
     bounds: RectLike,
     callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void,
@@ -68,20 +69,20 @@ export interface Broadphase<T = unknown> {
     like?: BroadphaseHandle<T>,
   ): void;
 
-  /** Needed if pairs are left out for their filters: that of a handle has changed. */
+  /** Called when the filter of a handle has changed. Needed if the broadphase leaves out pairs because of filters. */
   refilter?(handle: BroadphaseHandle<T>): void;
 
-  /** Not needed, but makes continuous collision fast: as `sample`, static handles only. Called by the engine; checks nothing. */
+  /** Optional; makes continuous collision fast. As `sample`, for static handles only. Called by the engine; checks nothing. */
   sampleStatic?(bounds: RectLike, callback: (handle: BroadphaseHandle<T>, bounds: RectLike) => void): void;
 
   /**
-   * Not needed, but makes ray and shape casts fast: visits each handle whose bounds may meet the bounds `start` + direction · f, 0 ≤ f ≤ `limit`, nearer ones
-   * as early as is cheap. `visit` returns up to where the way matters from then on. Called by the engine; checks nothing.
+   * Optional; makes ray and shape casts fast. Visits each handle whose bounds may meet the bounds `start` + direction · f, 0 ≤ f ≤ `limit`,
+   * nearer ones as early as is cheap. `visit` returns the f up to which handles still matter. Called by the engine; checks nothing.
    */
   cast?(start: RectLike, direction: Vec2Like, limit: number, visit: (handle: BroadphaseHandle<T>) => number): void;
 }
 
-/** Refuses what no broadphase can insert: bounds as `checkRect` does, a filter that has not both numbers. */
+/** Throws for what no broadphase can insert: bounds as in `checkRect`, a filter without both numbers. */
 export function checkInsert(where: string, bounds: RectLike, isStatic: boolean, filter: BroadphaseFilter): void {
   checkRect(where, bounds);
   boolean(where, 'isStatic', isStatic);
@@ -91,7 +92,7 @@ export function checkInsert(where: string, bounds: RectLike, isStatic: boolean, 
   }
 }
 
-/** Refuses what is not four numbers that are a rectangle. */
+/** Throws unless bounds are four numbers that make a rectangle. */
 export function checkRect(where: string, bounds: RectLike, name = 'bounds'): void {
   if (!isRect(bounds)) {
     throw badBounds(where, name, bounds);
@@ -112,7 +113,7 @@ function isRect(bounds: RectLike): boolean {
   );
 }
 
-/** The error for what is no rectangle. */
+/** The error for bounds that are no rectangle. */
 function badBounds(where: string, name: string, bounds: unknown): Error {
   const list = bounds as RectLike | null | undefined;
   if (typeof list !== 'object' || list === null || !(list.length >= 4)) {

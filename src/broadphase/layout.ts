@@ -1,32 +1,32 @@
-// How the box trees and their pairs lie in arrays. In a file without imports, so that bundlers inline the numbers.
+// How box trees and pairs are laid out in arrays. In a file without imports, so that bundlers inline the numbers.
 
 /** No node. */
 export const NONE = -1;
 
-/** In place of a kin: that of no leaf, nor of leaves of several kins. */
+/** In place of a kin: one that no leaf has, nor any node above leaves of several kins. */
 export const STRANGER = -2;
 
 /** Numbers per box: minX, minY, maxX, maxY. */
 export const BOX = 4;
 
-/** Levels by which two subtrees may differ in height: more allows better trees, less makes the worst ones less high. */
+/** By how many levels two sibling subtrees may differ in height: more allows better trees, less keeps the worst ones lower. */
 export const MAX_LEAN = 4;
 
-/** In place of the height of a node: it is not in use; it is a leaf without a place in the tree. */
+/** In place of the height of a node: FREE, it is not in use; WAITING, it is a leaf without a place in the tree. */
 export const FREE = 254;
 export const WAITING = 255;
 
-/** Of a handle: its leaf in the tree of its kind, −1 once removed; whether that is the static one, */
+/** State of a handle: its leaf, −1 once removed; whether it is in the static tree, … */
 export const LEAF = 0;
 export const STATIC = 1;
-/** … the first link of its pairs, the last search in which it was met, */
+/** … the first link of its pairs; the last search in which it was met, … */
 export const FIRST = 2;
 export const MARK = 3;
-/** … and whether it is in the list of `perform`, as its pairs may have changed; else −1. */
+/** … and 1 if it is in the list for `perform`, as its pairs may have changed, else −1. STATE is how many numbers there are. */
 export const MOVED = 4;
 export const STATE = 5;
 
-/** Of a pair: its handles, and its note, see `perform`; 0: none. */
+/** A pair: its two handles, and the integer that `perform` got for it, 0 for none. PAIR is how many numbers there are. */
 export const END_A = 0;
 export const END_B = 1;
 export const NOTE = 2;

@@ -2,31 +2,37 @@ import { areBeside, misses } from './boxes.js';
 import { BOX, NONE, STRANGER } from './layout.js';
 import { TreeShape } from './tree-shape.js';
 
-/** 1 − 2⁻⁵⁰. Where a ray enters a box is reckoned early by more than rounding can make it late, as it must not miss a corner that it touches. */
+/**
+ * 1 − 2⁻⁵⁰. The factor at which a ray enters a box is reckoned too small, by more than rounding can make it too large: a ray must not miss
+ * a corner that it touches.
+ */
 const EARLY = 1 - 4 * Number.EPSILON;
 
 /**
- * A dynamic bounding box tree over packed arrays. Nodes are numbered; freed numbers are reused. `margin`, m, is by how much leaves are larger on all sides.
- * What is changed is seen to when the tree is next asked, see {@link TreeShape}.
+ * A dynamic bounding volume tree over packed arrays. Nodes are numbered; freed numbers are reused. `margin` is by how much leaves are
+ * larger than their bounds on all sides, m. Changes take effect when the tree is next asked, see {@link TreeShape}.
  */
 export class PackedTree<T> extends TreeShape<T> {
   private stack = new Int32Array(64);
-  /** The box that is asked for: scratch. */
+  /** The box of a query: scratch. */
   private readonly asked = new Float64Array(BOX);
-  /** For the next cast; `null` during one. */
+  /** The stack for the next cast; `null` during one. */
   private castStack: Int32Array | null = null;
 
   constructor(private readonly margin: number) {
     super();
   }
 
-  /** The top node, −1 for none. */
+  /** The root node, −1 for an empty tree. */
   get root(): number {
     this.mend();
     return this.top;
   }
 
-  /** Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides, a number for whoever looks no further, and one of its kin. @returns the node. */
+  /**
+   * Adds a leaf with the box `[minX, minY, maxX, maxY]`, grown by the margin on all sides. `tag` is a number for whoever needs no more of
+   * the item; see `kins` for `kin`. @returns the node.
+   */
   insert(item: T, bounds: ArrayLike<number>, tag = NONE, kin = NONE): number {
     const leaf = this.allocate();
     this.items[leaf] = item;
@@ -38,8 +44,8 @@ export class PackedTree<T> extends TreeShape<T> {
   }
 
   /**
-   * Gives a leaf another box. It stays where it is in the tree while the box around it and its sibling has no larger perimeter than both together: the
-   * exchanges above it see to the rest. What goes its own way would drag along the boxes of those that it once was next to.
+   * Gives a leaf another box. It stays where it is in the tree while the box around it and its sibling has no larger perimeter than both
+   * together: exchanges above it do the rest. If it moved on its own and stayed, it would enlarge the boxes of those it was once next to.
    */
   move(leaf: number, bounds: ArrayLike<number>): void {
     this.setBox(leaf, bounds);
@@ -69,8 +75,8 @@ export class PackedTree<T> extends TreeShape<T> {
   }
 
   /**
-   * Writes the leaves whose boxes overlap `bounds` to `out` from `count` on, but for those of a kin: of a body of many shapes each lies amid the others.
-   * It goes straight down as a cast does. @returns the new count.
+   * Writes the leaves whose boxes overlap `bounds` to `out` from `count` on, except those of a kin: each shape of a body of many lies amid
+   * the others. It descends as a cast does. @returns the new count.
    */
   query(bounds: ArrayLike<number>, out: number[], count: number, kin = STRANGER): number {
     let node = this.root;
@@ -111,13 +117,15 @@ export class PackedTree<T> extends TreeShape<T> {
   }
 
   /**
-   * Visits what the leaves hold whose boxes meet a box that goes on by d · f, 0 ≤ f ≤ limit, and some that it just misses; of two subtrees the one that
-   * lies nearer along the way comes first. A ray is a box without width and height. `visit` returns the new limit, which is returned in the end.
+   * Visits the items of the leaves whose boxes meet a box that moves by d · f, 0 ≤ f ≤ limit, and some that it just misses. Of two subtrees
+   * the one nearer along the way comes first. A ray is a box without width and height. `visit` returns the new limit, and the last one is
+   * returned in the end.
    *
-   * Along x both overlap from f = (near − head) / d to (far − tail) / d; they meet where it is so along both axes at once (slabs; Kay & Kajiya 1986).
-   * With d = 0 that is from −∞ to ∞, or to −∞ or from ∞ if one passes the other by; and NaN for sides that lie in each other, for which no comparison
-   * holds: so what is asked is whether they miss each other. The answers are combined as numbers, as branches that
-   * go either way half of the time would cost more than all the rest; it is the children that are asked, so that a walk goes straight down to one that is met.
+   * Along x both overlap from f = (near − head) / d to (far − tail) / d; they meet where it is so along both axes at once (slabs; Kay &
+   * Kajiya 1986). With d = 0 that is from −∞ to ∞, or to −∞ or from ∞ if one passes the other by; and NaN for sides that coincide, for
+   * which no comparison holds: so what is asked is whether they miss each other. The answers are combined as numbers, as branches that go
+   * either way half of the time would cost more than all the rest. The children are asked, rather than the node itself, so that a walk goes
+   * straight down to the one that is met.
    */
   cast(start: ArrayLike<number>, direction: ArrayLike<number>, limit: number, visit: (item: T) => number): number {
     let node = this.root;
@@ -130,12 +138,12 @@ export class PackedTree<T> extends TreeShape<T> {
     const outY = 1 / dy;
     const inX = outX * EARLY;
     const inY = outY * EARLY;
-    // Where in a box the sides are that the ray comes to first, and the opposite ones.
+    // Where in a box the near sides are, which the ray comes to first, and the far ones.
     const nearX = outX < 0 ? 2 : 0;
     const nearY = outY < 0 ? 3 : 1;
     const farX = 2 - nearX;
     const farY = 4 - nearY;
-    // What goes ahead of what is cast, and what comes last.
+    // The leading and the trailing sides of the box that is cast.
     const headX = start[farX]!;
     const headY = start[farY]!;
     const tailX = start[nearX]!;
@@ -177,7 +185,7 @@ export class PackedTree<T> extends TreeShape<T> {
           continue;
         }
       }
-      // Back to what was left for later. The limit may have come nearer since then.
+      // Back to what was left for later. The limit may have become smaller since then.
       do {
         if (top === 0) {
           this.castStack = stack;
@@ -189,7 +197,7 @@ export class PackedTree<T> extends TreeShape<T> {
     }
   }
 
-  /** A stack for a cast; one that is made within the `visit` of another takes a new one. */
+  /** A stack for a cast; a cast within the `visit` of another takes a new one. */
   private takeStack(): Int32Array {
     const { castStack } = this;
     this.castStack = null;
@@ -218,7 +226,7 @@ export class PackedTree<T> extends TreeShape<T> {
     return a[i]! <= b[j + 2]! && a[i + 2]! >= b[j]! && a[i + 1]! <= b[j + 3]! && a[i + 3]! >= b[j + 1]!;
   }
 
-  /** A stack that is deep enough: a walk holds at most one node a level beside its own. */
+  /** A stack that is deep enough: a walk holds at most one node a level besides its own. */
   private readyStack(): Int32Array {
     const needed = this.level[this.top]! + 2;
     if (this.stack.length < needed) {

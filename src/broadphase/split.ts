@@ -1,38 +1,39 @@
 import { perimeterOf } from './boxes.js';
 import { BOX } from './layout.js';
 
-/** Into how many slices of equal width boxes are sorted at most, by their middles. */
+/** Into how many slices of equal width boxes are sorted at most, by their centres. */
 const BINS = 16;
 
-/** Of each slice how many boxes there are, the box around them, and what it costs to have it, and all before it, in the first part. Scratch. */
+/** For each slice: how many boxes are in it, the box around them, and the cost of a first part that ends with it. Scratch. */
 const counts = /* @__PURE__ */ new Int32Array(BINS);
 const around = /* @__PURE__ */ new Float64Array(BINS * BOX);
 const costs = /* @__PURE__ */ new Float64Array(BINS);
 
-/** How the slices lie: how many, across which axis, from where on, and how many of them there are in 1 m. Scratch. */
+/** The slices: how many, along which axis, from where on, and how many there are in 1 m. Scratch. */
 const slices = { count: 0, axis: 0, start: 0.5, scale: 0.5 };
 
 /** A box that grows: scratch. */
 const sum = /* @__PURE__ */ new Float64Array(BOX);
 
-/** Where the middle of a box is along an axis. Each side is halved first, as their sum may overflow. */
+/** The centre of a box along an axis. Each side is halved first, as their sum may overflow. */
 function middleOf(boxes: Float64Array, node: number, axis: number): number {
   return 0.5 * boxes[BOX * node + axis]! + 0.5 * boxes[BOX * node + axis + 2]!;
 }
 
 /**
- * Divides part of a list of boxes into two, across the axis along which they are farther spread, where the perimeters of both times the number of boxes in
- * each come to least (surface area heuristic, in bins: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007). @returns where the second part begins.
+ * Divides part of a list of boxes into two, along the axis in which their centres are farther spread, where the sum over both parts of
+ * perimeter times number of boxes is least (surface area heuristic, in bins: Wald, "On fast construction of SAH-based bounding volume
+ * hierarchies", 2007). @returns where the second part begins.
  */
 export function split(boxes: Float64Array, list: number[], from: number, to: number): number {
-  lay(boxes, list, from, to);
-  sort(boxes, list, from, to);
-  const second = part(boxes, list, from, to, bestBin(to - from));
+  laySlices(boxes, list, from, to);
+  fillSlices(boxes, list, from, to);
+  const second = partition(boxes, list, from, to, bestBin(to - from));
   return second > from && second < to ? second : (from + to) >> 1;
 }
 
-/** Brings what is in no slice after `last` to the front. @returns where the others begin. */
-function part(boxes: Float64Array, list: number[], from: number, to: number, last: number): number {
+/** Moves the boxes in slices up to `last` to the front. @returns where the others begin. */
+function partition(boxes: Float64Array, list: number[], from: number, to: number, last: number): number {
   let i = from;
   let j = to;
   while (i < j) {
@@ -48,8 +49,8 @@ function part(boxes: Float64Array, list: number[], from: number, to: number, las
   return i;
 }
 
-/** Lays slices over all boxes. */
-function lay(boxes: Float64Array, list: number[], from: number, to: number): void {
+/** Divides the space of all centres into slices. */
+function laySlices(boxes: Float64Array, list: number[], from: number, to: number): void {
   findMiddles(boxes, list, from, to);
   const width = sum[2]! - sum[0]!;
   const height = sum[3]! - sum[1]!;
@@ -60,8 +61,8 @@ function lay(boxes: Float64Array, list: number[], from: number, to: number): voi
 }
 
 /**
- * Finds the box around the middles of all boxes, as `sum`. Nothing may follow the loop: the first list is long, and what V8 compiles while it runs is left by a bailout where it has not seen how it goes on, a thousand times while a
- * large world is built.
+ * Writes the box around the centres of all boxes to `sum`. Nothing may follow the loop: the first list is long, and the code that V8
+ * compiles while it runs bails out at anything after it that it has not seen run, a thousand times while a large world is built.
  */
 function findMiddles(boxes: Float64Array, list: number[], from: number, to: number): void {
   clear(sum, 0);
@@ -80,7 +81,7 @@ function binOf(boxes: Float64Array, node: number): number {
 }
 
 /** Sorts boxes into the slices. */
-function sort(boxes: Float64Array, list: number[], from: number, to: number): void {
+function fillSlices(boxes: Float64Array, list: number[], from: number, to: number): void {
   for (let bin = 0; bin < slices.count; bin += 1) {
     counts[bin] = 0;
     clear(around, BOX * bin);
@@ -92,7 +93,7 @@ function sort(boxes: Float64Array, list: number[], from: number, to: number): vo
   }
 }
 
-/** The last slice of the first part. */
+/** The last slice of the first part, for the least cost. */
 function bestBin(count: number): number {
   clear(sum, 0);
   let before = 0;

@@ -35,7 +35,7 @@ class SweepHandle<T> implements BroadphaseHandle<T> {
 /** Handles sorted by `minX` when asked for. */
 class SweepList<T> {
   readonly handles: SweepHandle<T>[] = [];
-  /** Of the sorted list: how far each handle or any before it reaches, the largest `maxX`. */
+  /** Of the sorted list: the largest `maxX` of each handle and all before it. */
   private readonly reach: number[] = [];
   private sorted = true;
 
@@ -65,7 +65,7 @@ class SweepList<T> {
     this.sorted = true;
   }
 
-  /** Insertion sort while the list is nearly sorted; a list that turns out not to be is handed to the library. */
+  /** Insertion sort, as the list is nearly sorted; if it turns out not to be, the sort of the library. */
   sort(): void {
     if (this.sorted) {
       return;
@@ -94,7 +94,7 @@ class SweepList<T> {
     this.sorted = true;
   }
 
-  /** Index of the first handle that reaches x, in a sorted list: none before it can overlap what begins there. */
+  /** Index of the first handle in the sorted list that reaches x: none before it can overlap what begins there. */
   firstThatReaches(x: number): number {
     let low = 0;
     let high = this.handles.length;
@@ -111,8 +111,8 @@ class SweepList<T> {
 }
 
 /**
- * Sweep and prune along x (Baraff 1992): moving and static handles in a list each, sorted by `minX`. At its best where things
- * are spread out along x and of similar width; one very wide static handle makes all static ones behind its start be looked at.
+ * Sweep and prune along x (Baraff 1992): a list of moving and a list of static handles, each sorted by `minX`. At its best where items are
+ * spread out along x and of similar width; one very wide static handle makes all static ones behind its start be looked at.
  */
 export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   /** Of the class, as in Turbulenz. */
@@ -200,7 +200,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     for (let kind = 0; kind < 2; kind += 1) {
       const list = kind === 0 ? this.moving : this.still;
       list.sort();
-      // What a callback inserts comes after all that there were.
+      // What a callback inserts comes after those that were there.
       const count = list.handles.length;
       for (let i = list.firstThatReaches(minX); i < count && i < list.handles.length; i += 1) {
         const b = list.handles[i]!;
@@ -212,7 +212,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     }
   }
 
-  /** Reports a handle with those of a sorted list, from an index on, that overlap it. */
+  /** Reports a handle with each handle of a sorted list, from an index on, that overlaps it. */
   private report(
     a: SweepHandle<T>,
     list: readonly SweepHandle<T>[],

@@ -3,46 +3,46 @@ import { perimeterOf } from './boxes.js';
 import { BOX, FREE, MAX_LEAN, NONE, WAITING } from './layout.js';
 import { split } from './split.js';
 
-/** Of a node: nothing changed, something did below one of its children, or its own children did. */
+/** States of a node: FRESH, nothing changed; AGED, something changed below one of its children; CHANGED, one of its children did. */
 const FRESH = 0;
 const AGED = 1;
 const CHANGED = 2;
 
 /**
- * How a tree of boxes keeps its shape. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding Volume
- * Hierarchies", GDC 2019). Every node above what changed exchanges a child for a grandchild where that makes a box smaller (Kopta et al., "Fast, effective
- * BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis 1962).
+ * How a tree of boxes keeps its shape. A new leaf goes where it adds the least perimeter, by branch and descent (Catto, "Dynamic Bounding
+ * Volume Hierarchies", GDC 2019). Every node above a change exchanges a child for a grandchild where that makes a box smaller (Kopta et
+ * al., "Fast, effective BVH updates for animated scenes", 2012) or keeps the height logarithmic (Adelson-Velsky & Landis 1962).
  *
- * All that waits until somebody asks: where many boxes changed, the nodes above them are seen to once each, from below; and where more leaves are new than old the tree is built
- * anew.
+ * All that waits until somebody asks: then each node above the changes is brought up to date once, from below; and if more leaves are new
+ * than old, the tree is rebuilt.
  */
 export class TreeShape<T> {
   /** minX, minY, maxX, maxY of each node. */
   boxes = new Float64Array(16 * BOX);
-  /** The two subtrees of an inner node; in a leaf `left` is −1, and `right` the number that it was given. */
+  /** The children of an inner node; for a leaf, `left` is −1 and `right` is its tag. */
   left = new Int32Array(16);
   right = new Int32Array(16);
-  /** What each leaf holds. */
+  /** The item of each leaf. */
   readonly items: (T | null)[] = [];
-  /** Of each leaf whose kin it is, a number, or NONE; of an inner node that of all leaves below it, or NONE if they have several. */
+  /** The kin of each leaf, a number, or NONE; for an inner node, the kin of all leaves below it, or NONE if they have several. */
   protected kins = new Float64Array(16);
 
-  /** Of a leaf that waits: its index among those. Of a free node: the next one. */
+  /** The node above, or NONE. For a waiting leaf: its index in `waiting`. For a free node: the next free one. */
   protected parent = new Int32Array(16);
-  /** How many levels are below a node; FREE and WAITING are no levels. */
+  /** How many levels are below a node; or FREE or WAITING. */
   protected level = new Uint8Array(16);
-  /** The top node, as long as nothing waits and it is not stale. */
+  /** The root; up to date only if nothing waits and it is FRESH. */
   protected top = NONE;
-  /** What changed at or below each node; see AGED. */
+  /** What changed at or below each node: FRESH, AGED or CHANGED. */
   private stale = new Uint8Array(16);
   private used = 0;
   private free = NONE;
-  /** Leaves that have a place. */
+  /** How many leaves have a place in the tree. */
   private placed = 0;
-  /** Leaves that wait for one: the first `waitingCount`. */
+  /** The leaves that wait for one: the first `waitingCount`. */
   private readonly waiting: number[] = [];
   private waitingCount = 0;
-  /** The best exchange that was found: what it saves, whose child is given, and which one is kept. */
+  /** The best exchange found so far: the perimeter it saves, the child whose own child is given away, and which of those is kept. */
   private saved = 0.5;
   private high = NONE;
   private keep = NONE;
@@ -97,7 +97,7 @@ export class TreeShape<T> {
     this.stale = widened(this.stale, new Uint8Array(size));
   }
 
-  /** A leaf is to get a place. */
+  /** Has a leaf wait for a place. */
   protected queue(leaf: number): void {
     this.level[leaf] = WAITING;
     this.parent[leaf] = this.waitingCount;
@@ -109,7 +109,7 @@ export class TreeShape<T> {
     return this.level[leaf] === WAITING;
   }
 
-  /** A leaf that waits is to get no place any more. */
+  /** Takes a leaf from those that wait. */
   protected unqueue(leaf: number): void {
     this.waitingCount -= 1;
     const last = this.waiting[this.waitingCount]!;
@@ -117,7 +117,7 @@ export class TreeShape<T> {
     this.parent[last] = this.parent[leaf]!;
   }
 
-  /** A child of a node changed. */
+  /** Notes that a child of a node changed. */
   protected age(node: number): void {
     for (let k = node; k !== NONE && this.stale[k] === FRESH; k = this.parent[k]!) {
       this.stale[k] = AGED;
@@ -125,7 +125,7 @@ export class TreeShape<T> {
     if (node !== NONE) this.stale[node] = CHANGED;
   }
 
-  /** Sees to all that changed. */
+  /** Brings the tree up to date. */
   protected mend(): void {
     const { waiting, waitingCount: count } = this;
     if (count > this.placed) {
@@ -139,7 +139,7 @@ export class TreeShape<T> {
     }
   }
 
-  /** Brings a node up to date, and all below it. @returns whether its box or height changed. */
+  /** Brings a node and all below it up to date. @returns whether its box or height changed. */
   private freshen(node: number): boolean {
     const stale = this.stale[node];
     if (stale === FRESH) {
@@ -150,7 +150,7 @@ export class TreeShape<T> {
     return this.freshen(this.right[node]!) || changed || stale === CHANGED ? this.shape(node) : false;
   }
 
-  /** Builds the tree anew from all leaves, from the top. */
+  /** Rebuilds the tree from all leaves, top down. */
   private rebuild(): void {
     const { level, waiting } = this;
     let count = 0;
@@ -169,7 +169,7 @@ export class TreeShape<T> {
     this.parent[this.top] = NONE;
   }
 
-  /** @returns the top of a tree of some of the leaves in a list. */
+  /** Builds a tree of part of a list of leaves. @returns its root. */
   private build(leaves: number[], from: number, to: number): number {
     if (to - from === 1) {
       return leaves[from]!;
@@ -180,7 +180,7 @@ export class TreeShape<T> {
     return node;
   }
 
-  /** @returns a new node above two others. */
+  /** Makes a node above two others. @returns the new node. */
   private unite(a: number, b: number): number {
     const node = this.allocate();
     this.left[node] = a;
@@ -190,7 +190,7 @@ export class TreeShape<T> {
     return node;
   }
 
-  /** Gives a leaf a place beside others: where there are none the tree is built anew. */
+  /** Gives a leaf a place in a tree that has some: an empty one is rebuilt instead. */
   private attach(leaf: number): void {
     this.level[leaf] = 0;
     this.placed += 1;
@@ -219,7 +219,7 @@ export class TreeShape<T> {
     this.age(above);
   }
 
-  /** The other child of the node above, −1 for none. */
+  /** The sibling of a node, −1 for none. */
   protected siblingOf(node: number): number {
     const above = this.parent[node]!;
     return above === NONE ? NONE : this.otherChild(above, node);
@@ -250,7 +250,7 @@ export class TreeShape<T> {
     }
   }
 
-  /** Walks down to where pairing with the leaf costs the least perimeter, as long as going down can be cheaper than stopping. */
+  /** Descends to the node that is the cheapest sibling for the leaf, as long as going down can be cheaper than stopping. */
   private bestSibling(leaf: number): number {
     this.boxOf(leaf, this.box);
     let node = this.top;
@@ -273,7 +273,7 @@ export class TreeShape<T> {
     return this.left[node] === NONE ? joined : joined - perimeterOf(this.boxes, node);
   }
 
-  /** Perimeter of the union of a node and the box that is being inserted. */
+  /** Half the perimeter of the union of a node's box and the box that is being inserted. */
   private joinedPerimeter(node: number): number {
     const { boxes, box } = this;
     const at = BOX * node;
@@ -282,15 +282,15 @@ export class TreeShape<T> {
     return x + y;
   }
 
-  /** Restores balance, box and height of a node, and makes what is below it tighter. @returns whether box or height changed. */
+  /** Restores balance, box and height of a node, and exchanges children below it if that saves perimeter. @returns whether box or height changed. */
   private shape(node: number): boolean {
     if (!this.balance(node)) this.tighten(node);
     return this.join(node);
   }
 
   /**
-   * If one child of a node is too much taller than the other, exchanges its taller child for the other. What remains of it may still
-   * be too tall for that, but by less than before. @returns whether it did so.
+   * If one child of a node is too much taller than the other, exchanges its taller child for the other. What remains of it may still be too
+   * tall, but by less than before. @returns whether it did so.
    */
   private balance(node: number): boolean {
     const { left, right, level } = this;
@@ -309,7 +309,7 @@ export class TreeShape<T> {
     return true;
   }
 
-  /** Of the exchanges of a child for a grandchild below the other one, does that which saves most perimeter, if any does. */
+  /** Does the exchange of a child for a grandchild below the other child that saves most perimeter, if any saves some. */
   private tighten(node: number): void {
     const { left, right } = this;
     const a = left[node]!;
@@ -323,7 +323,7 @@ export class TreeShape<T> {
     }
   }
 
-  /** Remembers an exchange of `low` for a child of `high`, if it saves more than what was found so far. */
+  /** Notes an exchange of `low` for a child of `high`, if it saves more than the best so far. */
   private weighExchanges(high: number, low: number): void {
     const first = this.left[high]!;
     if (first !== NONE) {
@@ -333,7 +333,10 @@ export class TreeShape<T> {
     }
   }
 
-  /** What counts is what the box of `high` loses in perimeter if its child `keep` stays and `give` is exchanged for `low`. The tree must not lean too much. */
+  /**
+   * Notes the exchange of `give`, a child of `high`, for `low`, while its other child `keep` stays, if that makes the perimeter of `high`
+   * smaller by more than the best so far, and the tree does not lean too much.
+   */
   private weigh(high: number, keep: number, give: number, low: number): void {
     const { boxes, level } = this;
     const a = level[keep]!;
@@ -367,7 +370,7 @@ export class TreeShape<T> {
     this.join(high);
   }
 
-  /** Box, height and kin of an inner node from its children. @returns whether they changed. */
+  /** Recomputes box, height and kin of an inner node from its children. @returns whether they changed. */
   private join(node: number): boolean {
     const { boxes, level, kins } = this;
     const a = this.left[node]!;
