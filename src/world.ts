@@ -8,7 +8,14 @@ import { addListener, bitOf, OF_WORLDS, plainListener, removeListener } from './
 import { takeOut } from './math/list.js';
 import { type NumberSink, type Ray, type RectLike, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { type CastResult, castRay, castRayThrough, castShape } from './query/casts.js';
-import { bodiesOf, put, shapesAtPoint, shapesInCircle, shapesInRectangle, shapesMeeting } from './query/queries.js';
+import {
+  bodiesOf,
+  shapesAtPoint,
+  shapesInCircle,
+  shapesInRectangle,
+  shapesMeeting,
+  writeResults,
+} from './query/queries.js';
 import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import { changeFilters } from './solver/find-pairs.js';
@@ -213,22 +220,22 @@ export class World extends WorldState {
 
   /** The shapes that contain a point, in the order in which they were made, written to the start of `store`; boundaries count. @returns how many. */
   shapePointQuery(point: Vec2Like, store: Shape[]): number {
-    return put(this.atPoint('World.shapePointQuery', point, store), store);
+    return writeResults(this.atPoint('World.shapePointQuery', point, store), store);
   }
 
   /** The bodies with a shape that contains a point, in the order of their first such shapes; as `shapePointQuery`. */
   bodyPointQuery(point: Vec2Like, store: RigidBody[]): number {
-    return put(bodiesOf(this.atPoint('World.bodyPointQuery', point, store)), store);
+    return writeResults(bodiesOf(this.atPoint('World.bodyPointQuery', point, store)), store);
   }
 
   /** The shapes that a disc meets; as `shapePointQuery`, touching counts. `radius` > 0, may be `Infinity`. @returns how many. */
   shapeCircleQuery(center: Vec2Like, radius: number, store: Shape[]): number {
-    return put(this.inCircle('World.shapeCircleQuery', center, radius, store), store);
+    return writeResults(this.inCircle('World.shapeCircleQuery', center, radius, store), store);
   }
 
   /** The bodies that a disc meets; as `bodyPointQuery` and `shapeCircleQuery`. */
   bodyCircleQuery(center: Vec2Like, radius: number, store: RigidBody[]): number {
-    return put(bodiesOf(this.inCircle('World.bodyCircleQuery', center, radius, store)), store);
+    return writeResults(bodiesOf(this.inCircle('World.bodyCircleQuery', center, radius, store)), store);
   }
 
   /**
@@ -236,12 +243,12 @@ export class World extends WorldState {
    * infinite. @returns how many.
    */
   shapeRectangleQuery(rectangle: RectLike, store: Shape[]): number {
-    return put(this.inRectangle('World.shapeRectangleQuery', rectangle, store), store);
+    return writeResults(this.inRectangle('World.shapeRectangleQuery', rectangle, store), store);
   }
 
   /** The bodies that a rectangle meets; as `bodyPointQuery` and `shapeRectangleQuery`. */
   bodyRectangleQuery(rectangle: RectLike, store: RigidBody[]): number {
-    return put(bodiesOf(this.inRectangle('World.bodyRectangleQuery', rectangle, store)), store);
+    return writeResults(bodiesOf(this.inRectangle('World.bodyRectangleQuery', rectangle, store)), store);
   }
 
   /** The shapes of other bodies that a shape meets where its body is now, in this world or not; as `shapePointQuery`, touching counts. @returns how many. */
@@ -249,7 +256,7 @@ export class World extends WorldState {
     const where = 'World.shapeQuery';
     bodyOf(where, 'shape', shape);
     list(where, 'store', store);
-    return put(shapesMeeting(this, shape), store);
+    return writeResults(shapesMeeting(this, shape), store);
   }
 
   /**
@@ -276,7 +283,7 @@ export class World extends WorldState {
     checkedRay(where, ray);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
     list(where, 'store', store);
-    return put(castRayThrough(this, ray, ignoreInnerSurfaces), store);
+    return writeResults(castRayThrough(this, ray, ignoreInnerSurfaces), store);
   }
 
   /**

@@ -10,30 +10,33 @@ import { presentBounds, presently } from '../shape/presently.js';
 import type { Shape } from '../shape/shape.js';
 import { isUnderWay, refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
-import { near } from './queries.js';
+import { shapesNear } from './queries.js';
 
 /** What a cast hit. */
 export interface CastResult {
   /** What was hit. */
   shape: Shape;
-  /** World point on the shape, m. */
+  /** Where it was hit, in world coordinates, m. */
   hitPoint: Vec2;
-  /** Unit normal of the shape's surface, against the ray or towards the swept shape. */
+  /** Unit normal of the surface hit, against the ray or towards the swept shape. */
   hitNormal: Vec2;
-  /** Of a ray: how often its direction fits into the way to the hit. Of a swept shape: seconds until the hit. */
+  /** For a ray, the distance to the hit in lengths of its direction. For a swept shape, the time until the hit, s. */
   factor: number;
 }
 
-/** Whether a candidate counts; `false` looks on for another. */
+/** Whether a hit is accepted; `false`: look for another. */
 export type Accept = (found: CastResult) => boolean;
 
 function emptyResult(shape: Shape): CastResult {
   return { shape, hitPoint: [0, 0], hitNormal: [0, 0], factor: 0 };
 }
 
-/** A ray whose larger component is 1, so that directions of any length are as good, with what it hits on its way. A copy: callbacks may change theirs. */
+/**
+ * A ray cast. The direction is scaled so that its larger component is 1, as directions of any length shall be equally good. The ray is
+ * copied, as callbacks may change theirs.
+ */
 class RayWalk {
-  /** The scaled direction, and how far the ray goes in units of that. */
+  /** The scaled ray, relative to the body that is being asked. */
   readonly test = new RayTest();
   private readonly x: number;
   private readonly y: number;
@@ -53,7 +56,7 @@ class RayWalk {
     this.test.most = maxFactor * this.scale;
   }
 
-  /** Where the ray meets a shape, in units of the scaled direction; −1 if it does not. */
+  /** The factor at which the ray hits a shape, in units of the scaled direction; −1 if it does not. */
   meet(shape: Shape): number {
     const { test } = this;
     const body = shape.owner!;
@@ -63,7 +66,7 @@ class RayWalk {
     return isMet && test.factor / this.scale < this.maxFactor ? test.factor : -1;
   }
 
-  /** Fills in the hit that `meet` just found. */
+  /** Fills in the hit that `meet` has just found. */
   write(shape: Shape, result: CastResult): void {
     const { test } = this;
     result.shape = shape;
@@ -74,15 +77,18 @@ class RayWalk {
     result.hitNormal[1] = test.ny + 0;
   }
 
-  /** Visits the shapes whose bounds the ray meets; `visit` returns up to where it still matters. */
-  walk(world: World, visit: (shape: Shape) => number): void {
+  /** Visits the shapes whose bounds the ray meets; `visit` returns the factor up to which others still matter. */
+  visit(world: World, visit: (shape: Shape) => number): void {
     const { x, y } = this;
     const { dx, dy, most } = this.test;
     visitOnWay(world, [x, y, x, y], dx, dy, most, visit);
   }
 }
 
-/** Visits the shapes whose bounds meet `start` on its way by (dx, dy) · f, 0 ≤ f ≤ `most`; `visit` returns up to where it still matters. */
+/**
+ * Visits the shapes whose bounds meet the bounds `start` on their way by (dx, dy) · f, 0 ≤ f ≤ `most`; `visit` returns the f up to which
+ * others still matter.
+ */
 function visitOnWay(
   world: World,
   start: RectLike,
@@ -97,23 +103,23 @@ function visitOnWay(
     broadphase.cast(start, [dx, dy], most, (handle: BroadphaseHandle) => visit(handle.data as Shape));
     return;
   }
-  // A broadphase that knows no casts, or does not know where shapes are on their way, is asked for everything within the bounds of the way.
+  // A broadphase without casts, or in a step, where it does not know the present placements: ask for everything within the bounds of the whole way.
   const x = dx === 0 ? 0 : dx * most;
   const y = dy === 0 ? 0 : dy * most;
   const minX = start[0]! + Math.min(x, 0);
   const minY = start[1]! + Math.min(y, 0);
   const maxX = start[2]! + Math.max(x, 0);
   const maxY = start[3]! + Math.max(y, 0);
-  near(world, [minX, minY, maxX, maxY]).forEach(visit);
+  shapesNear(world, [minX, minY, maxX, maxY]).forEach(visit);
 }
 
-/** The nearest hit that is accepted; of equal ones that of the older shape, whatever the order in which they are found. */
+/** The nearest hit that is accepted. Of equally near ones the older shape counts, whatever the order in which they are found. */
 export function castRay(world: World, ray: Ray, outerOnly: boolean, accept: Accept | null): CastResult | null {
   const walk = new RayWalk(ray, outerOnly);
   let best: CastResult | null = null;
   let temporary: CastResult | null = null;
   let limit = walk.test.most;
-  walk.walk(world, (shape) => {
+  walk.visit(world, (shape) => {
     const factor = walk.meet(shape);
     if (factor >= 0 && (factor < limit || (factor === limit && best !== null && shape.id < best.shape.id))) {
       if (accept !== null) {
@@ -131,11 +137,11 @@ export function castRay(world: World, ray: Ray, outerOnly: boolean, accept: Acce
   return best;
 }
 
-/** All hits, one for each shape, nearest first. */
+/** All hits, one a shape, nearest first. */
 export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): CastResult[] {
   const walk = new RayWalk(ray, outerOnly);
   const found: CastResult[] = [];
-  walk.walk(world, (shape) => {
+  walk.visit(world, (shape) => {
     if (walk.meet(shape) >= 0) {
       const result = emptyResult(shape);
       walk.write(shape, result);
@@ -147,8 +153,8 @@ export function castRayThrough(world: World, ray: Ray, outerOnly: boolean): Cast
 }
 
 /**
- * Sweeps a shape with its body's velocities for `deltaTime` against all shapes of other bodies, which stand still; the first hit that is
- * accepted, or `null`. Shapes that touch at the start are left out; of equal hits that of the older shape counts.
+ * Sweeps a shape with its body's velocities for `deltaTime` seconds against all shapes of other bodies, which stand still; the first hit
+ * that is accepted, or `null`. Shapes that touch at the start are left out. Of equally early hits, the older shape counts.
  */
 export function castShape(world: World, shape: Shape, deltaTime: number, accept: Accept | null): CastResult | null {
   const body = shape.owner!;
@@ -165,7 +171,8 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
       return limit;
     }
     sweep.b.stand(other, owner!, body);
-    // If it comes by the limit, once more without one: on that a time would depend to the last bit, and so on the order of the visits.
+    // A hit before the limit is computed again without it: else the time would depend on the limit to the last bit, and so on the order of
+    // the visits.
     let time = timeOfImpact(sweep, Math.min(deltaTime, limit * LIMIT_SLACK));
     if (time > 0 && best !== null) time = timeOfImpact(sweep, deltaTime);
     const isNearer = time < limit || (time === limit && best !== null && other.id < best.shape.id);
@@ -180,15 +187,15 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   return best;
 }
 
-/** More than rounding. */
+/** Makes the limit longer by more than rounding. */
 const LIMIT_SLACK = 1 + 1e-6;
 
-/** For the next cast; one that is made within the callback of another takes a new one. */
+/** For the next cast; one made within the callback of another takes a new one. */
 let spareSweep: Sweep | null = null;
 
-/** Whether bounds that move as a body does may meet others within a time. */
+/** Whether bounds that move with the velocity of a body may meet those of a shape within a time. */
 function mayMeet(start: RectLike, { vx, vy }: Travel, { numbers: n, at }: Shape, limit: number): boolean {
-  // As for the bounds in the broadphase: more than shapes may be apart when a cast ends, and than rounding can make of it.
+  // The same margin as for the bounds in the broadphase: more than the gap that shapes may have when a cast ends, and more than rounding.
   crossing[0] = vx * limit;
   crossing[1] = vy * limit;
   crossing[2] = SPECULATIVE_MARGIN / 2;
@@ -204,7 +211,7 @@ function resultOf(distance: Distance, { x, y }: RigidBody, shape: Shape, factor:
   };
 }
 
-/** Bounds of a shape where its body is; of all its turns about the body origin if it turns. */
+/** Bounds of a shape where its body is; if the body turns, of all rotations about its origin. */
 function startBounds(shape: Shape): ArrayLike<number> {
   const body = shape.owner!;
   if (body.w === 0) {

@@ -10,16 +10,19 @@ import { isOlder, type Shape } from '../shape/shape.js';
 import { broadphaseBounds, isUnderWay, refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 
-/** Scratch of one test; no user code runs within. */
+/** Scratch of `meets`: the outline that is asked about, and that of a shape. No user code runs in between. */
 const own = /* @__PURE__ */ new Outline();
 const other = /* @__PURE__ */ new Outline();
 const distance = /* @__PURE__ */ new Distance();
 
-/** All shapes whose bounds may meet `bounds`, at their present placement; by their ids, as broadphases and copies of a world find them in other orders. */
-export function near(world: World, bounds: RectLike): Shape[] {
+/**
+ * All shapes whose bounds may meet `bounds` at their present placement, sorted by id, as broadphases and copies of a world find them in
+ * different orders.
+ */
+export function shapesNear(world: World, bounds: RectLike): Shape[] {
   refreshPlaces(world);
   if (isUnderWay(world)) {
-    return nearNow(world, bounds);
+    return shapesNearNow(world, bounds);
   }
   const found: Shape[] = [];
   world.broadphase.sample(bounds, (handle: BroadphaseHandle) => found.push(handle.data as Shape));
@@ -27,8 +30,8 @@ export function near(world: World, bounds: RectLike): Shape[] {
   return found;
 }
 
-/** The same where the broadphase does not know it: it has all shapes where the step began. */
-function nearNow({ rigidBodies }: World, bounds: RectLike): Shape[] {
+/** The same within a step: the broadphase still has all shapes where the step began. */
+function shapesNearNow({ rigidBodies }: World, bounds: RectLike): Shape[] {
   const isNear = (shape: Shape): boolean => {
     const n = presently(shape, () => broadphaseBounds(shape));
     return n[0]! <= bounds[2]! && n[1]! <= bounds[3]! && n[2]! >= bounds[0]! && n[3]! >= bounds[1]!;
@@ -36,15 +39,15 @@ function nearNow({ rigidBodies }: World, bounds: RectLike): Shape[] {
   return rigidBodies.flatMap(({ shapes }) => shapes.filter(isNear)).sort((a, b) => a.id - b.id);
 }
 
-/** Writes what was found to the start of `store`. @returns how many. */
-export function put<T>(found: readonly T[], store: T[]): number {
+/** Writes results to the start of `store`. @returns how many. */
+export function writeResults<T>(found: readonly T[], store: T[]): number {
   found.forEach((item, i) => {
     store[i] = item;
   });
   return found.length;
 }
 
-/** The bodies of shapes, each once. */
+/** The bodies of shapes, each once, in the order of their first shapes. */
 export function bodiesOf(shapes: readonly Shape[]): RigidBody[] {
   return [...new Set(shapes.map(({ owner }) => owner!))];
 }
@@ -52,7 +55,7 @@ export function bodiesOf(shapes: readonly Shape[]): RigidBody[] {
 export function shapesAtPoint(world: World, point: Vec2Like): Shape[] {
   const x = point[0]!;
   const y = point[1]!;
-  return near(world, [x, y, x, y]).filter((shape) =>
+  return shapesNear(world, [x, y, x, y]).filter((shape) =>
     presently(shape, () => containsPoint(shape, x - shape.owner!.x, y - shape.owner!.y)),
   );
 }
@@ -60,7 +63,7 @@ export function shapesAtPoint(world: World, point: Vec2Like): Shape[] {
 export function shapesInCircle(world: World, center: Vec2Like, radius: number): Shape[] {
   const x = center[0]!;
   const y = center[1]!;
-  const found = near(world, [x - radius, y - radius, x + radius, y + radius]);
+  const found = shapesNear(world, [x - radius, y - radius, x + radius, y + radius]);
   if (radius === Infinity) {
     return found;
   }
@@ -79,7 +82,7 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
   const isIn = (shape: Shape): boolean => {
     const { owner, numbers: n, at } = shape;
     const { x, y } = owner!;
-    // Of a rectangle that may be infinite only what is near the shape counts.
+    // The rectangle may be infinite: only the part near the shape counts.
     const minX = Math.max(bounds[0]!, n[at]! - 1);
     const minY = Math.max(bounds[1]!, n[at + 1]! - 1);
     const maxX = Math.min(bounds[2]!, n[at + 2]! + 1);
@@ -90,17 +93,19 @@ export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
     own.setRectangle(minX - x, minY - y, maxX - x, maxY - y);
     return meets(shape, x, y);
   };
-  return near(world, bounds).filter((shape) => presently(shape, () => isIn(shape)));
+  return shapesNear(world, bounds).filter((shape) => presently(shape, () => isIn(shape)));
 }
 
-/** Shapes of other bodies that intersect a shape where its body is now. */
+/** The shapes of other bodies that intersect a shape where its body is now. */
 export function shapesMeeting(world: World, shape: Shape): Shape[] {
   const body = shape.owner!;
   shape.outline(own.put(0, 0, body.cos, body.sin));
-  return near(world, presentBounds(shape)).filter((found) => found.owner !== body && meets(found, body.x, body.y));
+  return shapesNear(world, presentBounds(shape)).filter(
+    (found) => found.owner !== body && meets(found, body.x, body.y),
+  );
 }
 
-/** Whether a shape meets the outline in `own`, which is given relative to `(x, y)`; touching counts. */
+/** Whether a shape intersects the outline in `own`, which is relative to `(x, y)`; touching counts. */
 function meets(shape: Shape, x: number, y: number): boolean {
   const body = shape.owner!;
   shape.outline(other.put(body.x - x, body.y - y, body.cos, body.sin));
