@@ -1,11 +1,11 @@
 import { ANGLE, POSE, ROW_AW, ROW_BW } from './layout.js';
 import { type Bounds, RatioConstraint, type RatioParams, takeBounds } from './two-body.js';
 
-/** Options of `createAngleConstraint`. Bounds in rad; both are 0 by default, which turns the bodies to the same angle. */
+/** Options of `createAngleConstraint`. Bounds in rad; both are 0 by default, which holds the bodies at the same angle. */
 export interface AngleConstraintParams extends RatioParams, Bounds {}
 
 /**
- * The angle between two bodies stays between bounds; with a ratio, a gear. Rotations are not wrapped.
+ * Keeps the angle between two bodies within bounds; with a ratio, a gear. Rotations are not wrapped.
  *
  *     lower ≤ ratio · θB − θA ≤ upper
  */

@@ -30,13 +30,13 @@ import type { WeldConstraint } from './weld.js';
 /** The kinds of constraints. */
 export type ConstraintType = 'POINT' | 'WELD' | 'ANGLE' | 'DISTANCE' | 'LINE' | 'MOTOR' | 'PULLEY' | 'CUSTOM';
 
-/** What constraints tell their listeners. */
+/** The events of a constraint. */
 export type ConstraintEventType = 'wake' | 'sleep' | 'break';
 
 /** Called without arguments, `this` = the constraint. */
 export type ConstraintHandler = (this: Constraint) => void;
 
-/** Of any kind: where `constraint.type === 'MOTOR'` it is a {@link MotorConstraint}, and has a rate. */
+/** A constraint of any kind. Where `constraint.type === 'MOTOR'`, it is a {@link MotorConstraint} and has a rate. */
 export type Constraint =
   | AngleConstraint
   | CustomConstraint
@@ -47,25 +47,26 @@ export type Constraint =
   | PulleyConstraint
   | WeldConstraint;
 
-/** @internal what a constraint remembers from step to step */
+/** @internal what a constraint keeps from step to step */
 export interface Numbers {
-  /** Impulse λ of the last sub-step, to start the next one with. */
+  /** The impulse λ of the last sub-step, which warm starts the next one. */
   readonly impulse: Float64Array;
-  /** What the latest step gave to each member: x, y, angular. */
+  /** The impulses that the latest step gave to each member: x, y, angular. */
   readonly given: Float64Array;
 }
 
 /**
- * A relation between bodies that the solver keeps. It acts while it is in a world, enabled, awake, and all its dynamic bodies are in that
- * world; static and kinematic bodies serve as anchors wherever they are, but only in a world does a kinematic one move or drive anything. All setters wake it if they change anything.
+ * A relation between bodies that the solver maintains. It acts while it is in a world, enabled and awake, and all its dynamic bodies are in
+ * that world. Static and kinematic bodies serve as anchors wherever they are, but a kinematic one moves or drives something only in a
+ * world. All setters wake the constraint if they change anything.
  *
- * A kind says what it is in one place, `measure`: its position error C, one number per dimension, and the derivative of C
- * by the velocities of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
+ * Each kind is defined in one place, `measure`: its position error C, one number per dimension, and the derivative of C by the velocities
+ * of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
  */
 export abstract class BaseConstraint {
-  /** Tells the kinds apart. */
+  /** The kind of constraint. */
   abstract readonly type: ConstraintType;
-  /** How many numbers its error is made of. */
+  /** The number of components of its error. */
   readonly dimension: number;
   /** Anything of yours. */
   userData: UserDataOf<'constraint'>;
@@ -90,18 +91,18 @@ export abstract class BaseConstraint {
   breakUnderError = false;
   /** @internal */
   ignoreInteractions = false;
-  /** @internal has a position error; if not, `measure` gives the velocity J·v is to make up for in place of it */
+  /** @internal whether it has a position error; if not, `measure` writes the velocity that J·v has to cancel in its place */
   positional = true;
-  /** @internal a point beside another one of the same bodies, which keeps only their angle: see `pinned.ts` */
+  /** @internal whether it is a second point between the same bodies, which only keeps their angle: see `pinned.ts` */
   keepsAngle = false;
-  /** @internal bounds of the last number that `measure` gives, if `bounded`: then it is compared with them, else with 0 */
+  /** @internal bounds of the last component of the error, if `bounded`; all others, and it too if not, are to be 0 */
   lower = 0;
   /** @internal */
   upper = 0;
   /** @internal */
   bounded = false;
 
-  /** @internal what solves it, given by whoever makes it: nothing of that is in a bundle without constraints */
+  /** @internal the solver of constraints, set when it is created: a bundle without constraints has none */
   solver: JointSolver | null = null;
   /** @internal */
   owner: World | null = null;
@@ -115,9 +116,9 @@ export abstract class BaseConstraint {
   index = -1;
   /** @internal index in the world's list of live ones, −1 while not in it */
   liveIndex = -1;
-  /** @internal grows with each adding to a world: decides between equals. Keeps its name */
+  /** @internal grows with each addition to a world: decides between equals. Keeps its name */
   order = 0;
-  /** @internal those it fell asleep with */
+  /** @internal the island it fell asleep with */
   island: Island | null = null;
   /** @internal */
   listeners: Listeners<ConstraintHandler> = NO_LISTENERS;
@@ -125,15 +126,18 @@ export abstract class BaseConstraint {
   private keeper: JointData | null = null;
   private place = 0;
   private fetched = 0;
-  /** @internal for how many steps its whole impulse has been too large */
+  /** @internal for how many steps on end its whole impulse has exceeded what `maxForce` allows */
   overloadedSteps = 0;
-  /** @internal if it and those that it hangs together with could not be met in the last step: how often these hold on to something static or kinematic; else 0 */
+  /**
+   * @internal if it and the constraints connected to it could not all be met in the last step: how many times these hold on to something
+   * static or kinematic; else 0
+   */
   unmetAnchors = 0;
-  /** @internal was changed, so that its error may have other causes than the motion of its bodies */
+  /** @internal it was changed, so that its error may have other causes than the motion of its bodies */
   fresh = true;
-  /** @internal … after a step in which it was solved: the way to what it asks for now takes a whole step */
+  /** @internal … after a step in which it was solved: it gets a whole step to reach what it now asks for */
   shifted = false;
-  /** @internal the energy, J, that a spring may give back; Infinity: what it holds, whatever that is */
+  /** @internal the energy that a spring may give back, J; Infinity: whatever it holds */
   stored = Infinity;
 
   /** @internal */
@@ -152,8 +156,9 @@ export abstract class BaseConstraint {
   }
 
   /**
-   * @internal Adds to `out`, which is 0 there, for the placements of the N bodies in `pose` (see layout.ts): the error of row d to `c + d` (not needed unless `withError`; of a
-   * constraint of velocities alone the velocity that is wanted, with the sign changed), and its derivative by x, y and angle of body k to `j + 3·N·d + 3·k` and the two after it.
+   * @internal Writes error and Jacobian to `out`, which is 0 there, for the placements of its N bodies in `pose` (see layout.ts). The error
+   * of row d goes to `c + d`; it may be left out unless `withError`. For a constraint of velocities alone it is the negative of the wanted
+   * velocity. The derivatives by x, y and angle of body k go to `j + 3·N·d + 3·k` and the two places after it.
    */
   abstract measure(pose: Float64Array, out: Float64Array, c: number, j: number, withError: boolean): void;
 
@@ -167,7 +172,7 @@ export abstract class BaseConstraint {
     return this.fetch().given;
   }
 
-  /** @internal From now on its numbers are kept elsewhere, and fetched when they are asked for: most never are. */
+  /** @internal From now on `keeper` has its numbers, and they are fetched when asked for: most never are. */
   keepAt(keeper: JointData, place: number): void {
     this.fetch();
     this.keeper = keeper;
@@ -175,7 +180,7 @@ export abstract class BaseConstraint {
     this.fetched = keeper.solved;
   }
 
-  /** @internal … and not any more, if they are. */
+  /** @internal Fetches its numbers from `keeper` for the last time, if that has them. */
   leave(keeper: JointData): void {
     if (this.keeper === keeper) {
       this.fetch();
@@ -183,7 +188,7 @@ export abstract class BaseConstraint {
     }
   }
 
-  /** @internal what it remembers, up to date */
+  /** @internal what it keeps from step to step, up to date */
   fetch(): Numbers {
     const { keeper, numbers } = this;
     if (keeper !== null && this.fetched !== keeper.solved) {
@@ -198,12 +203,12 @@ export abstract class BaseConstraint {
     return this.owner;
   }
 
-  /** Asleep, together with its bodies or because it was put to sleep. */
+  /** Whether it is asleep, together with its bodies or because it was put to sleep. */
   get sleeping(): boolean {
     return this.asleep;
   }
 
-  /** Changes the given options, keeps the others. Wakes the constraint. */
+  /** Changes the options given and keeps the others. Wakes the constraint. */
   configure(params: ConstraintConfig): void {
     const config = checkedConfig('Constraint.configure', params);
     const { owner } = this;
@@ -218,17 +223,17 @@ export abstract class BaseConstraint {
     this.rouse();
   }
 
-  /** Whether it acts when it is in a world. */
+  /** Whether it is enabled: acts when it is in a world. */
   isEnabled(): boolean {
     return this.enabled;
   }
 
-  /** Whether it does nothing, even in a world. */
+  /** Whether it is disabled: does nothing, even in a world. */
   isDisabled(): boolean {
     return !this.enabled;
   }
 
-  /** Lets the constraint act again, from rest. In a world wakes its bodies. */
+  /** Enables the constraint; it starts without earlier impulses. In a world wakes its bodies. */
   enable(): void {
     if (this.enabled) {
       return;
@@ -241,7 +246,7 @@ export abstract class BaseConstraint {
     }
   }
 
-  /** Stops the constraint from acting; it stays in the world. Wakes its bodies if it was asleep. */
+  /** Disables the constraint; it stays in the world. Wakes its bodies if it was asleep. */
   disable(): void {
     if (!this.enabled) {
       return;
@@ -273,7 +278,10 @@ export abstract class BaseConstraint {
     }
   }
 
-  /** `[jx, jy, jw]` given to a body in the latest step, N·s and N·m·s about its origin; zeros for a body it does not use, and once it is broken. */
+  /**
+   * The impulse `[jx, jy, jw]` that a body received in the latest step, N·s and N·m·s, jw about the body's origin; zeros for a body that
+   * the constraint does not use, and once it is broken.
+   */
   getImpulseForBody(body: RigidBody): Vec3;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst: T): T;
   getImpulseForBody<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec3 {
@@ -292,7 +300,7 @@ export abstract class BaseConstraint {
     return vec3(x, y, w, 'Constraint.getImpulseForBody', dst);
   }
 
-  /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes silently otherwise. */
+  /** Adds a handler. @returns `false` for an unknown type or a handler already present. Otherwise wakes the constraint without an event. */
   addEventListener(eventType: ConstraintEventType, handler: ConstraintHandler): boolean {
     callable('Constraint.addEventListener', 'handler', handler);
     return addListener(this, plainListener(bitOf(eventType, OF_CONSTRAINTS), handler), this);
@@ -314,7 +322,7 @@ export abstract class BaseConstraint {
     }
   }
 
-  /** @internal its error may have other causes than motion now */
+  /** @internal notes that its error may now have other causes than the motion of its bodies */
   touch(): void {
     this.shifted ||= !this.fresh;
     this.fresh = true;
@@ -324,12 +332,12 @@ export abstract class BaseConstraint {
     }
   }
 
-  /** @internal where a member is in the arrays of the constraint's world; 0 for what that world cannot move */
+  /** @internal the slot of a member in the solver's arrays; 0 for what the constraint's world cannot move */
   slotOf(body: RigidBody): number {
     return body.owner === this.owner ? body.slot : 0;
   }
 
-  /** @internal nothing is kept of earlier impulses; when it acts again, whatever its error is, it is as new */
+  /** @internal forgets earlier impulses: when it acts again, whatever its error is, it is as new */
   forget(): void {
     for (const numbers of Object.values(this.fetch())) {
       numbers.fill(0);
@@ -340,7 +348,7 @@ export abstract class BaseConstraint {
     this.shifted = false;
   }
 
-  /** @internal passes what influences the future over a tape; kinds that have more add it */
+  /** @internal writes what influences the future to a tape, or reads it; kinds that have more override it */
   keep(tape: Tape): void {
     this.stiff = tape.flag(this.stiff);
     this.removeOnBreak = tape.flag(this.removeOnBreak);
@@ -368,22 +376,22 @@ export abstract class BaseConstraint {
     tape.list(this.given);
   }
 
-  /** @internal the lower bound, unless it can not be passed anyway */
+  /** @internal the lower bound, or −Infinity where it cannot be passed anyway */
   lowerLimit(): number {
     return this.lower;
   }
 
-  /** @internal a spring */
+  /** @internal whether it is a spring */
   get isElastic(): boolean {
     return this.positional && !this.stiff;
   }
 
-  /** @internal it may give its bodies energy that nobody can reckon: what is rigid, what brakes, and springs do not */
+  /** @internal whether it may give its bodies energy that the solver cannot account for; rigid constraints, brakes and springs do not */
   get drives(): boolean {
     return false;
   }
 
-  /** @internal itself: its classes are all that there are, which only the compiler cannot know here */
+  /** @internal itself as the union of all kinds: there are no others, which the compiler cannot know here */
   private get self(): Constraint {
     return this as unknown as Constraint;
   }
@@ -405,7 +413,7 @@ export abstract class BaseConstraint {
     this.setBounds(where, 'upperBound', this.lower, this.checkedBound(where, 'upperBound', upperBound));
   }
 
-  /** @internal what a single bound has to be */
+  /** @internal checks a single bound */
   protected checkedBound(where: string, name: string, bound: number): number {
     return notNaN(where, name, bound);
   }
@@ -420,7 +428,7 @@ export abstract class BaseConstraint {
   }
 }
 
-/** @internal `name` is the bound to blame if they do not fit. */
+/** @internal throws unless the bounds are in order; `name` is the bound to blame */
 export function checkBounds(where: string, name: string, lower: number, upper: number): void {
   if (lower > FAR) {
     throw rangeError(where, 'lowerBound', `a number of at most ${FAR}`, lower);
@@ -435,10 +443,10 @@ export function checkBounds(where: string, name: string, lower: number, upper: n
   }
 }
 
-/** Asked by its type, as the class itself would be in every bundle that has a world. */
+/** By its type, as naming the class would put it into every bundle that has a world. */
 export function isCustom(constraint: Constraint): constraint is CustomConstraint {
   return constraint.type === 'CUSTOM';
 }
 
-/** For `instanceof`. Constraints are made by `createPointConstraint` and the like. */
+/** The class of all constraints, for `instanceof`. Constraints are made by `createPointConstraint` and the like. */
 export const Constraint = BaseConstraint as unknown as abstract new (...args: never[]) => Constraint;

@@ -11,7 +11,7 @@ import { checkedBody } from './two-body.js';
 export type CustomCallback = (this: CustomConstraint, data: NumberSink & ArrayLike<number>, index: number) => void;
 
 /**
- * Options of `createCustomConstraint`. With D = `dimension` and N = number of bodies; what a callback leaves alone is 0.
+ * Options of `createCustomConstraint`, with D = `dimension` and N = number of bodies. What a callback does not write is 0.
  *
  * Calls in a step: `positionConstants`, `position` (if not stiff), `jacobian`; in each velocity iteration `velocityClamp`; in each position
  * iteration, if stiff and there is a `position`: `positionConstants`, `position`, `jacobian`, `positionClamp`.
@@ -30,30 +30,36 @@ export interface CustomConstraintParams extends ConstraintParams {
   position?: CustomCallback | undefined;
   /** Called before the others, to compute what they share. Default: nothing is. */
   positionConstants?: ((this: CustomConstraint) => void) | undefined;
-  /** Limits the impulse `data[index + d]`, in place: that of the sub-step so far, times their number, as if the whole step were like it. Without it there is no limit but `maxForce`. */
+  /**
+   * Limits the impulse `data[index + d]`, in place: the impulse of this sub-step so far times the number of sub-steps, as if the whole step
+   * were like it. Without it there is no limit but `maxForce`.
+   */
   velocityClamp?: CustomCallback | undefined;
   /** Limits the correction impulse `data[index + d]` of this position iteration, in place. Without it there is no limit. */
   positionClamp?: CustomCallback | undefined;
-  /** What callbacks remember from step to step, if they do: kept with the world by `snapshot`, put back in place by `restore`, part of `hash`. Default: nothing. */
+  /**
+   * The variables that callbacks keep from step to step, if any: `snapshot` saves them with the world, `restore` writes them back in place,
+   * and `hash` includes them. Default: nothing.
+   */
   state?: Float64Array | undefined;
-  /** Draws the constraint, for `Physics2DDebugDraw`. `stiff` is the option of that name. Without it, it is not drawn. */
+  /** Draws the constraint, for `Physics2DDebugDraw`. `stiff` is the option of that name. Without it the constraint is not drawn. */
   debugDraw?: ((this: CustomConstraint, debug: Physics2DDebugDraw, stiff: boolean) => void) | undefined;
 }
 
 type CallbackName = 'position' | 'jacobian' | 'velocityClamp' | 'positionClamp';
 
-/** A constraint given by callbacks: any number of rows and bodies, through the same solver as the built-in kinds. */
+/** A constraint defined by callbacks: any number of rows and bodies, through the same solver as the built-in kinds. */
 export class CustomConstraint extends BaseConstraint {
   /** Tells the kinds apart. */
   readonly type = 'CUSTOM';
-  /** The bodies of the Jacobian's columns. Do not modify. */
+  /** The bodies, in the order of the Jacobian's columns. Do not modify. */
   readonly bodies: readonly RigidBody[];
 
-  /** @internal a callback threw or wrote something that is no number: left out for the rest of the step */
+  /** @internal a callback threw, or wrote what is not a finite number: left out for the rest of the step */
   failed = false;
   /** @internal */
   readonly callbacks: CustomConstraintParams;
-  /** What callbacks see; of this constraint alone, so that a wrong index can do no harm elsewhere. */
+  /** The array that callbacks see; of this constraint alone, so that a wrong index does no harm elsewhere. */
   private readonly data: Float64Array;
 
   /** @internal use `createCustomConstraint` */
@@ -83,7 +89,7 @@ export class CustomConstraint extends BaseConstraint {
     return this.callbacks.debugDraw;
   }
 
-  /** @internal The error is asked for only where it is used: if the constraint is elastic, and in position iterations. */
+  /** @internal The error is only asked for where it is used: if the constraint is elastic, and in position iterations. */
   measure(_pose: Float64Array, out: Float64Array, c: number, j: number, withError: boolean): void {
     const { positionConstants } = this.callbacks;
     if (positionConstants !== undefined) {
@@ -95,12 +101,12 @@ export class CustomConstraint extends BaseConstraint {
     this.call('jacobian', out, j, this.data.length, false);
   }
 
-  /** @internal lets a callback that there is change D numbers in place */
+  /** @internal has a clamp callback, which must exist, change D numbers in place */
   clamp(name: 'velocityClamp' | 'positionClamp', out: Float64Array, at: number): void {
     this.call(name, out, at, this.dimension, true);
   }
 
-  /** @internal nobody knows */
+  /** @internal what callbacks do cannot be known */
   override get drives(): boolean {
     return !this.isElastic;
   }

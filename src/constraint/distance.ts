@@ -3,12 +3,15 @@ import { nonNegativeOrInfinite } from '../validate.js';
 import { Link } from './link.js';
 import { BoundedConstraint, type Bounds, type TwoAnchorParams, takeBounds } from './two-body.js';
 
-/** Options of `createDistanceConstraint`. Bounds in m, `lowerBound` >= 0; both are 0 by default, so give `upperBound` for a rope, and both for a rod. */
+/**
+ * Options of `createDistanceConstraint`. Bounds in m, `lowerBound` >= 0. Both are 0 by default, so give `upperBound` for a rope, and both
+ * for a rod.
+ */
 export interface DistanceConstraintParams extends TwoAnchorParams, Bounds {}
 
 /**
- * The distance of two points of two bodies stays between bounds: a rod, a rope (no lower bound), a spring (not stiff). For a distance
- * of 0 use a point constraint.
+ * Keeps the distance between points of two bodies within bounds: a rod, a rope (no lower bound), a spring (not stiff). For a distance of 0
+ * use a point constraint.
  *
  *     lower ≤ |wB − wA| ≤ upper,   w = x + R(θ) · anchor
  */
@@ -31,7 +34,10 @@ export class DistanceConstraint extends BoundedConstraint {
     return nonNegativeOrInfinite(where, name, bound);
   }
 
-  /** @internal As a body passes the anchor, what the distance comes to in linear terms is below 0: that is no bound to keep. */
+  /**
+   * @internal A lower bound of 0 cannot be passed. As a body swings through the anchor, the distance extrapolated in a straight line is
+   * below 0, and must not be taken for an error.
+   */
   override lowerLimit(): number {
     return this.lower === 0 && this.upper > 0 ? -Infinity : this.lower;
   }

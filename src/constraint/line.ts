@@ -6,17 +6,17 @@ import { BoundedConstraint, type Bounds, type TwoAnchorParams, takeBounds } from
 
 /** Options of `createLineConstraint`: bounds in m, none by default. */
 export interface LineConstraintParams extends TwoAnchorParams, Bounds {
-  /** Direction of the line in body A coordinates, of any length but 0. */
+  /** Direction of the line in the coordinates of body A, of any length but 0. */
   axis: Vec2Like;
 }
 
 /**
- * A point of body B stays on a line of body A, between bounds along it: a slider, a wheel's guide.
+ * Keeps a point of body B on a line of body A, within bounds along it: a slider, a wheel's guide.
  *
  *     C = a × d = 0,   lower ≤ a·d ≤ upper,   a = R(θA) · axis,   d = wB − wA
  *     J = [a.y, −a.x, −arm·a, −a.y, a.x, rB·a;  −a, −arm × a, a, rB × a],   arm = rA + d
  *
- * The line turns with body A, which gets the impulse at B's anchor: so that is where its arm leads.
+ * The line turns with body A, which receives the impulse at B's anchor: so its arm leads there.
  */
 export class LineConstraint extends BoundedConstraint {
   /** Tells the kinds apart. */
@@ -38,14 +38,14 @@ export class LineConstraint extends BoundedConstraint {
     takeBounds(this, where, params, -Infinity, Infinity);
   }
 
-  /** Unit vector in body A coordinates. */
+  /** The direction of the line, a unit vector in the coordinates of body A. */
   getAxis(): Vec2;
   getAxis<T extends NumberSink>(dst: T): T;
   getAxis<T extends NumberSink>(dst?: T): T | Vec2 {
     return vec2(this.axisX, this.axisY, 'LineConstraint.getAxis', dst);
   }
 
-  /** Sets the direction, body A coordinates, of any length; a zero vector is ignored. */
+  /** Sets the direction of the line, in the coordinates of body A, of any length; a zero vector is ignored. Wakes the constraint if changed. */
   setAxis(axis: Vec2Like): void {
     const [x, y, length] = checkedAxis('LineConstraint.setAxis', axis);
     if (length > 0 && (x / length !== this.axisX || y / length !== this.axisY)) {
@@ -93,7 +93,7 @@ export class LineConstraint extends BoundedConstraint {
   }
 }
 
-/** x, y and length of an axis, computed so that it neither overflows nor vanishes. */
+/** An axis scaled so that its length neither overflows nor vanishes, and that length. */
 function checkedAxis(where: string, axis: unknown): [x: number, y: number, length: number] {
   const v = vector(where, 'axis', axis, 2);
   const size = Math.max(Math.abs(v[0]!), Math.abs(v[1]!));

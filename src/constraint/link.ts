@@ -2,19 +2,19 @@ import { MIN_LENGTH } from '../config.js';
 import type { Tape } from '../state/tape.js';
 import { COS, POSE, SIN, X, Y } from './layout.js';
 
-/** The straight line between an anchor of one body and one of another: what a distance has one of and a pulley two. */
+/** The straight line between an anchor on one body and one on another: a distance constraint has one, a pulley two. */
 export class Link {
-  /** Direction when it was last long enough to have one. */
+  /** Its direction when it was last long enough to have one. */
   private nx = 1;
   private ny = 0;
 
-  /** Between the anchors of the members `a` and `b`. */
+  /** `a` and `b`: the indices of the two members, and of their anchors. */
   constructor(
     private readonly a: number,
     private readonly b: number,
   ) {}
 
-  /** Passes what influences the future over a tape. */
+  /** Writes what influences the future to a tape, or reads it. */
   keep(tape: Tape): void {
     this.nx = tape.number(this.nx);
     this.ny = tape.number(this.ny);

@@ -10,7 +10,8 @@ export interface MotorConstraintParams extends RatioParams {
 }
 
 /**
- * Two bodies turn against each other at a rate, as far as `maxForce`, here a torque, can drive them. At a bound of a rigid angle constraint between the same two it rests.
+ * A motor: turns two bodies against each other at a rate, as far as `maxForce`, here a torque, can drive them. At a bound of a rigid angle
+ * constraint between the same two bodies it rests.
  *
  *     ratio · ωB − ωA = rate
  */
@@ -28,7 +29,7 @@ export class MotorConstraint extends RatioConstraint {
     this.positional = false;
   }
 
-  /** The rate that is to be kept, rad/s. */
+  /** The target rate, rad/s. */
   getRate(): number {
     return this.rate;
   }

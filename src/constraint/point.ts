@@ -7,8 +7,9 @@ import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
 export interface PointConstraintParams extends TwoAnchorParams {}
 
 /**
- * A hinge: two points of two bodies coincide, and the bodies turn freely about them. For limits add an angle constraint, to drive it a motor constraint. A second point constraint
- * between the same bodies holds them as a weld does: then the first one is told what keeps the points together, and the second what keeps the angle.
+ * A hinge: holds a point of one body on a point of another, about which both turn freely. For limits add an angle constraint, to drive it a
+ * motor constraint. A second point constraint between the same bodies holds them as a weld does: the first one then reports the impulse
+ * that keeps the points together, and the second the impulse that keeps the angle.
  *
  *     C = wB − wA = 0,   w = x + r,   r = R(θ) · anchor
  *     J = [−1, 0, rA.y, 1, 0, −rB.y;  0, −1, −rA.x, 0, 1, rB.x]
@@ -22,7 +23,7 @@ export class PointConstraint extends AnchoredConstraint {
     super('createPointConstraint', 2, params);
   }
 
-  /** @internal Of two points between the same bodies the second keeps an angle, unless both are in one place: joints are to be listed again. */
+  /** @internal Of two points between the same bodies the second keeps the angle, unless both are in one place: so joints have to be listed again. */
   protected override moved(): void {
     const { owner, bodyA, bodyB } = this;
     if (owner !== null) {
@@ -43,7 +44,7 @@ export function holdsBoth({ members }: Constraint, bodyA: RigidBody, bodyB: Rigi
   return members.includes(bodyA) && members.includes(bodyB);
 }
 
-/** @internal the two rows of "wB = wA" */
+/** @internal the two rows of wB = wA */
 export function pointRows(pose: Float64Array, anchors: Float64Array, out: Float64Array, c: number, j: number): void {
   const cosA = pose[COS]!;
   const sinA = pose[SIN]!;

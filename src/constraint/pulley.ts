@@ -12,22 +12,22 @@ import {
   takeBounds,
 } from './two-body.js';
 
-/** Options of `createPulleyConstraint`. Bounds of both links together, m; both are 0 by default, so give `upperBound`. */
+/** Options of `createPulleyConstraint`. The bounds are of the length of both links together, m; both are 0 by default, so give `upperBound`. */
 export interface PulleyConstraintParams extends TwoAnchorParams, Bounds {
-  /** Where the second link begins; may be bodyB. */
+  /** The body where the second link begins; may be bodyB. */
   bodyC: RigidBody;
-  /** Where the second link ends. */
+  /** The body where the second link ends. */
   bodyD: RigidBody;
   /** Where on body C, in its own coordinates, m. Default `[0, 0]`. */
   anchorC?: Vec2Like | undefined;
   /** Where on body D, likewise. Default `[0, 0]`. */
   anchorD?: Vec2Like | undefined;
-  /** Length of rope that the first link gives for a unit of the second, not 0. Default 1. */
+  /** How much rope the first link gives up for each unit of length that the second one gains, not 0. Default 1. */
   ratio?: number | undefined;
 }
 
 /**
- * A rope from A over B and C to D, as through a tackle: its two links have a length together.
+ * A rope from A over B and C to D, as in a block and tackle: bounds on the length of its two links together.
  *
  *     lower ≤ |wB − wA| + ratio · |wD − wC| ≤ upper,   w = x + R(θ) · anchor
  */
@@ -49,17 +49,17 @@ export class PulleyConstraint extends BoundedConstraint {
     takeBounds(this, where, params, 0, 0);
   }
 
-  /** Where the second link begins. */
+  /** The body where the second link begins. */
   get bodyC(): RigidBody {
     return this.members[2]!;
   }
 
-  /** Where the second link ends. */
+  /** The body where the second link ends. */
   get bodyD(): RigidBody {
     return this.members[3]!;
   }
 
-  /** Body C coordinates, m. */
+  /** The anchor on body C, in its coordinates, m. */
   getAnchorC(): Vec2;
   getAnchorC<T extends NumberSink>(dst: T): T;
   getAnchorC<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -71,7 +71,7 @@ export class PulleyConstraint extends BoundedConstraint {
     this.setAnchor('C', 2, anchor);
   }
 
-  /** Body D coordinates, m. */
+  /** The anchor on body D, in its coordinates, m. */
   getAnchorD(): Vec2;
   getAnchorD<T extends NumberSink>(dst: T): T;
   getAnchorD<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -83,12 +83,12 @@ export class PulleyConstraint extends BoundedConstraint {
     this.setAnchor('D', 3, anchor);
   }
 
-  /** Length of rope that the first link gives for a unit of the second. */
+  /** How much rope the first link gives up for each unit of length that the second one gains. */
   getRatio(): number {
     return this.ratio;
   }
 
-  /** Sets the ratio, not 0. */
+  /** Sets the ratio, not 0. Wakes the constraint if changed. */
   setRatio(ratio: number): void {
     this.changeRatio(ratio);
   }

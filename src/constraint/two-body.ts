@@ -7,39 +7,39 @@ import type { ConstraintParams } from './params.js';
 
 /** Options of constraints between two bodies. */
 export interface TwoBodyParams extends ConstraintParams {
-  /** The first body. A static one may be in no world: it holds the other in place. */
+  /** The first body. A static one need not be in a world: it holds the other in place all the same. */
   bodyA: RigidBody;
-  /** The second body, likewise. If it is bodyA again, the constraint does nothing. */
+  /** The second body, likewise. If it is bodyA, the constraint does nothing. */
   bodyB: RigidBody;
 }
 
-/** Options of constraints of the rotations of two bodies. */
+/** Options of constraints on the rotations of two bodies. */
 export interface RatioParams extends TwoBodyParams {
-  /** Turns of body A for one of body B, not 0; negative for gears that mesh, which turn opposite ways. Default 1. */
+  /** Turns of body A for one turn of body B, not 0; negative for gears that mesh, which turn in opposite directions. Default 1. */
   ratio?: number | undefined;
 }
 
 /** Options of constraints between points of two bodies. */
 export interface TwoAnchorParams extends TwoBodyParams {
-  /** Where on body A, in its own coordinates, m: of a point in the world `bodyA.transformWorldPointToLocal(point)`. Default `[0, 0]`. */
+  /** Where on body A, in its own coordinates, m; for a point in the world use `bodyA.transformWorldPointToLocal(point)`. Default `[0, 0]`. */
   anchorA?: Vec2Like | undefined;
   /** Where on body B, likewise. Default `[0, 0]`. */
   anchorB?: Vec2Like | undefined;
 }
 
-/** Between which values what is constrained may be. */
+/** The range of a constrained value. */
 export interface Bounds {
-  /** The least value, not above `upperBound`; −`Infinity` for none. If both are equal the value is fixed. */
+  /** The lower limit, not above `upperBound`; −`Infinity` for none. If both are equal, the value is fixed. */
   lowerBound?: number | undefined;
-  /** The greatest value; `Infinity` for none. */
+  /** The upper limit; `Infinity` for none. */
   upperBound?: number | undefined;
 }
 
 const ORIGIN: Vec2Like = [0, 0];
 
-/** A constraint between two bodies. They cannot be changed later. */
+/** A constraint between two bodies, which cannot be changed later. */
 export abstract class TwoBodyConstraint extends BaseConstraint {
-  /** @internal of the kinds that have one */
+  /** @internal for the kinds that have one; else 1 */
   ratio = 1;
 
   /** @internal */
@@ -74,7 +74,7 @@ export abstract class TwoBodyConstraint extends BaseConstraint {
   }
 }
 
-/** A constraint of the rotations of two bodies, as of two gears. */
+/** A constraint on the rotations of two bodies, such as two gears. */
 export abstract class RatioConstraint extends TwoBodyConstraint {
   /** @internal */
   constructor(where: string, params: RatioParams) {
@@ -82,12 +82,12 @@ export abstract class RatioConstraint extends TwoBodyConstraint {
     this.ratio = checkedRatio(where, optional(params.ratio, 1));
   }
 
-  /** Turns of body A for one of body B. */
+  /** Turns of body A for one turn of body B. */
   getRatio(): number {
     return this.ratio;
   }
 
-  /** Sets the ratio, not 0. */
+  /** Sets the ratio, not 0. Wakes the constraint if changed. */
   setRatio(ratio: number): void {
     this.changeRatio(ratio);
   }
@@ -146,12 +146,12 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
     }
   }
 
-  /** @internal an option of the constructor */
+  /** @internal takes an anchor from the options */
   protected takeAnchor(where: string, name: string, k: number, anchor: Vec2Like | undefined): void {
     this.putAnchor(k, vector(where, name, optional(anchor, ORIGIN), 2));
   }
 
-  /** @internal an anchor lies elsewhere than when joints were listed */
+  /** @internal called when an anchor has been moved */
   protected moved(): void {}
 
   /** @internal */
@@ -161,14 +161,14 @@ export abstract class AnchoredConstraint extends TwoBodyConstraint {
   }
 }
 
-/** An anchored constraint that keeps a length, or a length along a line, between bounds. */
+/** An anchored constraint that keeps a length, or a position along a line, within bounds. */
 export abstract class BoundedConstraint extends AnchoredConstraint {
   /** The least length, m. */
   getLowerBound(): number {
     return this.lower;
   }
 
-  /** Sets the least length, m: not above the upper bound; of a distance not below 0. Wakes the constraint if changed. */
+  /** Sets the least length, m: not above the upper bound, and for a distance constraint not below 0. Wakes the constraint if changed. */
   setLowerBound(lowerBound: number): void {
     this.setLower(lowerBound);
   }
@@ -197,7 +197,7 @@ export function checkedRatio(where: string, ratio: unknown): number {
   return ratio as number;
 }
 
-/** @internal puts the bounds given, or the defaults, into a constraint under construction */
+/** @internal sets the bounds of a constraint under construction: those given, or the defaults */
 export function takeBounds(
   constraint: BaseConstraint,
   where: string,

@@ -7,13 +7,13 @@ import { AnchoredConstraint, type TwoAnchorParams } from './two-body.js';
 
 /** Options of `createWeldConstraint`. */
 export interface WeldConstraintParams extends TwoAnchorParams {
-  /** Rotation of body B less that of body A, rad, not wrapped. Default 0. */
+  /** The rotation of body B minus that of body A, rad, not wrapped. Default 0. */
   phase?: number | undefined;
 }
 
 /**
- * Two points of two bodies coincide, and the bodies keep their angle to each other. Rotations are not wrapped: a body that has turned
- * by 2π is 2π away.
+ * Holds a point of one body on a point of another, and the angle between the bodies. Rotations are not wrapped: a body that has turned by
+ * 2π is 2π away.
  *
  *     C = (wB − wA, θB − θA − phase) = 0,   w = x + R(θ) · anchor
  */
@@ -29,12 +29,12 @@ export class WeldConstraint extends AnchoredConstraint {
     this.phase = within('createWeldConstraint', 'phase', optional(params.phase, 0), FAR);
   }
 
-  /** rad. */
+  /** The angle that the bodies keep, rad. */
   getPhase(): number {
     return this.phase;
   }
 
-  /** Sets the angle that the bodies keep, rad. */
+  /** Sets the angle that the bodies keep, rad. Wakes the constraint if changed. */
   setPhase(phase: number): void {
     within('WeldConstraint.setPhase', 'phase', phase, FAR);
     if (phase !== this.phase) {
