@@ -1,16 +1,16 @@
-/** Numbers in one slab. */
+/** How many numbers a slab has. */
 const SLAB = 8192;
 
 /**
- * Room for numbers that lie side by side, as they are walked through: what the engine has thousands of would take three times as much memory, and wait for
- * it, with a buffer each. A slab is freed when nothing in it is used any more.
+ * Allots room for numbers side by side, in the order in which they are walked through. With a buffer for each, the thousands of objects of
+ * the engine would take three times the memory, and time to wait for it. A slab is freed when nothing in it is used any more.
  */
 export class Slab {
-  /** The one that was taken of last. */
+  /** The slab that `take` last allotted from. */
   numbers = new Float64Array(0);
   private end = 0;
 
-  /** Takes room for so many numbers, zero. @returns where it begins in `numbers`. */
+  /** Allots `count` numbers, all 0. @returns where they begin in `numbers`. */
   take(count: number): number {
     if (this.end + count > this.numbers.length) {
       this.numbers = new Float64Array(Math.max(count, SLAB));
@@ -24,7 +24,7 @@ export class Slab {
 
 const slab = /* @__PURE__ */ new Slab();
 
-/** Some numbers, zero: a part of a slab, unless they are many. */
+/** An array of `count` numbers, all 0: a part of a slab, unless they are many. */
 export function doubles(count: number): Float64Array {
   if (count > SLAB / 64) {
     return new Float64Array(count);
@@ -33,12 +33,12 @@ export function doubles(count: number): Float64Array {
   return slab.numbers.subarray(start, start + count);
 }
 
-/** How many to make room for where there were so many: half as many again, as of twice as many a third is empty on the average. */
+/** The capacity to grow to from `count`: half as many again, as with twice as many a third would be empty on average. */
 export function grown(count: number): number {
   return Math.ceil(1.5 * count);
 }
 
-/** The contents of a typed array in a longer one. */
+/** Copies a typed array to the start of a longer one, and returns that. */
 export function widened<A extends Float64Array | Int32Array | Uint8Array>(from: A, to: A): A {
   to.set(from);
   return to;

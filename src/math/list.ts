@@ -1,4 +1,7 @@
-/** A list that is filled and emptied in each step. What lies beyond the count is old: shortening an array would cost its storage. */
+/**
+ * A list that is filled and emptied in each step. Its array is not shortened, which would give the memory back: what lies beyond the count
+ * is old.
+ */
 export class List<T> {
   readonly items: T[] = [];
   count = 0;
@@ -19,25 +22,25 @@ export class List<T> {
     this.count = 0;
   }
 
-  /** Lets go of what is old. */
+  /** Lets go of what lies beyond the count, so that it can be collected. */
   release(): void {
     release(this.items, this.count);
   }
 }
 
-/** Lets go of what lies in a list from some place on, and is for later: nothing reads it. */
+/** Overwrites what lies in a list from an index on and is not read any more, so that it can be collected. */
 export function release(items: unknown[], from: number): void {
   items.fill(null, from);
 }
 
-/** Empties a list that will soon be as long again: setting its length would give its memory back. */
+/** Empties a list that will soon be as long again: setting its length to 0 would give its memory back. */
 export function drop(list: unknown[]): void {
   while (list.length > 0) {
     list.pop();
   }
 }
 
-/** Takes an entry out of a list whose order does not matter. @returns the last one, which takes its place; `null` if it was that itself. */
+/** Removes an entry from a list whose order does not matter. @returns the last entry, which takes its place; `null` if it was itself the last. */
 export function takeOut<T>(list: T[], at: number): T | null {
   const last = list.pop()!;
   if (at === list.length) {

@@ -1,6 +1,6 @@
-// Union–find: `parent` leads from each number to another one of its set, in the end to the one that stands for the set, which leads to itself.
+// Union–find: `parent` links each number to another one of its set, and in the end to the root, which represents the set and links to itself.
 
-/** The one that stands for the set of a number, halving the way on the way (Tarjan & van Leeuwen 1984). */
+/** The root of a number's set. Halves the path on the way (Tarjan & van Leeuwen 1984). */
 export function rootOf(parent: Int32Array, number: number): number {
   let root = number;
   while (parent[root] !== root) {
@@ -10,7 +10,7 @@ export function rootOf(parent: Int32Array, number: number): number {
   return root;
 }
 
-/** Makes one set of those of two numbers. The lowest number of a set stands for it. */
+/** Unites the sets of two numbers. The lowest number of a set is its root. */
 export function unite(parent: Int32Array, a: number, b: number): void {
   const rootA = rootOf(parent, a);
   const rootB = rootOf(parent, b);

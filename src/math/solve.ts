@@ -1,6 +1,6 @@
 /**
- * Symmetric systems of equations K x = r with K = L·D·Lᵀ, in place: after `factor` the diagonal holds D⁻¹ and what is below it L. K may be
- * singular: an unknown whose pivot is (nearly) zero depends on those before it, or is not there at all, and gets 0.
+ * Symmetric systems of equations K x = r, by K = L·D·Lᵀ in place: after `factor` the diagonal holds D⁻¹, and the lower triangle L. K may be
+ * singular: an unknown whose pivot is (nearly) zero depends on those before it, or has no effect at all, and gets 0.
  */
 
 /** A pivot below this share of its diagonal element is rounding noise. */
@@ -30,7 +30,7 @@ export function factor(k: Float64Array, at: number, n: number, least: number): v
   }
 }
 
-/** r → D⁻¹·L⁻¹·r, in place. Of this the last number is already that of the solution. */
+/** r → D⁻¹·L⁻¹·r, in place. The last number is then that of the solution already. */
 export function forward(k: Float64Array, at: number, n: number, x: Float64Array, from: number): void {
   for (let i = 1; i < n; i += 1) {
     let r = x[from + i]!;

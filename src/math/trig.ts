@@ -17,12 +17,12 @@ const REDUCIBLE = 1e6;
 const ROUNDING = 6755399441055744;
 
 /**
- * Cosine and sine of the angle `to[0]` in radians, to `to[1]` and `to[2]`; an array, so that no number is boxed on the way.
+ * Writes cosine and sine of the angle `to[0]`, rad, to `to[1]` and `to[2]`; an array, so that no number is boxed on the way.
  *
  * The angle is taken modulo π/2 with a remainder r, |r| ≤ π/4, and the rounding of r in a tail (Cody & Waite, Software Manual for the
- * Elementary Functions, 1980); then the Taylor series of both. Relative error below 2.4e-16 for angles up to 1e6, measured at the
- * doubles next to all multiples of π/2 too. Beyond, the angle counts modulo 2π rounded to a double: an absolute error of about
- * 4e-17 times the angle, so from 1e17 on only the range [−1, 1] is left. Not-finite angles give NaN.
+ * Elementary Functions, 1980); then the Taylor series of both. The relative error is below 2.4e-16 for angles up to 1e6, measured at the
+ * doubles next to all multiples of π/2, too. Beyond, the angle is taken modulo 2π rounded to a double: the absolute error is about 4e-17
+ * times the angle, so that from 1e17 on only the range [−1, 1] is left. Angles that are not finite give NaN.
  */
 export function cosSin(to: Float64Array): void {
   const angle = to[0]!;
@@ -72,7 +72,7 @@ const PI = Math.PI;
 const PI_TAIL = 1.2246467991473532e-16;
 const HALF_PI = 1.5707963267948966;
 
-/** atan(j / 8), rounded, and what the rounding left. */
+/** atan(j / 8), rounded, and the remainders of that rounding. */
 const ATAN = [
   0, 0.12435499454676144, 0.24497866312686414, 0.35877067027057225, 0.4636476090008061, 0.5585993153435624,
   0.6435011087932844, 0.7188299996216245, 0.7853981633974483,
@@ -162,13 +162,13 @@ function powerOfTwo(k: number): number {
   return word.getFloat64(0);
 }
 
-/** Natural logarithm of a positive finite number, as value + tail in `logarithm`; the tail is but the rounding of the value. */
+/** The result of `log`: value + tail, where the tail is only the rounding error of the value. */
 const logarithm = { value: 0.5, tail: 0.5 };
 
 /**
- * x = 2^k · m with m in [√½, √2); ln m = 2·atanh(f/(2 + f)), f = m − 1 (Muller, Elementary Functions, 2016). The quotient is carried with
- * its remainder, so that the leading term 2s is exact to twice the digits. |2s| < 0.35 < |k ln 2| unless k = 0, so what the sum of the two
- * leaves is found exactly by taking the larger off first.
+ * Writes the natural logarithm of a positive finite number to `logarithm`. x = 2^k · m with m in [√½, √2); ln m = 2·atanh(f/(2 + f)), f = m
+ * − 1 (Muller, Elementary Functions, 2016). The quotient is carried with its remainder, so that the leading term 2s is exact to twice the
+ * digits. |2s| < 0.35 < |k ln 2| unless k = 0, so the rounding error of their sum is found exactly by subtracting the larger one first.
  */
 function log(x: number): void {
   const subnormal = x < 2.2250738585072014e-308;
@@ -230,8 +230,8 @@ function exp(x: number, tail: number): number {
 /**
  * base to the power of exponent, for base ≥ 0 and finite exponents; NaN for a negative base.
  *
- * e^(exponent · ln base), the logarithm and the product each carried with what rounding left of it (Dekker 1971). Relative error below
- * 2e-16 while |exponent · ln base| ≤ 8, 1e-14 up to the ends of the doubles; too large gives Infinity, too small 0.
+ * e^(exponent · ln base), where the logarithm and the product are each carried with their rounding errors (Dekker 1971). The relative error
+ * is below 2e-16 while |exponent · ln base| ≤ 8, and 1e-14 up to the ends of the range of doubles; too large gives Infinity, too small 0.
  */
 export function pow(base: number, exponent: number): number {
   if (exponent === 0) {

@@ -14,9 +14,9 @@ export type Matrix23Like = ArrayLike<number>;
 
 /** The points origin + direction · f, 0 ≤ f < maxFactor. */
 export interface Ray {
-  /** World coordinates, m. */
+  /** Where the ray starts, in world coordinates, m. */
   origin: Vec2Like;
-  /** Need not be a unit vector; must not be zero. */
+  /** Its direction; need not be a unit vector, must not be zero. */
   direction: Vec2Like;
   /** How far the ray goes, in lengths of `direction`; may be `Infinity`. */
   maxFactor: number;
@@ -27,14 +27,14 @@ export interface NumberSink {
   [index: number]: number;
 }
 
-/** A vector as getters create it: `[x, y]`. */
+/** A vector as getters return it: `[x, y]`. */
 export type Vec2 = [number, number];
-/** Three numbers as getters create them, such as `[x, y, angular]`. */
+/** Three numbers as getters return them, such as `[x, y, angular]`. */
 export type Vec3 = [number, number, number];
-/** A rectangle as getters create it: `[minX, minY, maxX, maxY]`, m. */
+/** A rectangle as getters return it: `[minX, minY, maxX, maxY]`, m. */
 export type Rect = [number, number, number, number];
 
-/** Stores two numbers into `dst` and returns it; without `dst` makes a new array. `where` is the function to name in errors. */
+/** Writes two numbers to `dst` and returns it; without `dst`, returns a new array. `where` is the function to name in errors. */
 export function vec2<T extends NumberSink>(x: number, y: number, where: string, dst: T | undefined): T | Vec2 {
   if (dst === undefined) {
     return [x, y];
@@ -49,7 +49,7 @@ export function vec2<T extends NumberSink>(x: number, y: number, where: string, 
   return dst;
 }
 
-/** Stores three numbers into `dst` and returns it; without `dst` makes a new array. */
+/** Writes three numbers to `dst` and returns it; without `dst`, returns a new array. `where` is the function to name in errors. */
 export function vec3<T extends NumberSink>(
   x: number,
   y: number,

@@ -7,25 +7,25 @@ import { options, positive, vector, within } from '../validate.js';
 import { BaseShape, type ShapeParams } from './shape.js';
 import { CIRCLE } from './shape-kind.js';
 
-/** How far the determinant of a turn may be from 1 by rounding. */
+/** By how much the determinant of a rotation may differ from 1 by rounding. */
 const ROUNDING = 1e-15;
 
 /** Options of `createCircleShape`. */
 export interface CircleParams extends ShapeParams {
-  /** m, > 0, at most 1e75. */
+  /** Radius, m, > 0, at most 1e75. */
   radius: number;
-  /** Centre in body coordinates, m, each at most 1e75. Default `[0, 0]`. */
+  /** Centre in body coordinates, m, each coordinate at most 1e75. Default `[0, 0]`. */
   origin?: Vec2Like | undefined;
 }
 
-/** A disc. */
+/** A circle: a solid disc. */
 export class Circle extends BaseShape {
   /** Of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }
 
-  /** Tells circles from polygons. */
+  /** The kind of shape. */
   readonly type = 'CIRCLE';
 
   /** @internal */
@@ -47,7 +47,7 @@ export class Circle extends BaseShape {
     this.originY = origin[1]!;
   }
 
-  /** m. */
+  /** The radius, m. */
   getRadius(): number {
     return this.radius;
   }
@@ -62,7 +62,7 @@ export class Circle extends BaseShape {
     this.geometryChanged();
   }
 
-  /** Centre in body coordinates, m. */
+  /** The centre in body coordinates, m. */
   getOrigin(): Vec2;
   getOrigin<T extends NumberSink>(dst: T): T;
   getOrigin<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -135,7 +135,7 @@ export class Circle extends BaseShape {
   protected override mapGeometry(m: ArrayLike<number>): boolean {
     const { originX, originY } = this;
     const area = m[0]! * m[3]! - m[2]! * m[1]!;
-    // Of a turn it is 1: what rounding makes of it would add up.
+    // Of a rotation it is 1: what rounding makes of it would add up over many.
     const radius = this.radius * (Math.abs(area - 1) < ROUNDING ? 1 : Math.sqrt(area));
     const x = m[0]! * originX + m[2]! * originY + m[4]!;
     const y = m[1]! * originX + m[3]! * originY + m[5]!;

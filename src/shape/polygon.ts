@@ -13,25 +13,25 @@ import { POLYGON } from './shape-kind.js';
 /** Options of `createPolygonShape`. */
 export interface PolygonParams extends ShapeParams {
   /**
-   * At least three distinct corners of a convex polygon in body coordinates, m, each at most 1e75. Clockwise on screen; counter-clockwise
-   * input is reversed, corners inside an edge are dropped. Copied.
+   * At least three distinct corners of a convex polygon in body coordinates, m, each coordinate at most 1e75. Clockwise on screen;
+   * counter-clockwise input is reversed, corners inside an edge are dropped. Copied.
    */
   vertices: ArrayLike<Vec2Like>;
 }
 
-/** What equal polygons share, and never write to. */
+/** The geometry of a polygon: shared by equal polygons, and never written to. */
 interface Form {
   /** Corners in body coordinates, [x, y] each, clockwise. */
   readonly vertices: Float64Array;
   /** [x, y, nx, ny] per corner, body coordinates. */
   readonly localEdges: Float64Array;
-  /** n · p of each edge; a turn does not change it. */
+  /** n · p of each edge; the same however the body is turned. */
   readonly offsets: Float64Array;
-  /** m. Half of the least width. */
+  /** Half of the least width, m. */
   readonly halfWidth: number;
 }
 
-/** The form that was asked for last: polygons are often made many alike. */
+/** The last form that was asked for: polygons are often made many alike. */
 let latest: Form | null = null;
 
 function formOf(corners: ArrayLike<number>): Form {
@@ -41,7 +41,7 @@ function formOf(corners: ArrayLike<number>): Form {
   return latest;
 }
 
-/** To the bit: nothing may depend on which polygons there are besides. */
+/** Compared to the bit: no result may depend on which other polygons there are. */
 function isSame(a: Float64Array, b: ArrayLike<number>): boolean {
   let i = 0;
   while (i < a.length && Object.is(a[i], b[i])) {
@@ -95,7 +95,7 @@ export class Polygon extends BaseShape {
     return 1;
   }
 
-  /** Tells polygons from circles. */
+  /** The kind of shape. */
   readonly type = 'POLYGON';
 
   /** @internal */
@@ -128,13 +128,13 @@ export class Polygon extends BaseShape {
     return this.form.localEdges;
   }
 
-  /** The corners in body coordinates, m, clockwise on screen. `body.transformLocalPointToWorld` tells where one is. */
+  /** The corners in body coordinates, m, clockwise on screen. `body.transformLocalPointToWorld` gives their places in the world. */
   getVertices(): Vec2[] {
     const { vertices } = this;
     return Array.from({ length: vertices.length / 2 }, (_, i) => [vertices[2 * i]!, vertices[2 * i + 1]!]);
   }
 
-  /** Replaces the corners; as `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
+  /** Replaces the corners, with the rules of `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
   setVertices(vertices: ArrayLike<Vec2Like>): void {
     const checked = convexVertices('Polygon.setVertices', 'vertices', vertices);
     if (!this.isLocked()) {
@@ -171,7 +171,7 @@ export class Polygon extends BaseShape {
   }
 
   override clone(): this {
-    // Its own corners are not asked for again: stretched, they may be no more what is asked of a new one.
+    // Its own corners are not checked again: after scaling they might no longer pass as those of a new polygon.
     const copy = new Polygon({ ...this.commonParams(), vertices: createBoxVertices(1, 1) });
     copy.takeVertices(this.vertices);
     return copy as this;

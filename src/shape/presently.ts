@@ -4,7 +4,7 @@ import { instance, typeError } from '../validate.js';
 import { Shape } from './shape.js';
 import { POLYGON } from './shape-kind.js';
 
-/** The body of a shape that has to have one. */
+/** The body of a shape. Throws if the argument is not a shape or has no body. */
 export function bodyOf(where: string, name: string, shape: Shape): RigidBody {
   const body = instance(where, name, shape, Shape, 'a Shape').owner;
   if (body === null) {
@@ -14,8 +14,8 @@ export function bodyOf(where: string, name: string, shape: Shape): RigidBody {
 }
 
 /**
- * Asks something about a shape where its body is now. In a step the shape is put back after that: there the solver needs it where the step began, or
- * where something met it, and who looks must not change what comes.
+ * Calls `ask` with a shape placed where its body is now. Within a step the shape is put back afterwards: the solver needs it where the step
+ * began, or where something hit it, and a query must not change what follows.
  */
 export function presently<T>(shape: Shape, ask: () => T): T {
   const body = shape.owner!;
@@ -37,7 +37,7 @@ export function presently<T>(shape: Shape, ask: () => T): T {
   return answer;
 }
 
-/** [minX, minY, maxX, maxY], likewise. */
+/** The bounds [minX, minY, maxX, maxY] of a shape where its body is now. */
 export function presentBounds(shape: Shape): Float64Array {
   const { numbers, at } = shape;
   return presently(shape, () => numbers.slice(at, at + 4));

@@ -19,44 +19,47 @@ import { CIRCLE, type POLYGON } from './shape-kind.js';
 /** Called with `this` = the shape that the handler was added to. */
 export type ShapeHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape) => void;
 
-/** Called as a `ShapeHandler`, and told how the collision began. */
+/** As a `ShapeHandler`, also given how the collision began. */
 export type HitHandler = (this: Shape, arbiter: Arbiter, otherShape: Shape, hit: Hit) => void;
 
-/** The events of a shape, and what their handlers are. */
+/** The events of a shape, and the types of their handlers. */
 export interface ShapeEvents {
   /** Two shapes touch for the first time, or again. */
   begin: ShapeHandler;
-  /** They touch in another step, and are awake. */
+  /** They still touch in another step, and are awake. */
   progress: ShapeHandler;
-  /** They do not touch any more, or one of them is gone. */
+  /** They no longer touch, or one of them is gone. */
   end: ShapeHandler;
-  /** They are about to collide; the handler may refuse. Called within the step. */
+  /** They are about to collide; the handler may reject that. Called within the step. */
   preSolve: ShapeHandler;
   /** A collision has begun. */
   hit: HitHandler;
 }
 
-/** What shapes tell their listeners. */
+/** The types of events of a shape. */
 export type ShapeEventType = keyof ShapeEvents;
 
 /** Options that circles and polygons share. */
 export interface ShapeParams {
   /** Reports overlaps and takes part in no collision. Default `false`. */
   sensor?: boolean | undefined;
-  /** Default: the default material. */
+  /** What it is made of. Default: the default material. */
   material?: Material | undefined;
-  /** Bits that say what this shape is. Default 1. */
+  /** The groups that this shape is in, as bits. Default 1. */
   group?: number | undefined;
-  /** Bits of the groups that this shape meets: two shapes meet if each one's `group` has a bit in the other's `mask`. Default 0xffffffff. */
+  /**
+   * The groups that this shape meets, as bits: two shapes meet if the `group` of each has a bit in common with the `mask` of the other.
+   * Default 0xffffffff.
+   */
   mask?: number | undefined;
   /** Anything of yours. Default `null`. */
   userData?: UserDataOf<'shape'> | undefined;
 }
 
-/** A circle or a polygon: where `shape.type === 'CIRCLE'` it is the former, and has a radius. */
+/** A circle or a polygon. Where `shape.type === 'CIRCLE'`, it is a {@link Circle} and has a radius. */
 export type Shape = Circle | Polygon;
 
-/** @internal kernels are looked up by `kind` */
+/** @internal the values of `kind` */
 export type ShapeKind = typeof CIRCLE | typeof POLYGON;
 
 let nextId = 0;
@@ -65,47 +68,50 @@ let nextId = 0;
 const slab = /* @__PURE__ */ new Slab();
 
 /**
- * A convex piece of a body: where it collides, what it is made of, what it meets. Coordinates are those of the body.
- * After every change of geometry or material the body's mass and inertia follow, unless they were given.
+ * A convex piece of a body: its geometry, material and collision filter. Coordinates are those of the body. After every change of geometry
+ * or material the mass and inertia of the body follow, unless they were given.
  */
 export abstract class BaseShape {
-  // What steps ask of thousands comes first, side by side in memory: they wait for every line of it.
+  // What steps read of thousands of shapes comes first, side by side in memory: they wait for every cache line.
 
   /** @internal */
   owner: RigidBody | null = null;
-  /** @internal where its numbers begin in a slab: what follows the placement of the body, see `geometry/layout.ts` */
+  /** @internal where its numbers begin in the slab: all that depends on the placement of the body, see `geometry/layout.ts` */
   at = 0;
-  /** @internal the slab */
+  /** @internal the slab that holds them */
   numbers: Float64Array = slab.numbers;
-  /** Tells what passes, and collides with nothing. */
+  /** Whether it is a sensor: reports overlaps and collides with nothing. */
   readonly sensor: boolean = false;
-  /** @internal of 32 bits with a sign, as it is compared */
+  /** @internal as a signed 32-bit integer, for comparisons */
   group = 0;
   /** @internal */
   mask = 0;
-  /** @internal m. How far the surface is from the corners: that of a circle from its centre, 0 of a polygon. Both have it, as what may be missing is boxed */
+  /**
+   * @internal m. How far the surface is from the corners: for a circle its radius, for a polygon 0. Both have the field, as one that may be
+   * missing is boxed
+   */
   radius = 0;
   /** @internal */
   handle: BroadphaseHandle | null = null;
-  /** @internal the first of the pairs with the static and kinematic shapes that this one, if dynamic, lies on or near */
+  /** @internal if dynamic: the first of its pairs with the static and kinematic shapes that it lies on or near */
   grounds: Arbiter | null = null;
-  /** @internal the step in which they were found */
+  /** @internal the step in which these were found */
   groundStamp = -1;
-  /** Grows with creation order, unique in the program. The lower id of a pair is `shapeA`. */
+  /** A number that grows in the order of creation, unique in the program. The shape of a pair with the lower id is `shapeA`. */
   readonly id: number = nextId;
-  /** Arbiters of the interactions this shape takes part in, or did within the last 30 steps. Do not modify. */
+  /** The arbiters of interactions that this shape takes part in, or did within the last 30 steps. Do not modify. */
   readonly arbiters: Arbiter[] = [];
   /** @internal */
   listeners: Listeners<HitHandler> = NO_LISTENERS;
-  /** @internal others that it may be paired with, while the broadphase reports: see `Crowd` */
+  /** @internal while the broadphase reports: shapes that it may be paired with, see `Crowd` */
   partners: List<Shape> | null = null;
-  /** @internal when it came into its world; grows with each body, shape and constraint. Keeps its name */
+  /** @internal rank in the order in which bodies, shapes and constraints came into their worlds. Keeps its name */
   order = 0;
   /** @internal the last step before it came into its world */
   entered = -1;
-  /** @internal the body that it was on last, for whoever is told that an interaction ended by that */
+  /** @internal the last body it was on, for the `end` events of its removal */
   former: RigidBody | null = null;
-  /** @internal its place while the state of the world is walked over */
+  /** @internal its index while the state of the world is walked over */
   stateIndex = 0;
   /** @internal */
   material: Material;
@@ -134,7 +140,7 @@ export abstract class BaseShape {
     nextId += 1;
   }
 
-  /** @internal takes room for another count of numbers */
+  /** @internal allots a number of numbers in the slab */
   protected resize(count: number): void {
     this.at = slab.take(count);
     this.numbers = slab.numbers;
@@ -145,27 +151,30 @@ export abstract class BaseShape {
     return this.owner;
   }
 
-  /** Bits that the masks of others are compared with. */
+  /** The groups that this shape is in, as bits. */
   getGroup(): number {
     return this.group >>> 0;
   }
 
-  /** Sets the bits that say what this shape is. Wakes the body; if that is static, what rests on it; and what sleeps in a sensor. */
+  /** Sets the groups that this shape is in, as bits. Wakes the body; if that is static, also what rests on it; and what sleeps in a sensor. */
   setGroup(group: number): void {
     this.changeFilter(bits('Shape.setGroup', 'group', group) | 0, this.mask);
   }
 
-  /** Which groups it meets. */
+  /** The groups that this shape meets, as bits. */
   getMask(): number {
     return this.mask >>> 0;
   }
 
-  /** Sets the bits of the groups that this shape meets. Wakes as `setGroup` does. */
+  /** Sets the groups that this shape meets, as bits. Wakes as `setGroup` does. */
   setMask(mask: number): void {
     this.changeFilter(this.group, bits('Shape.setMask', 'mask', mask) | 0);
   }
 
-  /** What sleeps in a sensor, or where a collision was rejected, wakes as what rests on it, so that it is told that this is over. */
+  /**
+   * What sleeps in a sensor, or in a collision that was rejected, is woken like what rests on the shape, so that it gets its `end` event if
+   * the interaction is over.
+   */
   private changeFilter(group: number, mask: number): void {
     const isOther = this.setFilter(group, mask);
     this.owner?.rouse();
@@ -174,7 +183,7 @@ export abstract class BaseShape {
     }
   }
 
-  /** @internal sets both, of 32 bits with a sign; in a world pairs that were left out for them may interact now. @returns whether they are others */
+  /** @internal sets both, as signed 32-bit integers; in a world, pairs that the filters left out may interact now. @returns whether they changed */
   setFilter(group: number, mask: number): boolean {
     const isOther = group !== this.group || mask !== this.mask;
     const world = this.handle !== null && isOther ? this.owner!.owner! : null;
@@ -185,12 +194,12 @@ export abstract class BaseShape {
     return isOther;
   }
 
-  /** What it is made of. */
+  /** The material. */
   getMaterial(): Material {
     return this.material;
   }
 
-  /** Replaces the material; running contacts follow. Wakes the body if it is another one. */
+  /** Replaces the material; present contacts change with it. Wakes the body if it is another one. */
   setMaterial(material: Material): void {
     instance('Shape.setMaterial', 'material', material, Material, 'a Material');
     if (material === this.material) {
@@ -204,24 +213,25 @@ export abstract class BaseShape {
     this.owner?.rouse();
   }
 
-  /** Area, m². */
+  /** The area, m². */
   abstract computeArea(): number;
 
-  /** Second moment of area about the body origin, over the area, m². */
+  /** The second moment of area about the body origin divided by the area, m². */
   abstract computeMasslessInertia(): number;
 
-  /** Centre of area in body coordinates, m. */
+  /** The centroid in body coordinates, m. */
   abstract computeCenterOfMass(): Vec2;
   abstract computeCenterOfMass<T extends NumberSink>(dst: T): T;
 
-  /** An equal shape with a new id, the same `userData`, no body and no listeners. */
+  /** A copy with a new id and the same `userData`, without body and listeners. */
   abstract clone(): this;
 
   /**
-   * Scales about the body origin. A circle uses `scaleX` alone. Nothing happens for factors ≤ 0, during a step, or for a
-   * static body in a world. Wakes the body.
+   * Scales the shape about the body origin. A circle uses `scaleX` alone. Ignored for factors ≤ 0, during a step, and for a static body in
+   * a world. Wakes the body.
    *
-   * @throws RangeError, as `translate`, `rotate` and `transform`, if corners would coincide, no area were left, or a corner were farther than 1e75 m from the body origin.
+   * @throws RangeError, as do `translate`, `rotate` and `transform`, if corners would coincide, no area would be left, or a corner would be
+   * farther than 1e75 m from the body origin.
    */
   scale(scaleX: number, scaleY: number = scaleX): void {
     finite('Shape.scale', 'scaleX', scaleX);
@@ -230,7 +240,7 @@ export abstract class BaseShape {
       return;
     }
     const other = this.type === 'POLYGON' ? scaleY : scaleX;
-    // The one that does more is to blame.
+    // Blame the factor that changes more.
     const isOther = Math.max(other, 1 / other) > Math.max(scaleX, 1 / scaleX);
     this.map('Shape.scale', isOther ? 'scaleY' : 'scaleX', isOther ? other : scaleX, [scaleX, 0, 0, other, 0, 0]);
   }
@@ -244,12 +254,12 @@ export abstract class BaseShape {
     this.map('Shape.translate', 'translation', translation, [1, 0, 0, 1, translation[0]!, translation[1]!]);
   }
 
-  /** @internal whether it may be moved by so much: from very far away corners would coincide */
+  /** @internal whether it keeps its shape if it is moved by so much: very far away corners would coincide */
   staysWhole(x: number, y: number): boolean {
     return this.clone().mapGeometry([1, 0, 0, 1, x, y]);
   }
 
-  /** Turns the shape about the body origin, clockwise on screen. Ignored as `translate` is. Wakes the body. */
+  /** Rotates the shape about the body origin, clockwise on screen. Ignored as `translate` is. Wakes the body. */
   rotate(clockwiseRadians: number): void {
     finite('Shape.rotate', 'clockwiseRadians', clockwiseRadians);
     if (this.isLocked()) {
@@ -261,8 +271,8 @@ export abstract class BaseShape {
   }
 
   /**
-   * Maps the shape by `[m0, m1, m2, m3, m4, m5]`: x' = m0·x + m2·y + m4, y' = m1·x + m3·y + m5. A circle stays a circle of
-   * the mapped area. Matrices that mirror or flatten (determinant ≤ 0) are ignored. Otherwise as `translate`.
+   * Transforms the shape by `[m0, m1, m2, m3, m4, m5]`: x' = m0·x + m2·y + m4, y' = m1·x + m3·y + m5. A circle stays a circle, of the
+   * transformed area. Matrices that mirror or flatten (determinant ≤ 0) are ignored; otherwise the rules of `translate` apply.
    */
   transform(matrix: Matrix23Like): void {
     const m = vector('Shape.transform', 'matrix', matrix, 6);
@@ -280,18 +290,21 @@ export abstract class BaseShape {
   }
 
   /**
-   * Adds a handler for what this shape has to do with another one:
+   * Adds a handler for interactions of this shape with others:
    *
-   * - `begin`, `progress`, `end`: an interaction starts, goes on for another step, is over. Told when the step is done; the handler may
-   *   change anything. What had been found in the step by then is told all the same, also of a body that it removed.
-   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. Runs within
-   *   the step: where it begins, for shapes that overlap there, not a moment earlier as others are found; and where shapes meet on fast ways or, though they
-   *   touch already, get too deep into each other. So it may run twice. `option`: the handler always decides alike (default `false`), so that the bodies may sleep.
-   * - `hit`: a collision that takes effect has begun; the handler is also told how hard. `option`: m/s, >= 0, slower ones are left out (default 0).
+   * - `begin`, `progress`, `end`: an interaction starts, goes on for another step, is over. Delivered when the step is done; the handler
+   *   may change anything. All that the step found is delivered, even about a body that a handler has removed meanwhile.
+   * - `preSolve`: a collision was found and is about to be solved; the handler may reject it with `arbiter.setAcceptedState(false)`. It is
+   *   called within the step: at its start, for shapes that overlap by then (without such handlers, shapes are solved shortly before they
+   *   touch); and later, where shapes meet in fast motion or, though they touch already, get too deep into each other. So it may be called
+   *   twice in a step. `option`: the handler always decides alike (default `false`), so that the bodies may sleep.
+   * - `hit`: a collision that takes effect has begun; the handler also gets how hard. `option`: m/s, >= 0, slower ones are left out
+   *   (default 0).
    *
-   * With a `mask` the handler is only called for other shapes with `(mask & group) !== 0`; leaving it out is another listener than 0xffffffff.
+   * With a `mask` the handler is only called for other shapes with `(mask & group) !== 0`. Without one it is a different listener than with
+   * 0xffffffff.
    *
-   * @returns `false` for an unknown type, or if the same (type, handler, mask) is present. Wakes the body silently otherwise.
+   * @returns `false` for an unknown type, or if the same (type, handler, mask) is present. Otherwise wakes the body without an event.
    */
   addEventListener<T extends ShapeEventType>(
     eventType: T,
@@ -315,7 +328,7 @@ export abstract class BaseShape {
     return removeListener(this, { type: bitOf(eventType, OF_SHAPES), handler, mask: checked }, this.owner);
   }
 
-  /** @internal geometry may not change now: the world is stepping, or the body is static in a world */
+  /** @internal whether the geometry may not change now: the world is stepping, or the body is static in a world */
   isLocked(): boolean {
     return this.owner?.isLocked() ?? false;
   }
@@ -327,7 +340,7 @@ export abstract class BaseShape {
     this.owner?.rouse();
   }
 
-  /** @internal resets what the shape had from its world */
+  /** @internal resets all that belongs to the world the shape was in */
   leave(): void {
     this.handle = null;
     this.grounds = null;
@@ -335,28 +348,31 @@ export abstract class BaseShape {
     this.arbiters.length = 0;
   }
 
-  /** @internal off its body */
+  /** @internal takes it off its body */
   detach(): void {
     this.former = this.owner;
     this.owner = null;
   }
 
-  /** @internal turns the geometry with the body and sets the bounds */
+  /** @internal writes the geometry turned with the body, and the world bounds, to `numbers` */
   abstract place(body: RigidBody): void;
 
-  /** @internal writes the outline of the shape of a body that is where the outline was put */
+  /** @internal writes its outline for the placement in `into` */
   abstract outline(into: Outline): void;
 
-  /** @internal largest distance of a point of the shape from the body origin */
+  /** @internal the largest distance of a point of the shape from the body origin, m */
   abstract reach(): number;
 
-  /** @internal it looks the same however its body is turned */
+  /** @internal whether it looks the same however its body is turned */
   abstract isRound(): boolean;
 
-  /** @internal by a matrix as that of `transform`. @returns `false`, without effect, if that would be no shape: too large, or with points that coincide. */
+  /**
+   * @internal transforms the geometry by a matrix as in `transform`. @returns `false`, without effect, if the result would be no shape: too
+   * large, or with points that coincide.
+   */
   protected abstract mapGeometry(matrix: ArrayLike<number>): boolean;
 
-  /** @internal options for `clone` */
+  /** @internal the options that `clone` passes on */
   protected commonParams(): ShapeParams {
     return {
       sensor: this.sensor,
@@ -368,15 +384,18 @@ export abstract class BaseShape {
   }
 }
 
-/** For `instanceof`, which tells a `Circle | Polygon`. Shapes are made by `createCircleShape` and `createPolygonShape`. */
+/**
+ * The class of all shapes, for `instanceof`, which narrows to `Circle | Polygon`. Shapes are made by `createCircleShape` and
+ * `createPolygonShape`.
+ */
 export const Shape = BaseShape as unknown as abstract new (...args: never[]) => Shape;
 
-/** Whether a shape comes before another wherever the order must not matter: in that in which they were made. Of a pair the older one comes first. */
+/** Whether a shape was made before another: the order used wherever results must not depend on any other. The older shape of a pair comes first. */
 export function isOlder(a: Shape, b: Shape): boolean {
   return a.id < b.id;
 }
 
-/** m. Half of the least width. No method, as what those return has to be boxed; this is short enough to be put into its callers. */
+/** Half of the least width, m. Not a method, as the result of one has to be boxed; this is short enough to be inlined. */
 export function halfWidthOf(shape: Shape): number {
   return shape.kind === CIRCLE ? shape.radius : shape.form.halfWidth;
 }
