@@ -7,44 +7,44 @@ import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { type Note, Notes } from './notes.js';
 
-/** Events caused before the step come before those of the step. */
+/** Groups of events, in the order of delivery: caused before the step, … */
 export const BEFORE_STEP = 0;
 export const IN_STEP = 1;
-/** … and those before what the solver found out. */
+/** … found by the solver in the step. */
 export const FOUND_LATE = 2;
 const GROUPS = 3;
 
-/** Stands where shape ids do, above all of them. */
+/** In place of a shape id: above all of them. */
 const AFTER_BODIES = Number.MAX_SAFE_INTEGER;
 
-/** What all handlers of the API can be called as. */
+/** A type that all handlers can be called as. */
 type Handler = (this: unknown, subject?: Arbiter | RigidBody, other?: Shape | Hit, hit?: Hit) => void;
 
-/** Lists in the order of delivery: by group, then by type. */
+/** The lists of events in the order of delivery: by group, then by type. */
 function makeLists(): Notes[] {
   return Array.from({ length: GROUPS * RANKS }, (_, i) => new Notes(1 << (i % RANKS)));
 }
 
 /**
- * Deferred delivery: events are noted while a step runs (or between steps) together with the handlers present at that
- * moment, and handed out at the end of the step, when the world may be changed freely.
+ * Deferred delivery: events are noted within a step (or between steps), together with the listeners present at that moment, and delivered
+ * at the end of the step, when handlers may change the world freely.
  */
 export class EventQueue {
   private lists = makeLists();
-  /** The lists that are being handed out, while the others take what handlers cause. */
-  private handed = makeLists();
-  /** Whether a list was asked for since the last delivery: most steps of most worlds have nothing to tell. */
+  /** The lists being delivered, while `lists` takes what handlers cause. */
+  private delivered = makeLists();
+  /** Whether anything was noted since the last delivery: most steps of most worlds have no events. */
   private stirred = false;
   private readonly hits: Hit[] = [];
-  /** The arbiters of the hits of this step, each at the place of its hit. */
+  /** The arbiters of the hits of this step: that of `hits[i]` is `struck[i]`. */
   private readonly struck: Arbiter[] = [];
-  /** @internal bodies and constraints that woke since this was last looked at */
+  /** @internal bodies and constraints that woke since `noteWoken` was last called */
   readonly woken = new Set<RigidBody | Constraint>();
   private failure: { readonly error: unknown } | null = null;
 
   constructor(private readonly world: Pick<World, 'listeners'>) {}
 
-  /** Notes an event of an interaction: its type as a bit, and when it was found. */
+  /** Notes an event of an interaction. `type` is a bit, `group` says when it was found. */
   interaction(type: number, arbiter: Arbiter, group: number): void {
     const { shapeA, shapeB } = arbiter;
     const { listeners } = this.world;
@@ -73,12 +73,12 @@ export class EventQueue {
     }
   }
 
-  /** Someone wants to know how hard the shapes of a pair meet. */
+  /** Whether someone listens to how hard the shapes of a pair collide. */
   isHitHeard({ shapeA, shapeB }: Arbiter): boolean {
     return ((shapeA.listeners.types | shapeB.listeners.types | this.world.listeners.types) & HIT) !== 0;
   }
 
-  /** The `end` events of what was removed since the last step: between steps no others wait. */
+  /** The `end` events of pairs that were removed since the last step: between steps, no other interactions are noted. */
   get ended(): Notes {
     return this.list(END, BEFORE_STEP);
   }
@@ -93,7 +93,7 @@ export class EventQueue {
     this.object(type, body, placeOf(body), -1);
   }
 
-  /** Notes that a world has frozen a body of its own. */
+  /** Notes that a world has frozen one of its bodies. */
   frozen(world: World, body: RigidBody): void {
     const note = this.object(NON_FINITE, world, placeOf(body), -1);
     if (note !== null) {
@@ -101,7 +101,7 @@ export class EventQueue {
     }
   }
 
-  /** Notes `wake`, `sleep` or `break` of a constraint; bodies come before constraints. */
+  /** Notes `wake`, `sleep` or `break` of a constraint. Constraints come after bodies. */
   constraint(type: number, constraint: Constraint): void {
     this.object(type, constraint, AFTER_BODIES, constraint.order);
   }
@@ -116,17 +116,17 @@ export class EventQueue {
     return note;
   }
 
-  /** A body or constraint woke; its event is noted when the step next looks, if it is then still awake in this world. */
+  /** Notes that a body or constraint woke. Its event is noted by `noteWoken`, if it is still awake and in this world then. */
   woke(object: RigidBody | Constraint): void {
     if (!object.woken) {
       object.woken = true;
-      // Last, even if it is still there from a time of which nobody is to be told any more.
+      // It goes to the end, even if it is still there from earlier, when its event was dropped.
       this.woken.delete(object);
       this.woken.add(object);
     }
   }
 
-  /** Notes the `wake` events of what woke since the last call. */
+  /** Notes the `wake` events of all that woke since the last call. */
   noteWoken(world: World): void {
     if (this.woken.size === 0) {
       return;
@@ -147,7 +147,7 @@ export class EventQueue {
     this.woken.clear();
   }
 
-  /** Reads of collisions that have begun what the step made of them, before anyone may change that. */
+  /** Copies the outcome of the step to the hits, before handlers may change anything. */
   readHits(): void {
     for (let i = 0; i < this.struck.length; i += 1) {
       this.hits[i]!.read(this.struck[i]!);
@@ -156,8 +156,8 @@ export class EventQueue {
   }
 
   /**
-   * Calls the handlers of everything noted so far; what they cause waits for the next delivery. If a handler throws, the
-   * rest is delivered all the same.
+   * Calls the handlers of all events noted so far; the events these cause wait for the next delivery. If a handler throws, the rest is
+   * delivered all the same.
    */
   deliver(): void {
     if (!this.stirred) {
@@ -165,29 +165,29 @@ export class EventQueue {
     }
     this.stirred = false;
     const lists = this.lists;
-    this.lists = this.handed;
-    this.handed = lists;
+    this.lists = this.delivered;
+    this.delivered = lists;
     for (const list of lists) {
-      this.handOut(list);
+      this.deliverList(list);
     }
   }
 
-  private handOut(list: Notes): void {
+  private deliverList(list: Notes): void {
     list.sort();
     for (let i = 0; i < list.count; i += 1) {
       const note = list.all[i]!;
       const { own, other, arbiter, hit } = note;
-      this.hand(list, note.listeners, note.otherGroup, own, arbiter ?? note.body, other, hit);
+      this.callHandlers(list, note.listeners, note.otherGroup, own, arbiter ?? note.body, other, hit);
       if (other !== null) {
-        this.hand(list, note.otherListeners, note.group, other, arbiter, own as Shape, hit);
-        this.hand(list, note.worldListeners, note.group, this.world, arbiter, hit, null);
+        this.callHandlers(list, note.otherListeners, note.group, other, arbiter, own as Shape, hit);
+        this.callHandlers(list, note.worldListeners, note.group, this.world, arbiter, hit, null);
       }
     }
     list.clear();
   }
 
-  /** Calls the handlers of one object of an event. `World.clear` called by one of them empties the list, and nothing more is called. */
-  private hand(
+  /** Calls the handlers of one object for an event. If one of them calls `World.clear`, the list is emptied, and no more are called. */
+  private callHandlers(
     list: Notes,
     { entries }: Listeners<unknown>,
     group: number,
@@ -208,7 +208,7 @@ export class EventQueue {
     }
   }
 
-  /** What it throws waits for `rethrow`. */
+  /** Calls a handler. What it throws waits for `rethrow`. */
   call(
     handler: Handler,
     own: unknown,
@@ -236,7 +236,7 @@ export class EventQueue {
     this.failure ??= { error };
   }
 
-  /** Throws what a handler threw since the last call, if any did. */
+  /** Throws the first error of a handler since the last call, if there was one. */
   rethrow(): void {
     const failure = this.failure;
     if (failure !== null) {
@@ -245,16 +245,16 @@ export class EventQueue {
     }
   }
 
-  /** Forgets everything noted, and ends a delivery in progress. */
+  /** Drops all events, and ends a delivery in progress. */
   clear(): void {
-    for (const list of [...this.lists, ...this.handed]) {
+    for (const list of [...this.lists, ...this.delivered]) {
       list.clear();
     }
     this.woken.clear();
   }
 }
 
-/** Stands for a body in the order of events. */
+/** The place of a body in the order of events: the id of its first shape, −1 without shapes. */
 function placeOf({ shapes }: RigidBody): number {
   return shapes[0]?.id ?? -1;
 }

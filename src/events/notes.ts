@@ -6,26 +6,26 @@ import { type Listeners, NO_LISTENERS } from '../listeners.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 
-/** An event, with the listeners present when it was noted, so that later changes do not touch it. */
+/** An event, with the listeners present when it was noted, so that later changes do not affect it. */
 export class Note {
-  /** A world, body or constraint, or shape A of an interaction. */
+  /** Whose event it is: a world, body or constraint, or shape A of an interaction. */
   own: Shape | RigidBody | Constraint | World | null = null;
   listeners: Listeners<unknown> = NO_LISTENERS;
-  /** Events are delivered by these ids, then as they were noted. */
+  /** Events are sorted by these ids, then in the order in which they were noted. */
   idA = 0;
   idB = 0;
-  /** Of an interaction; `null` for worlds, bodies and constraints. */
+  /** The interaction; `null` for events of worlds, bodies and constraints. */
   arbiter: Arbiter | null = null;
-  /** Whom a world's event is about. */
+  /** The body that an event of a world is about. */
   body: RigidBody | null = null;
-  /** Shape B, and its listeners. */
+  /** Shape B of an interaction, and its listeners. */
   other: Shape | null = null;
   otherListeners: Listeners<unknown> = NO_LISTENERS;
-  /** Their groups. */
+  /** The groups of shapes A and B. */
   group = 0;
   otherGroup = 0;
   hit: Hit | null = null;
-  /** Those of the world that an interaction is in. */
+  /** The listeners of the world of an interaction. */
   worldListeners: Listeners<unknown> = NO_LISTENERS;
 }
 
@@ -33,9 +33,9 @@ function compare(a: Note, b: Note): number {
   return a.idA - b.idA || a.idB - b.idB;
 }
 
-/** The events of one type that are delivered together. Its notes are used again and again. */
+/** The events of one type that are delivered together. Notes are used again and again. */
 export class Notes {
-  /** What lies beyond the count is for later. */
+  /** The first `count` are events; the rest are for reuse. */
   readonly all: Note[] = [];
   count = 0;
   private sorted = true;
@@ -43,7 +43,7 @@ export class Notes {
   /** @param type which type, as a bit. */
   constructor(readonly type: number) {}
 
-  /** A note to be filled in, at the end of the list. */
+  /** Appends a note, for the caller to fill in. */
   add(idA: number, idB: number): Note {
     const { all, count } = this;
     if (count === all.length) {
@@ -57,7 +57,7 @@ export class Notes {
     return note;
   }
 
-  /** Orders the list; most come in order. */
+  /** Sorts the list, which is mostly in order already. */
   sort(): void {
     if (!this.sorted) {
       const { all, count } = this;
@@ -71,7 +71,7 @@ export class Notes {
     }
   }
 
-  /** Drops everything, and holds on to nothing. */
+  /** Empties the list, and lets go of all objects. */
   clear(): void {
     for (let i = 0; i < this.count; i += 1) {
       const note = this.all[i]!;

@@ -5,7 +5,7 @@ import type { HitHandler, Shape, ShapeHandler } from '../shape/shape.js';
 import type { World } from '../world.js';
 import type { EventQueue } from './events.js';
 
-/** Some `preSolve` handler wants to decide about the pair. */
+/** Whether some `preSolve` handler has to be asked about the pair. */
 export function asksFirst({ shapeA, shapeB }: Arbiter): boolean {
   return wants(shapeA, shapeB) || wants(shapeB, shapeA);
 }
@@ -18,8 +18,8 @@ function wants({ listeners }: Shape, other: Shape): boolean {
 }
 
 /**
- * Runs the `preSolve` handlers of a pair that collides, at once. Unless it is persistent its state starts as "accepted". What a
- * handler throws waits until the step is over, so that it cannot leave one half done. One that may change its mind keeps the bodies awake.
+ * Calls the `preSolve` handlers of a colliding pair, at once. Unless its state is persistent, it starts as accepted. What a handler throws
+ * waits until the step is over, so that no step is left half done. A handler that is not deterministic keeps the bodies awake.
  *
  * @returns whether the collision takes effect; if not, its points are dropped.
  */
