@@ -1,4 +1,4 @@
-/** What pushes a body in its next step alone, and what did in its last one; of one that sleeps, in that in which it fell asleep. */
+/** The forces on a body for its next step alone, and those of its last step; for a sleeping body, of the step in which it fell asleep. */
 export class Applied {
   /** N */
   x = 0.5;
@@ -8,7 +8,7 @@ export class Applied {
   lastX = 0.5;
   lastY = 0.5;
   lastTorque = 0.5;
-  /** As much pushed it in the last step, in which it slept. */
+  /** Whether the same forces were applied in the last step, in which it slept. */
   isKept = false;
 
   constructor() {
@@ -20,7 +20,7 @@ export class Applied {
     this.pass();
   }
 
-  /** The step has begun. */
+  /** A step of an awake body begins: its forces become those of the last step. */
   pass(): void {
     this.lastX = this.x;
     this.lastY = this.y;
@@ -29,7 +29,7 @@ export class Applied {
     this.isKept = false;
   }
 
-  /** The step has begun, and the body sleeps on. */
+  /** A step begins, and the body sleeps on. */
   stay(): void {
     this.isKept = this.pushes();
     this.x = 0;

@@ -4,9 +4,9 @@ import { BodyState } from './body-state.js';
 import { type NumberSink, type Vec2, type Vec2Like, vec2 } from './math/vectors.js';
 import { finite, leadsTo, vector } from './validate.js';
 
-/** What pushes a body: forces that last, forces for one step, impulses, its share of gravity. {@link RigidBody} is its public face. */
+/** The forces on a body: lasting forces, forces for one step, impulses, its share of gravity. {@link RigidBody} is its public face. */
 export abstract class BodyForces extends BodyState {
-  /** The force that `setForce` set, N: without gravity, contacts and constraints. */
+  /** The force set by `setForce`, N, without gravity, contacts and constraints. */
   getForce(): Vec2;
   getForce<T extends NumberSink>(dst: T): T;
   getForce<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -23,7 +23,7 @@ export abstract class BodyForces extends BodyState {
     }
   }
 
-  /** The torque that `setTorque` set, N·m. */
+  /** The torque set by `setTorque`, N·m. */
   getTorque(): number {
     return this.appliedTorque;
   }
@@ -37,12 +37,15 @@ export abstract class BodyForces extends BodyState {
     }
   }
 
-  /** How much of the gravity of the world acts on it; 1 unless set. */
+  /** How much of the world's gravity acts on the body; 1 unless set. */
   getGravityScale(): number {
     return this.gravityScale;
   }
 
-  /** Sets how much of the gravity of the world acts on it: 0 none, −1 the opposite, 2 twice as much. Wakes the body if changed. Dynamic bodies feel it. */
+  /**
+   * Sets how much of the world's gravity acts on the body: 0 none, −1 the opposite, 2 twice as much. Only dynamic bodies feel it. Wakes the
+   * body if changed.
+   */
   setGravityScale(gravityScale: number): void {
     finite('RigidBody.setGravityScale', 'gravityScale', gravityScale);
     if (gravityScale !== this.gravityScale) {
@@ -52,9 +55,12 @@ export abstract class BodyForces extends BodyState {
   }
 
   /**
-   * Adds a force, N, at a world point, to those that act in the next step, evenly, and no longer; without a point at the body origin, which turns nothing. Call it before each
-   * step for a thruster, wind or buoyancy, also while the body sleeps: it falls asleep where it rests under what hardly changes from step to step, and wakes in the step in which that is no longer so.
-   * What is added must stay within 1e150, and is lost if the body is put to sleep, leaves its world or is made static or kinematic before. Dynamic bodies only.
+   * Adds a force, N, at a world point, that acts evenly throughout the next step and no longer. Without a point it acts at the body origin,
+   * and does not turn the body. For a thruster, wind or buoyancy, call it before each step, also while the body sleeps: the body falls
+   * asleep if it rests under forces that hardly change from step to step, and wakes in the step in which they change.
+   *
+   * The sum of what is added must stay within 1e150. It is lost if the body is put to sleep, leaves its world or is made static or
+   * kinematic before the step. Dynamic bodies only.
    */
   applyForce(force: Vec2Like, position?: Vec2Like): void {
     const where = 'RigidBody.applyForce';
@@ -69,7 +75,7 @@ export abstract class BodyForces extends BodyState {
   }
 
   /**
-   * Applies an impulse, N·s, at a world point; without a point at the body origin, which turns nothing. Velocities must stay
+   * Applies an impulse, N·s, at a world point; without a point at the body origin, which does not turn the body. The velocities must stay
    * within 1e150. Dynamic bodies only; wakes the body.
    */
   applyImpulse(impulse: Vec2Like, position?: Vec2Like): void {
@@ -101,7 +107,7 @@ export abstract class BodyForces extends BodyState {
     }
   }
 
-  /** @internal something pushes it in the next step, other than the gravity of the world */
+  /** @internal whether anything but the world's gravity, unscaled, acts on it in the next step */
   hasForce(): boolean {
     return (
       this.gravityScale !== 1 ||
@@ -112,7 +118,7 @@ export abstract class BodyForces extends BodyState {
     );
   }
 
-  /** About the origin, of what acts at a point, 0 without one; after a check of both. */
+  /** Checks a force or impulse and its point, and returns its moment about the origin: 0 without a point. */
   private momentOf(where: string, name: string, given: Vec2Like, position: Vec2Like | undefined): number {
     vector(where, name, given, 2);
     if (position === undefined) {

@@ -1,15 +1,15 @@
 import { Slab } from './math/doubles.js';
 
 const COUNT = 25;
-/** How many come first that tell where a body is and how it moves, with its velocity last. */
+/** How many of the first numbers are the placement and the velocity of a body, the velocity last. */
 export const MOTION = 8;
-/** The motion of the last step, and the clearance after it. */
+/** The range of the motion of the last step, with the clearance after it. */
 export const LAST_MOTION = 18;
 export const LAST_MOTION_END = 22;
 
 const slab = /* @__PURE__ */ new Slab();
 
-/** The numbers of a body, in a slab: each step walks through those of all bodies, and as fields each would be a box of its own somewhere in memory. */
+/** The numbers of a body, in a slab: each step walks through those of all bodies, and as fields each would be boxed somewhere in memory. */
 export abstract class BodyNumbers {
   /** @internal */
   readonly at = slab.take(COUNT);
@@ -106,7 +106,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 9] = value;
   }
 
-  /** @internal m. Largest distance of a shape point from the origin; right after `refreshMass` */
+  /** @internal m. The largest distance of a point of its shapes from the origin; right after `refreshMass` */
   get radius(): number {
     return this.numbers[this.at + 10]!;
   }
@@ -115,7 +115,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 10] = value;
   }
 
-  /** @internal share of the velocity that is lost in a second */
+  /** @internal the share of the velocity lost per second */
   get linearDrag(): number {
     return this.numbers[this.at + 11]!;
   }
@@ -205,7 +205,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 20] = value;
   }
 
-  /** @internal m. How far it may go in this step, in any direction, without coming near anything that it would be swept against */
+  /** @internal m. How far it may move in this step, in any direction, without coming near anything that it would be swept against */
   get clearance(): number {
     return this.numbers[this.at + 21]!;
   }
@@ -232,7 +232,7 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 23] = value;
   }
 
-  /** @internal of the gravity of its world, what it feels */
+  /** @internal how much of the world's gravity acts on it */
   get gravityScale(): number {
     return this.numbers[this.at + 24]!;
   }

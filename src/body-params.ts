@@ -4,45 +4,54 @@ import { Shape } from './shape/shape.js';
 import type { UserDataOf } from './user-data.js';
 import { boolean, finite, nonNegative, optional, options, positiveOrInfinite, typeError, vector } from './validate.js';
 
-/** What moves a body; see `RigidBodyParams.type`. */
+/** How a body moves; see `RigidBodyParams.type`. */
 export type BodyType = 'dynamic' | 'kinematic' | 'static';
 
 /** Options of `createRigidBody`. */
 export interface RigidBodyParams {
   /** 'dynamic' is moved by forces and contacts, 'kinematic' by its velocity alone, 'static' not at all. Default 'dynamic'. */
   type?: BodyType | undefined;
-  /** Attached in order; one that has a body already is skipped. Default none. */
+  /** Shapes to attach, in order; one that has a body already is skipped. Default none. */
   shapes?: ArrayLike<Shape> | undefined;
   /**
-   * kg, > 0. Says nothing of `inertia`, which still comes from the density of the shapes: set both, or a density instead. With `Infinity` nothing moves or stops the
-   * body, neither gravity nor walls. Default: computed from the shapes, and kept in step with them.
+   * Mass, kg, > 0. Does not set `inertia`, which still follows from the density of the shapes: set both, or a density instead. With
+   * `Infinity` nothing moves or stops the body, neither gravity nor walls. Default: computed from the shapes, and kept in step with them.
    */
   mass?: number | undefined;
-  /** kg·m² about the body origin, > 0; with `Infinity` nothing turns the body. Default: computed from the density of the shapes, and kept in step with them. */
+  /**
+   * Moment of inertia about the body origin, kg·m², > 0; with `Infinity` nothing turns the body. Default: computed from the density of the
+   * shapes, and kept in step with them.
+   */
   inertia?: number | undefined;
   /** Stays asleep when added to a world. Default `false`. */
   sleeping?: boolean | undefined;
-  /** Does not pass through other dynamic bodies when it is fast. Static and kinematic ones nothing passes anyway. Default `false`. */
+  /**
+   * Continuous collision with other dynamic bodies: it does not pass through them when it is fast. Nothing passes through static and
+   * kinematic bodies anyway. Default `false`.
+   */
   bullet?: boolean | undefined;
   /** World position of the body origin, m. Default `[0, 0]`. */
   position?: Vec2Like | undefined;
-  /** Clockwise on screen, rad. Default 0. */
+  /** Rotation, clockwise on screen, rad. Default 0. */
   rotation?: number | undefined;
-  /** m/s; ignored for 'static'. Default `[0, 0]`. */
+  /** Velocity of the body origin, m/s; ignored for 'static'. Default `[0, 0]`. */
   velocity?: Vec2Like | undefined;
-  /** rad/s; ignored for 'static'. Default 0. */
+  /** Angular velocity, clockwise on screen, rad/s; ignored for 'static'. Default 0. */
   angularVelocity?: number | undefined;
-  /** N; acts in every step until changed. Default `[0, 0]`. */
+  /** Force, N; acts in every step until changed. Default `[0, 0]`. */
   force?: Vec2Like | undefined;
-  /** N·m; acts in every step until changed. Default 0. */
+  /** Torque, N·m; acts in every step until changed. Default 0. */
   torque?: number | undefined;
   /** Share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Default 0.05. */
   linearDrag?: number | undefined;
   /** Share of the angular velocity lost per second, >= 0. Default 0.05. */
   angularDrag?: number | undefined;
-  /** How much of the gravity of the world it feels: 0 none, −1 the opposite, 2 twice as much. Default 1. */
+  /** How much of the world's gravity acts on it: 0 none, −1 the opposite, 2 twice as much. Default 1. */
   gravityScale?: number | undefined;
-  /** m/s: x runs along the surface, clockwise around the body; y along its outward normal. Default `[0, 0]`. */
+  /**
+   * Velocity of its surface, as of a conveyor belt, m/s: x along the surface, clockwise around the body; y along its outward normal.
+   * Default `[0, 0]`.
+   */
   surfaceVelocity?: Vec2Like | undefined;
   /** Anything of yours. Default `null`. */
   userData?: UserDataOf<'body'> | undefined;
@@ -51,7 +60,7 @@ export interface RigidBodyParams {
 const KINDS: Readonly<Record<string, number>> = { dynamic: DYNAMIC, kinematic: KINEMATIC, static: STATIC };
 const ZERO: Vec2Like = [0, 0];
 
-/** The options with every value checked and every default filled in; mass and inertia are −1 where they follow the shapes. */
+/** Checks all options and fills in the defaults; mass and inertia are −1 where they follow the shapes. */
 export function checkedParams(params: RigidBodyParams | undefined) {
   const where = 'createRigidBody';
   const given = options(where, params, false);

@@ -6,9 +6,9 @@ export const Y = 1;
 export const ANGLE = 2;
 
 /**
- * Writes where a body was when a share of its last step had passed: 0 is the placement before the step, 1 the present one. Goes back along
- * the motion of that step, so a body that was moved by hand since does not fly through the picture. Needs no more of a body than every
- * bundle has.
+ * Writes where a body was when a share of its last step had passed: 0 is the placement before the step, 1 the present one. It goes back
+ * along the motion of that step, so a body that was moved by hand since does not fly across the picture. Uses only members of a body that
+ * every bundle has.
  */
 export function writePose(body: RigidBody, share: number, out: Float64Array): void {
   body.getPosition(out);

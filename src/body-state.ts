@@ -17,50 +17,50 @@ import type { World } from './world.js';
 /** Angle, cosine, sine: scratch of `refreshTurn`. */
 const turn = /* @__PURE__ */ new Float64Array(3);
 
-/** 2^-800, by which masses are multiplied where they could sum up to more than there are numbers: it changes no bit of a quotient of two. */
+/** 2^-800, a factor for masses where their sum could overflow: it changes no bit of the quotient of two. */
 const SMALL = 1.499696813895631e-241;
 
-/** What a body is made of, and how what is derived of it is kept right. {@link RigidBody} is its public face. */
+/** The state of a body, and how all that is derived from it is kept up to date. {@link RigidBody} is its public face. */
 export abstract class BodyState extends BodyNumbers {
-  // What steps ask of thousands comes first, as in shapes.
+  // What steps read of thousands of bodies comes first, as in shapes.
 
   /** @internal DYNAMIC, KINEMATIC or STATIC */
   kind = DYNAMIC;
   /** @internal */
   asleep = false;
-  /** @internal slot in the solver's arrays during a step; 0 is everything that cannot move */
+  /** @internal slot in the solver's arrays during a step; 0 for all that cannot move */
   slot = 0;
-  /** @internal what `bullet` is */
+  /** @internal the value of `bullet` */
   isBullet = false;
-  /** @internal what pushes it for one step, once anything has */
+  /** @internal the forces for one step, once there were any */
   applied: Applied | null = null;
-  /** @internal how many enabled constraints in a world keep it from interacting with other bodies */
+  /** @internal how many enabled constraints in a world keep it from interacting with the other body */
   ignoring = 0;
-  /** @internal shapes, mass or radius differ from what is cached */
+  /** @internal mass, inertia and radius have to be computed anew before their next use */
   massStale = true;
-  /** @internal turned geometry, bounds and broadphase are behind the placement */
+  /** @internal turned geometry, bounds and broadphase do not match the placement */
   placeStale = true;
-  /** @internal the last step in which the body was not at rest or was woken */
+  /** @internal the last step in which the body was not at rest, or was woken */
   wakeTime = 0;
-  /** @internal the step that comes after something that touched it was taken away */
+  /** @internal the step after something that touched it was removed */
   unloaded = -1;
-  /** @internal index among the movers of a step, −1 if it is none */
+  /** @internal index among the movers of a step, −1 if it is not one */
   mover = -1;
   /** @internal index in the live list of its type, −1 while in none */
   liveIndex = -1;
   /** Attached shapes. Do not modify. */
   readonly shapes: Shape[];
-  /** Constraints in a world, enabled or not, that use this body. Do not modify. */
+  /** The constraints in a world, enabled or not, that use this body. Do not modify. */
   readonly constraints: Constraint[] = [];
   /** @internal its `wake` event waits for the next step */
   woken = false;
   /** @internal */
   owner: World | null = null;
-  /** @internal when it was added to its world; grows with each body, shape and constraint. Keeps its name */
+  /** @internal rank in the order in which bodies, shapes and constraints came into their worlds. Keeps its name */
   order = 0;
   /** @internal index in the world's list of bodies */
   index = -1;
-  /** @internal those it fell asleep with */
+  /** @internal the island it fell asleep with */
   island: Island | null = null;
   /** @internal */
   listeners: Listeners<BodyHandler> = NO_LISTENERS;
@@ -96,7 +96,10 @@ export abstract class BodyState extends BodyNumbers {
     this.shapes = this.own(given.shapes);
   }
 
-  /** Takes those that are free, into the list itself, which is no longer than it must be: one that grows has room for many. */
+  /**
+   * Claims the shapes that are free, and drops the others from the list. The list itself becomes `shapes`, as it is no longer than it must
+   * be: one that grows has room for many.
+   */
   private own(shapes: Shape[]): Shape[] {
     let count = 0;
     for (const shape of shapes) {
@@ -110,7 +113,10 @@ export abstract class BodyState extends BodyNumbers {
     return shapes;
   }
 
-  /** Does not pass through other dynamic bodies when it is fast. A change wakes nothing; within a step it may take effect in that one. */
+  /**
+   * Continuous collision with other dynamic bodies: it does not pass through them when it is fast. A change wakes nothing; within a step it
+   * may take effect in that one.
+   */
   get bullet(): boolean {
     return this.isBullet;
   }
@@ -119,7 +125,7 @@ export abstract class BodyState extends BodyNumbers {
     this.isBullet = boolean('RigidBody', 'bullet', value);
   }
 
-  /** Σ density · area, kg. Overlaps count twice, sensors count. */
+  /** The mass of the shapes: Σ density · area, kg. Overlaps count twice, sensors count. */
   computeMassFromShapes(): number {
     let mass = 0;
     for (const shape of this.shapes) {
@@ -128,7 +134,7 @@ export abstract class BodyState extends BodyNumbers {
     return mass;
   }
 
-  /** Σ density · area · massless inertia, kg·m² about the body origin. */
+  /** The inertia of the shapes: Σ density · area · massless inertia, kg·m² about the body origin. */
   computeInertiaFromShapes(): number {
     let inertia = 0;
     for (const shape of this.shapes) {
@@ -137,7 +143,7 @@ export abstract class BodyState extends BodyNumbers {
     return inertia;
   }
 
-  /** Centre of mass of the shapes in body coordinates, m; `[0, 0]` without shapes or mass. */
+  /** The centre of mass of the shapes in body coordinates, m; `[0, 0]` without shapes or mass. */
   computeLocalCenterOfMass(): Vec2;
   computeLocalCenterOfMass<T extends NumberSink>(dst: T): T;
   computeLocalCenterOfMass<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -157,7 +163,7 @@ export abstract class BodyState extends BodyNumbers {
     return vec2(hasMass ? x / total : 0, hasMass ? y / total : 0, 'RigidBody.computeLocalCenterOfMass', dst);
   }
 
-  /** Smallest `[minX, minY, maxX, maxY]` around all shapes; `[∞, ∞, −∞, −∞]` without shapes. m. */
+  /** The smallest rectangle `[minX, minY, maxX, maxY]` around all shapes, in world coordinates, m; `[∞, ∞, −∞, −∞]` without shapes. */
   computeWorldBounds(): Rect;
   computeWorldBounds<T extends NumberSink>(dst: T): T;
   computeWorldBounds<T extends NumberSink>(dst?: T): T | Rect {
@@ -192,7 +198,7 @@ export abstract class BodyState extends BodyNumbers {
     return this.kind === DYNAMIC && this.inertia > 0 ? 1 / this.inertia : 0;
   }
 
-  /** @internal an impulse has an effect on it */
+  /** @internal whether an impulse has an effect on it */
   canBePushed(): boolean {
     this.refreshMass();
     return (
@@ -201,17 +207,17 @@ export abstract class BodyState extends BodyNumbers {
     );
   }
 
-  /** @internal it has a velocity */
+  /** @internal whether it moves or turns */
   isGoing(): boolean {
     return this.vx !== 0 || this.vy !== 0 || this.w !== 0;
   }
 
-  /** @internal it is going, or its surface is */
+  /** @internal whether it moves or turns, or has a surface velocity */
   drives(): boolean {
     return this.isGoing() || this.surfaceX !== 0 || this.surfaceY !== 0;
   }
 
-  /** @internal after a teleport or a change of type: constraints look at the body anew */
+  /** @internal after a teleport or a change of type: has constraints take its placement anew */
   touchConstraints(): void {
     for (const constraint of this.constraints) {
       constraint.touch();
@@ -231,7 +237,7 @@ export abstract class BodyState extends BodyNumbers {
     this.moved();
   }
 
-  /** @internal resets what the body had from its world, and what it remembers of times that may come again after a `restore` */
+  /** @internal resets all that belongs to the world the body was in, and step numbers that may come again after a `restore` */
   leave(): void {
     this.owner!.pushed.delete(this);
     this.owner!.someLeft = true;
@@ -250,7 +256,7 @@ export abstract class BodyState extends BodyNumbers {
     }
   }
 
-  /** @internal within the body: all of them, or none */
+  /** @internal translates all shapes within the body, or none */
   protected moveShapes(where: string, x: number, y: number): void {
     if (!this.shapes.every((shape) => shape.staysWhole(x, y))) {
       throw rangeError(where, 'shapes', 'ones that stay whole where they come to be', this.shapes);
@@ -260,7 +266,7 @@ export abstract class BodyState extends BodyNumbers {
     }
   }
 
-  /** @internal after a change of `angle` */
+  /** @internal computes `cos` and `sin` after a change of `angle` */
   refreshTurn(): void {
     turn[0] = this.angle;
     cosSin(turn);
@@ -303,7 +309,7 @@ export abstract class BodyState extends BodyNumbers {
     return vec2(x + this.cos * lx - this.sin * ly, y + this.sin * lx + this.cos * ly, where, dst);
   }
 
-  /** @internal becomes the body of a shape, which is not in the list yet */
+  /** @internal becomes the body of a shape that is not in its list yet */
   abstract claim(shape: Shape): void;
 
   /** @internal the automatic wake: with a `wake` event if the body was asleep */

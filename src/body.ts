@@ -8,16 +8,15 @@ import { Shape } from './shape/shape.js';
 import { callable, finite, instance, leadsTo, nonNegative, positive, positiveOrInfinite, vector } from './validate.js';
 import type { World } from './world.js';
 
-/** What bodies tell their listeners. */
+/** The events of a body. */
 export type BodyEventType = 'wake' | 'sleep';
 
 /** Called without arguments, `this` = the body. */
 export type BodyHandler = (this: RigidBody) => void;
 
 /**
- * A rigid body: shapes that move together. The body origin is its centre of rotation and of gravity whatever the shapes;
- * see `alignWithOrigin`. In a world, changes wake the body unless stated otherwise; teleports and geometry changes are
- * ignored during a step.
+ * A rigid body: shapes that move together. The body origin is its centre of rotation and of gravity, wherever the shapes are; see
+ * `alignWithOrigin`. In a world, changes wake the body unless stated otherwise; teleports and geometry changes are ignored during a step.
  */
 export class RigidBody extends BodyForces {
   /** Of the class, as in Turbulenz. */
@@ -35,32 +34,32 @@ export class RigidBody extends BodyForces {
     return this.owner;
   }
 
-  /** Whether it is at rest and left out of steps. Of a static body in a world always `true`. */
+  /** Whether it is asleep: at rest, and left out of steps. Always `true` for a static body in a world. */
   get sleeping(): boolean {
     return this.asleep;
   }
 
-  /** Moved by forces and contacts. */
+  /** Whether it is dynamic: moved by forces and contacts. */
   isDynamic(): boolean {
     return this.kind === DYNAMIC;
   }
 
-  /** Moved by its velocity alone. */
+  /** Whether it is kinematic: moved by its velocity alone. */
   isKinematic(): boolean {
     return this.kind === KINEMATIC;
   }
 
-  /** Not moved at all. */
+  /** Whether it is static: not moved at all. */
   isStatic(): boolean {
     return this.kind === STATIC;
   }
 
-  /** Makes the body dynamic; velocity stays. Ignored during a step. */
+  /** Makes the body dynamic; its velocity stays. Ignored during a step. */
   setAsDynamic(): void {
     this.setKind(DYNAMIC);
   }
 
-  /** Makes the body kinematic; velocity stays. Ignored during a step. */
+  /** Makes the body kinematic; its velocity stays. Ignored during a step. */
   setAsKinematic(): void {
     this.setKind(KINEMATIC);
   }
@@ -70,14 +69,17 @@ export class RigidBody extends BodyForces {
     this.setKind(STATIC);
   }
 
-  /** World position of the body origin, m. */
+  /** The position of the body origin in the world, m. */
   getPosition(): Vec2;
   getPosition<T extends NumberSink>(dst: T): T;
   getPosition<T extends NumberSink>(dst?: T): T | Vec2 {
     return vec2(this.x, this.y, 'RigidBody.getPosition', dst);
   }
 
-  /** Teleports the body. Ignored during a step and for a static body in a world. Wakes it if changed. */
+  /**
+   * Sets the position of the body origin in the world, m: a teleport. Ignored during a step and for a static body in a world. Wakes the
+   * body if changed.
+   */
   setPosition(position: Vec2Like): void {
     vector('RigidBody.setPosition', 'position', position, 2);
     if (!this.isLocked() && (position[0] !== this.x || position[1] !== this.y)) {
@@ -86,12 +88,12 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Clockwise on screen, rad; never wrapped to a range. */
+  /** The rotation, clockwise on screen, rad; never wrapped to a range. */
   getRotation(): number {
     return this.angle;
   }
 
-  /** Turns the body at once. Ignored as `setPosition` is. Wakes it if changed. */
+  /** Sets the rotation, clockwise on screen, rad: a teleport. Ignored as `setPosition` is. Wakes the body if changed. */
   setRotation(rotation: number): void {
     finite('RigidBody.setRotation', 'rotation', rotation);
     if (!this.isLocked() && rotation !== this.angle) {
@@ -100,14 +102,14 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Velocity of the body origin, m/s; y points down. */
+  /** The velocity of the body origin, m/s; y points down. */
   getVelocity(): Vec2;
   getVelocity<T extends NumberSink>(dst: T): T;
   getVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
     return vec2(this.vx, this.vy, 'RigidBody.getVelocity', dst);
   }
 
-  /** Velocity of the body at a point of the world, m/s. */
+  /** The velocity of the body at a world point, m/s. */
   getVelocityAtPoint(position: Vec2Like): Vec2;
   getVelocityAtPoint<T extends NumberSink>(position: Vec2Like, dst: T): T;
   getVelocityAtPoint<T extends NumberSink>(position: Vec2Like, dst?: T): T | Vec2 {
@@ -127,7 +129,7 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** How fast the body turns, rad/s; clockwise on screen. */
+  /** The angular velocity, clockwise on screen, rad/s. */
   getAngularVelocity(): number {
     return this.w;
   }
@@ -141,7 +143,7 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Sets the velocities that lead to the given placement in `deltaTime` seconds (> 0), each at most 1e150. Wakes the body. */
+  /** Sets the velocities that move the body to the given placement in `deltaTime` seconds (> 0). Each must come to at most 1e150. Wakes the body. */
   setVelocityFromPosition(targetPosition: Vec2Like, targetRotation: number, deltaTime: number): void {
     const where = 'RigidBody.setVelocityFromPosition';
     vector(where, 'targetPosition', targetPosition, 2);
@@ -160,7 +162,10 @@ export class RigidBody extends BodyForces {
     this.rouse();
   }
 
-  /** Moves the body along its velocities for `deltaTime` seconds, also backwards, to at most 1e150 m or rad. Ignored as `setPosition` is. Wakes the body. */
+  /**
+   * Moves the body with its velocities for `deltaTime` seconds; a negative time moves it back. Position and rotation must stay within 1e150
+   * m and rad. Ignored as `setPosition` is. Wakes the body.
+   */
   integrate(deltaTime: number): void {
     const where = 'RigidBody.integrate';
     finite(where, 'deltaTime', deltaTime);
@@ -174,36 +179,36 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Share of the velocity lost per second; 0.05 unless set. */
+  /** The share of the velocity lost per second; 0.05 unless set. */
   getLinearDrag(): number {
     return this.linearDrag;
   }
 
-  /** Sets the share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Wakes it. */
+  /** Sets the share of the velocity lost per second, >= 0; 1 and more stop the body in each step. Wakes the body. */
   setLinearDrag(linearDrag: number): void {
     this.linearDrag = nonNegative('RigidBody.setLinearDrag', 'linearDrag', linearDrag);
     this.rouse();
   }
 
-  /** Share of the angular velocity lost per second; 0.05 unless set. */
+  /** The share of the angular velocity lost per second; 0.05 unless set. */
   getAngularDrag(): number {
     return this.angularDrag;
   }
 
-  /** Sets the share of the angular velocity lost per second, >= 0; 1 and more stop its turn in each step. Wakes the body. */
+  /** Sets the share of the angular velocity lost per second, >= 0; 1 and more stop its rotation in each step. Wakes the body. */
   setAngularDrag(angularDrag: number): void {
     this.angularDrag = nonNegative('RigidBody.setAngularDrag', 'angularDrag', angularDrag);
     this.rouse();
   }
 
-  /** m/s: x along the surface, clockwise around the body; y along its outward normal. */
+  /** The velocity of the surface, m/s: x along the surface, clockwise around the body; y along its outward normal. */
   getSurfaceVelocity(): Vec2;
   getSurfaceVelocity<T extends NumberSink>(dst: T): T;
   getSurfaceVelocity<T extends NumberSink>(dst?: T): T | Vec2 {
     return vec2(this.surfaceX, this.surfaceY, 'RigidBody.getSurfaceVelocity', dst);
   }
 
-  /** Sets the surface velocity, m/s. Wakes the body, and what rests on it. */
+  /** Sets the surface velocity, m/s, as of a conveyor belt. Wakes the body, and what rests on it. */
   setSurfaceVelocity(velocity: Vec2Like): void {
     vector('RigidBody.setSurfaceVelocity', 'velocity', velocity, 2);
     this.surfaceX = velocity[0]!;
@@ -211,13 +216,16 @@ export class RigidBody extends BodyForces {
     this.rouse();
   }
 
-  /** kg, whatever the type; 0 for a body without shapes and without a given mass. */
+  /** The mass, kg, whatever the type; 0 for a body without shapes and without a given mass. */
   getMass(): number {
     this.refreshMass();
     return this.mass;
   }
 
-  /** Fixes the mass, kg, > 0, `Infinity` allowed; the inertia stays as it is, see `RigidBodyParams.mass`. Wakes the body if the value changes or was "from shapes". */
+  /**
+   * Fixes the mass, kg, > 0, `Infinity` allowed. The inertia does not change, see `RigidBodyParams.mass`. Wakes the body if the value
+   * changes or was "from shapes".
+   */
   setMass(mass: number): void {
     positiveOrInfinite('RigidBody.setMass', 'mass', mass);
     if (mass !== this.fixedMass) {
@@ -227,7 +235,7 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Lets the mass follow the shapes again. Wakes the body if it was fixed. */
+  /** Computes the mass from the shapes again, and keeps it in step with them. Wakes the body if it was fixed. */
   setMassFromShapes(): void {
     if (this.fixedMass >= 0) {
       this.fixedMass = -1;
@@ -236,7 +244,7 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** kg·m² about the body origin, whatever the type. */
+  /** The moment of inertia about the body origin, kg·m², whatever the type. */
   getInertia(): number {
     this.refreshMass();
     return this.inertia;
@@ -252,7 +260,7 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Lets the inertia follow the shapes again. Wakes the body if it was fixed. */
+  /** Computes the inertia from the shapes again, and keeps it in step with them. Wakes the body if it was fixed. */
   setInertiaFromShapes(): void {
     if (this.fixedInertia >= 0) {
       this.fixedInertia = -1;
@@ -262,10 +270,10 @@ export class RigidBody extends BodyForces {
   }
 
   /**
-   * Translates all shapes so that their centre of mass is the body origin. The body's position stays, so the shapes move
-   * in the world. No effect without shapes or mass. Ignored as `setPosition` is. Wakes the body.
+   * Translates all shapes so that their centre of mass is the body origin. The body's position stays, so the shapes move in the world. No
+   * effect without shapes or mass. Ignored as `setPosition` is. Wakes the body.
    *
-   * @throws RangeError, before anything changes, if corners of one would coincide where it came to be, as where shapes are 1e14 m apart.
+   * @throws RangeError, before anything changes, if corners of a shape would coincide after the move, as with shapes that are 1e14 m apart.
    */
   alignWithOrigin(): void {
     if (this.isLocked() || !(this.computeMassFromShapes() > 0)) {
@@ -275,7 +283,7 @@ export class RigidBody extends BodyForces {
     this.moveShapes('RigidBody.alignWithOrigin', -x, -y);
   }
 
-  /** Attaches a shape. @returns `false`, without effect, if it has a body, during a step, or for a static body in a world. */
+  /** Attaches a shape. @returns `false`, without effect, if it has a body already, during a step, and for a static body in a world. */
   addShape(shape: Shape): boolean {
     instance('RigidBody.addShape', 'shape', shape, Shape, 'a Shape');
     if (shape.owner !== null || this.isLocked()) {
@@ -288,7 +296,10 @@ export class RigidBody extends BodyForces {
     return true;
   }
 
-  /** Detaches a shape; its interactions end. @returns `false`, without effect, if it is not this body's, or as `addShape`. */
+  /**
+   * Detaches a shape; its interactions end. @returns `false`, without effect, if it is not this body's, during a step, and for a static
+   * body in a world.
+   */
   removeShape(shape: Shape): boolean {
     instance('RigidBody.removeShape', 'shape', shape, Shape, 'a Shape');
     if (shape.owner !== this || this.isLocked()) {
@@ -302,7 +313,7 @@ export class RigidBody extends BodyForces {
     return true;
   }
 
-  /** A point of the world in body coordinates, m. */
+  /** Converts a point in the world to body coordinates, m. */
   transformWorldPointToLocal(worldPoint: Vec2Like): Vec2;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst: T): T;
   transformWorldPointToLocal<T extends NumberSink>(worldPoint: Vec2Like, dst?: T): T | Vec2 {
@@ -311,7 +322,7 @@ export class RigidBody extends BodyForces {
     return this.toLocal(worldPoint[0]! - this.x, worldPoint[1]! - this.y, where, dst);
   }
 
-  /** A direction of the world in body coordinates. */
+  /** Converts a vector in the world to body coordinates: rotates it only. */
   transformWorldVectorToLocal(worldVector: Vec2Like): Vec2;
   transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst: T): T;
   transformWorldVectorToLocal<T extends NumberSink>(worldVector: Vec2Like, dst?: T): T | Vec2 {
@@ -320,7 +331,7 @@ export class RigidBody extends BodyForces {
     return this.toLocal(worldVector[0]!, worldVector[1]!, where, dst);
   }
 
-  /** A point in body coordinates in those of the world, m. */
+  /** Converts a point in body coordinates to world coordinates, m. */
   transformLocalPointToWorld(localPoint: Vec2Like): Vec2;
   transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst: T): T;
   transformLocalPointToWorld<T extends NumberSink>(localPoint: Vec2Like, dst?: T): T | Vec2 {
@@ -329,7 +340,7 @@ export class RigidBody extends BodyForces {
     return this.toWorld(localPoint, this.x, this.y, where, dst);
   }
 
-  /** A direction in body coordinates in those of the world. */
+  /** Converts a vector in body coordinates to world coordinates: rotates it only. */
   transformLocalVectorToWorld(localVector: Vec2Like): Vec2;
   transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst: T): T;
   transformLocalVectorToWorld<T extends NumberSink>(localVector: Vec2Like, dst?: T): T | Vec2 {
@@ -357,7 +368,7 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** Adds a handler. @returns `false` for an unknown type or a handler already present. Wakes the body silently otherwise. */
+  /** Adds a handler. @returns `false` for an unknown type or a handler already present. Otherwise wakes the body without an event. */
   addEventListener(eventType: BodyEventType, handler: BodyHandler): boolean {
     callable('RigidBody.addEventListener', 'handler', handler);
     return addListener(this, plainListener(bitOf(eventType, OF_BODIES), handler), this);
@@ -369,7 +380,7 @@ export class RigidBody extends BodyForces {
     return removeListener(this, plainListener(bitOf(eventType, OF_BODIES), handler), this);
   }
 
-  /** @internal the automatic wake: with a `wake` event if the body was asleep; of one that is in no world, of what is tied to it */
+  /** @internal wakes the body after a change, with a `wake` event if it was asleep; if it is in no world, wakes what it is an anchor of */
   override rouse(): void {
     if (this.owner !== null) {
       this.owner.wakeBody(this, false);
@@ -382,14 +393,14 @@ export class RigidBody extends BodyForces {
     }
   }
 
-  /** @internal wakes the constraints of other worlds than that, in which it is an anchor */
+  /** @internal wakes its constraints that are in other worlds than the given one: it is an anchor of those */
   rouseTies(world: World | null): void {
     for (const constraint of this.constraints) {
       if (constraint.owner !== null && constraint.owner !== world) constraint.rouse();
     }
   }
 
-  /** @internal the body may not be moved or reshaped now */
+  /** @internal whether the body may not be moved or reshaped now */
   isLocked(): boolean {
     return this.owner !== null && (this.owner.stepping || this.kind === STATIC);
   }

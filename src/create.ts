@@ -22,90 +22,93 @@ import { polygonWorks } from './solver/polygons.js';
 import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 
-// One function for each kind of object, so that a bundler leaves out what a game does not make. The methods of `Physics2DDevice` are the same.
+// One function for each kind of object, so that a bundler leaves out what a game does not make. The methods of `Physics2DDevice` do the same.
 
-/** A world without bodies. To save, restore and hash it, pass `state: worldState`; to solve contacts in WebAssembly, `kernels: simdKernels`. */
+/**
+ * Makes an empty world. To save, restore and hash it, pass `state: worldState`; to solve contacts and joints in WebAssembly, `kernels:
+ * simdKernels`.
+ */
 export function createWorld(params?: WorldParams): World {
   return new World(params);
 }
 
-/** A broadphase for any scene; the default of `createWorld`. */
+/** Makes a broadphase for any scene; the default of `createWorld`. */
 export function createBoxTreeBroadphase(): Broadphase {
   return new BoxTreeBroadphase();
 }
 
-/** A broadphase for scenes spread out along x. */
+/** Makes a broadphase for scenes that are spread out along x. */
 export function createSweepAndPruneBroadphase(): Broadphase {
   return new SweepAndPrune();
 }
 
-/** A body, in no world yet; dynamic unless `params.type` says otherwise. */
+/** Makes a body, in no world yet; dynamic unless `params.type` says otherwise. */
 export function createRigidBody(params?: RigidBodyParams): RigidBody {
   return new RigidBody(params);
 }
 
-/** The material of shapes made without one: always the same object. */
+/** The material of shapes that are made without one: always the same object. */
 export function getDefaultMaterial(): Material {
   return DEFAULT_MATERIAL;
 }
 
-/** What surfaces are made of: density, elasticity, friction. Shapes may share it. */
+/** Makes a material: density, elasticity, friction. Shapes may share it. */
 export function createMaterial(params?: MaterialParams): Material {
   return new Material(params);
 }
 
-/** A disc, of no body yet. */
+/** Makes a circle, on no body yet. */
 export function createCircleShape(params: CircleParams): Circle {
   return new Circle(params);
 }
 
-/** A convex polygon, of no body yet. */
+/** Makes a convex polygon, on no body yet. */
 export function createPolygonShape(params: PolygonParams): Polygon {
   bringPolygons(polygonWorks);
   return new Polygon(params);
 }
 
-/** Distances, intersections, rays and sweeps of shapes, without a world. */
+/** Makes an object for distances, intersections, rays and sweeps of shapes, without a world. */
 export function createCollisionUtils(): CollisionUtils {
   return new CollisionUtils();
 }
 
-/** Two points of two bodies coincide. */
+/** Makes a hinge: holds a point of one body on a point of another. */
 export function createPointConstraint(params: PointConstraintParams): PointConstraint {
   return solvable(new PointConstraint(params));
 }
 
-/** Two points of two bodies coincide, and the bodies keep their angle. */
+/** Makes a weld: holds a point of one body on a point of another, and the angle between the bodies. */
 export function createWeldConstraint(params: WeldConstraintParams): WeldConstraint {
   return solvable(new WeldConstraint(params));
 }
 
-/** The angle between two bodies stays between bounds; with a ratio, a gear. */
+/** Makes a constraint that keeps the angle between two bodies within bounds; with a ratio, a gear. */
 export function createAngleConstraint(params: AngleConstraintParams): AngleConstraint {
   return solvable(new AngleConstraint(params));
 }
 
-/** The distance of two points of two bodies stays between bounds: rod, rope, spring. */
+/** Makes a constraint that keeps the distance between points of two bodies within bounds: rod, rope, spring. */
 export function createDistanceConstraint(params: DistanceConstraintParams): DistanceConstraint {
   return solvable(new DistanceConstraint(params));
 }
 
-/** A point of body B stays on a line of body A, between bounds along it. */
+/** Makes a slider: keeps a point of body B on a line of body A, within bounds along it. */
 export function createLineConstraint(params: LineConstraintParams): LineConstraint {
   return solvable(new LineConstraint(params));
 }
 
-/** Two bodies turn against each other at a rate. */
+/** Makes a motor: turns two bodies against each other at a rate. */
 export function createMotorConstraint(params: MotorConstraintParams): MotorConstraint {
   return solvable(new MotorConstraint(params));
 }
 
-/** A rope over two bodies: its two links have a length together. */
+/** Makes a pulley: a rope over two bodies, with bounds on the length of its two links together. */
 export function createPulleyConstraint(params: PulleyConstraintParams): PulleyConstraint {
   return solvable(new PulleyConstraint(params));
 }
 
-/** A constraint of your own, given by its error and its Jacobian. */
+/** Makes a constraint of your own, defined by its error and its Jacobian. */
 export function createCustomConstraint(params: CustomConstraintParams): CustomConstraint {
   return solvable(new CustomConstraint(params));
 }

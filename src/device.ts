@@ -22,9 +22,9 @@ import { World } from './world.js';
 import type { WorldParams } from './world-state.js';
 
 /**
- * The factory for everything else. Holds no state: all devices are equal, and `phys2D` is one that is ready to use. Bad
- * arguments throw before anything is made; the message names the function, the argument, the rule and the value. Each method is a function to
- * import as well: a bundle has of those what it uses, and of a device everything.
+ * The factory for everything else. It holds no state: all devices are equal, and `phys2D` is one that is ready to use. Bad arguments throw
+ * before anything is made; the message names the function, the argument, the rule and the value. Each method is also a function to import:
+ * with these a bundle contains only what it uses, with a device it contains everything.
  */
 export class Physics2DDevice {
   /** Of the class, as in Turbulenz. */
@@ -32,95 +32,95 @@ export class Physics2DDevice {
     return 1;
   }
 
-  /** Who made the engine. */
+  /** The vendor of the engine. */
   readonly vendor = 'phys2d';
 
-  /** A device; one is as good as another. */
+  /** Makes a device; all devices are equal. */
   static create(): Physics2DDevice {
     return new Physics2DDevice();
   }
 
-  /** A world without bodies, that can be saved, restored and hashed. */
+  /** Makes an empty world, which can be saved, restored and hashed. */
   createWorld(params?: WorldParams): World {
     return new World(params, worldState, simdKernels);
   }
 
-  /** A broadphase for any scene; the default of `createWorld`. */
+  /** Makes a broadphase for any scene; the default of `createWorld`. */
   createBoxTreeBroadphase(): Broadphase {
     return create.createBoxTreeBroadphase();
   }
 
-  /** A broadphase for scenes spread out along x. */
+  /** Makes a broadphase for scenes that are spread out along x. */
   createSweepAndPruneBroadphase(): Broadphase {
     return create.createSweepAndPruneBroadphase();
   }
 
-  /** A body, in no world yet; dynamic unless `params.type` says otherwise. */
+  /** Makes a body, in no world yet; dynamic unless `params.type` says otherwise. */
   createRigidBody(params?: RigidBodyParams): RigidBody {
     return create.createRigidBody(params);
   }
 
-  /** The material of shapes made without one: always the same object. */
+  /** The material of shapes that are made without one: always the same object. */
   getDefaultMaterial(): Material {
     return create.getDefaultMaterial();
   }
 
-  /** What surfaces are made of: density, elasticity, friction. Shapes may share it. */
+  /** Makes a material: density, elasticity, friction. Shapes may share it. */
   createMaterial(params?: MaterialParams): Material {
     return create.createMaterial(params);
   }
 
-  /** A disc, of no body yet. */
+  /** Makes a circle, on no body yet. */
   createCircleShape(params: CircleParams): Circle {
     return create.createCircleShape(params);
   }
 
-  /** A convex polygon, of no body yet. */
+  /** Makes a convex polygon, on no body yet. */
   createPolygonShape(params: PolygonParams): Polygon {
     return create.createPolygonShape(params);
   }
 
-  /** Distances, intersections, rays and sweeps of shapes, without a world. */
+  /** Makes an object for distances, intersections, rays and sweeps of shapes, without a world. */
   createCollisionUtils(): CollisionUtils {
     return create.createCollisionUtils();
   }
 
-  /** Two points of two bodies coincide. */
+  /** Makes a hinge: holds a point of one body on a point of another. */
   createPointConstraint(params: PointConstraintParams): PointConstraint {
     return create.createPointConstraint(params);
   }
 
-  /** Two points of two bodies coincide, and the bodies keep their angle. */
+  /** Makes a weld: holds a point of one body on a point of another, and the angle between the bodies. */
   createWeldConstraint(params: WeldConstraintParams): WeldConstraint {
     return create.createWeldConstraint(params);
   }
 
-  /** The angle between two bodies stays between bounds; with a ratio, a gear. */
+  /** Makes a constraint that keeps the angle between two bodies within bounds; with a ratio, a gear. */
   createAngleConstraint(params: AngleConstraintParams): AngleConstraint {
     return create.createAngleConstraint(params);
   }
 
-  /** The distance of two points of two bodies stays between bounds: rod, rope, spring. */
+  /** Makes a constraint that keeps the distance between points of two bodies within bounds: rod, rope, spring. */
   createDistanceConstraint(params: DistanceConstraintParams): DistanceConstraint {
     return create.createDistanceConstraint(params);
   }
 
-  /** A point of body B stays on a line of body A, between bounds along it. */
+  /** Makes a slider: keeps a point of body B on a line of body A, within bounds along it. */
   createLineConstraint(params: LineConstraintParams): LineConstraint {
     return create.createLineConstraint(params);
   }
 
-  /** Two bodies turn against each other at a rate. */
+  /** Makes a motor: turns two bodies against each other at a rate. */
   createMotorConstraint(params: MotorConstraintParams): MotorConstraint {
     return create.createMotorConstraint(params);
   }
 
-  /** A rope over two bodies: its two links have a length together. */
+  /** Makes a pulley: a rope over two bodies, with bounds on the length of its two links together. */
   createPulleyConstraint(params: PulleyConstraintParams): PulleyConstraint {
     return create.createPulleyConstraint(params);
   }
 
-  /** A constraint of your own, given by its error and its Jacobian. */
+  /** Makes a constraint of your own, defined by its error and its Jacobian. */
   createCustomConstraint(params: CustomConstraintParams): CustomConstraint {
     return create.createCustomConstraint(params);
   }
@@ -141,5 +141,5 @@ export class Physics2DDevice {
   }
 }
 
-/** The engine: `phys2D.createWorld()`, `phys2D.createRigidBody()` and so on make all there is. A bundle that imports it has everything. */
+/** The engine: `phys2D.createWorld()`, `phys2D.createRigidBody()` and so on make everything. A bundle that imports it contains everything. */
 export const phys2D: Physics2DDevice = /* @__PURE__ */ Physics2DDevice.create();

@@ -1,23 +1,23 @@
 import { plain } from './solver/loops.js';
 import { type Room, Scratch } from './solver/scratch.js';
 
-/** What `WorldParams.kernels` is: `simdKernels`. */
+/** The type of `WorldParams.kernels`: `simdKernels`. */
 export class Kernels {
-  /** Held by the worlds that used it: with them it goes. */
+  /** The arrays that worlds share. Only held by the worlds that used them: without these they are collected. */
   private shared: WeakRef<Scratch> | null = null;
 
   /** @internal */
   constructor(private readonly allot: (size: number) => Room) {}
 
   /**
-   * Whether WebAssembly with 128-bit vectors is there and may be used (a page's `Content-Security-Policy` has to allow `'wasm-unsafe-eval'`). Where not, worlds solve
-   * contacts and joints in plain TypeScript, with the same results to the bit.
+   * Whether WebAssembly with 128-bit vectors is available and allowed (a page's `Content-Security-Policy` has to allow
+   * `'wasm-unsafe-eval'`). If not, worlds solve contacts and joints in plain TypeScript, with the same results to the bit.
    */
   isSupported(): boolean {
     return this.find().room.loops !== plain;
   }
 
-  /** @internal arrays for a step, for as long as no one else has them: within the step callbacks may step other worlds */
+  /** @internal lends arrays for a step, unless another world has them: callbacks within a step may step other worlds */
   lend(user: object, latest: Scratch | null): Scratch {
     let scratch = latest;
     if (!isFree(scratch, user)) scratch = this.find();
@@ -37,7 +37,7 @@ export class Kernels {
   }
 }
 
-/** Whether someone can have it for a step; with what a step left that threw its own world goes on. */
+/** Whether `user` can have it for a step. A world whose step threw goes on with its own. */
 function isFree(scratch: Scratch | null, user: object): scratch is Scratch {
   return scratch !== null && (scratch.user === null || scratch.user === user);
 }

@@ -11,7 +11,7 @@ const TYPES: readonly unknown[] = [
   'nonfinite',
 ];
 
-/** An event type as a bit, so that one number tells what an object is listened to for. */
+/** Event types as bits, so that one number says which ones an object has listeners for. */
 export const WAKE = 1;
 export const BEGIN = 2;
 export const HIT = 4;
@@ -27,13 +27,13 @@ export const OF_BODIES = WAKE | SLEEP;
 export const OF_CONSTRAINTS = WAKE | SLEEP | BREAK;
 export const OF_WORLDS = BEGIN | HIT | PROGRESS | END | NON_FINITE;
 
-/** The bit of a type by its name; 0 if there is none among those that are allowed. */
+/** The bit of a type by its name; 0 if it is not among those allowed. */
 export function bitOf(name: unknown, allowed: number): number {
   const rank = TYPES.indexOf(name);
   return rank < 0 ? 0 : (1 << rank) & allowed;
 }
 
-/** Place of a type in the order of delivery, from its bit. */
+/** The place of a type in the order of delivery, by its bit. */
 export function rankOf(type: number): number {
   return 31 - Math.clz32(type);
 }
@@ -43,18 +43,18 @@ export const RANKS = TYPES.length;
 
 /** A listener as it was added. */
 export interface Listener<H> {
-  /** A bit. */
+  /** The event type, as a bit. */
   readonly type: number;
   readonly handler: H;
-  /** Only for other shapes of these groups; `undefined`: for all. */
+  /** Only for other shapes in these groups; `undefined`: for all. */
   readonly mask: number | undefined;
-  /** `preSolve`: the handler always decides alike. */
+  /** For `preSolve`: the handler always decides alike. */
   readonly deterministic: boolean;
-  /** `hit`: m/s. */
+  /** For `hit`: slower ones are left out, m/s. */
   readonly minimumSpeed: number;
 }
 
-/** What no two listeners of an object have in common. */
+/** What identifies a listener of an object. */
 type Key<H> = Pick<Listener<H>, 'type' | 'handler' | 'mask'>;
 
 /**
@@ -62,7 +62,7 @@ type Key<H> = Pick<Listener<H>, 'type' | 'handler' | 'mask'>;
  * event that keeps the list it found when it was queued is not touched by what happens later.
  */
 export class Listeners<H> {
-  /** The types that some listener is for, as bits. */
+  /** The types that there are listeners for, as bits. */
   readonly types: number;
 
   constructor(readonly entries: readonly Listener<H>[]) {
@@ -85,26 +85,26 @@ export class Listeners<H> {
   }
 }
 
-/** The list of an object without listeners, one for all. */
+/** The empty list, shared by all objects without listeners. */
 export const NO_LISTENERS = /* @__PURE__ */ new Listeners<never>([]);
 
-/** A listener of a world, body or constraint, which has nothing but a type. */
+/** A listener of a world, body or constraint, which has only type and handler. */
 export function plainListener<H>(type: number, handler: H): Listener<H> {
   return { type, handler, mask: undefined, deterministic: false, minimumSpeed: 0 };
 }
 
-/** Whether a listener wants to hear of another shape of this group. */
+/** Whether a listener is for other shapes of this group. */
 export function admits({ mask }: Listener<unknown>, group: number): boolean {
   return mask === undefined || (mask & group) !== 0;
 }
 
-/** An object that can be listened to. */
+/** An object with listeners. */
 interface Heard<H> {
   listeners: Listeners<H>;
 }
 
 /**
- * Adds a listener to an object and wakes what belongs to it.
+ * Adds a listener to an object, and wakes `wakes`.
  *
  * @returns `false`, without effect, for type 0 and if the same (type, handler, mask) is present.
  */
@@ -112,7 +112,7 @@ export function addListener<H>(object: Heard<H>, added: Listener<H>, wakes: { wa
   return added.type !== 0 && replace(object, object.listeners.with(added), wakes);
 }
 
-/** Removes a listener and wakes what belongs to the object. @returns `false`, without effect, if there is none. */
+/** Removes a listener, and wakes `wakes`. @returns `false`, without effect, if it is not there. */
 export function removeListener<H>(object: Heard<H>, removed: Key<H>, wakes: { wake(): void } | null): boolean {
   return replace(object, object.listeners.without(removed), wakes);
 }

@@ -3,9 +3,9 @@ import { nonNegative, notNaN, optional, options } from './validate.js';
 
 /** Options of `createMaterial`. */
 export interface MaterialParams {
-  /** Bounciness; any number, ±Infinity allowed: −Infinity forces "never bounces", +Infinity "bounces fully". Default 0. */
+  /** Coefficient of restitution: any number, ±Infinity allowed. −Infinity forces "never bounces", +Infinity "bounces fully". Default 0. */
   elasticity?: number | undefined;
-  /** Coefficient of friction while the surfaces hold, >= 0. Default 2. */
+  /** Coefficient of friction while the surfaces stick, >= 0. Default 2. */
   staticFriction?: number | undefined;
   /** Coefficient of friction while they slide, >= 0. Default 1. */
   dynamicFriction?: number | undefined;
@@ -17,12 +17,12 @@ export interface MaterialParams {
   userData?: UserDataOf<'material'> | undefined;
 }
 
-/** Whether some material of the program has a negative elasticity, and so may take another its bounces: once one has, for good. */
+/** Whether any material of the program has had a negative elasticity, which may take away the bounce of another one; never reset. */
 export const materials = { someDeaden: false };
 
 /**
- * What a shape is made of. Immutable apart from `userData`; sharing one between shapes is normal.
- * Two combine at a contact to the mean of their elasticities, within 0 and 1 (0 if either is −Infinity, else 1 if either is +Infinity), and the geometric mean of their frictions.
+ * What a shape is made of. Immutable apart from `userData`; shapes may share one. At a contact, the elasticity is the mean of both, clamped
+ * to 0 to 1 (0 if either is −Infinity, else 1 if either is +Infinity), and each friction is the geometric mean of both.
  */
 export class Material {
   /** Of the class, as in Turbulenz. */
@@ -43,14 +43,14 @@ export class Material {
   readonly rollingFriction: number;
   /** @internal */
   readonly density: number;
-  /** @internal where the state that is saved lists it */
+  /** @internal its index while the state of the world is walked over */
   stateIndex = 0;
 
   /** @internal use `createMaterial` */
   constructor(params: MaterialParams = {}) {
     const where = 'createMaterial';
     const given = options(where, params, false);
-    // Nothing depends on the sign of a zero, and JSON has none: so there is none.
+    // No result depends on the sign of a zero, and JSON has none: 0 + removes it.
     this.elasticity = 0 + notNaN(where, 'elasticity', optional(given.elasticity, 0));
     materials.someDeaden ||= this.elasticity < 0;
     this.staticFriction = 0 + nonNegative(where, 'staticFriction', optional(given.staticFriction, 2));
@@ -75,12 +75,12 @@ export class Material {
     return this.dynamicFriction;
   }
 
-  /** Rolling friction, m. */
+  /** Rolling friction, m, as given to `createMaterial`. */
   getRollingFriction(): number {
     return this.rollingFriction;
   }
 
-  /** Mass per area, kg/m². */
+  /** The mass per area, kg/m², as given to `createMaterial`. */
   getDensity(): number {
     return this.density;
   }
@@ -98,7 +98,7 @@ export function mixElasticity(a: number, b: number): number {
   return mean < 0 ? 0 : mean > 1 ? 1 : mean;
 }
 
-/** Any friction coefficient of a contact: the geometric mean, finite even where the product is not. */
+/** Any friction coefficient of a contact: the geometric mean, finite even where the product overflows. */
 export function mixFriction(a: number, b: number): number {
   const product = a * b;
   return product < Infinity ? Math.sqrt(product) : Math.sqrt(a) * Math.sqrt(b);

@@ -13,33 +13,33 @@ import type { World } from './world.js';
 
 /** Options of `FixedStepRunner.create`. */
 export interface FixedStepRunnerParams {
-  /** What is stepped, nobody else should step it; or the `Recorder` of a world, through which it is. */
+  /** The world to step, which nobody else should step; or its `Recorder`, through which it is stepped. */
   world: World | Recorder;
   /** Length of each step, s, > 0. Default 1/60. */
   deltaTime?: number | undefined;
-  /** Most steps for one frame, integer from 1 to 1e9. Default 5. */
+  /** The largest number of steps in one frame, integer from 1 to 1e9. Default 5. */
   maxSteps?: number | undefined;
 }
 
 /**
  * Steps a world at a fixed rate, whatever the frame rate of the screen: a game runs at the same speed at 30, 60 and 144 Hz, and gives the
- * same bits. Call `advance` once a frame with the time that has passed, and draw bodies where `getPosition` and `getRotation` say: between their
- * placements before and after the last step, so that they move smoothly, up to one step behind.
+ * same bits. Call `advance` once a frame with the time that has passed, and draw bodies where `getPosition` and `getRotation` say. That is
+ * between their placements before and after the last step, so that they move smoothly, up to one step behind.
  *
  * After G. Fiedler, "Fix Your Timestep!", 2004.
  */
 export class FixedStepRunner {
   /** The world that it steps. */
   readonly world: World;
-  /** s. */
+  /** The length of each step, s. */
   readonly deltaTime: number;
-  /** Most steps for one frame. */
+  /** The largest number of steps in one frame. */
   readonly maxSteps: number;
-  /** s that have passed and are not simulated yet; less than `deltaTime`. */
+  /** The time that has passed and is not simulated yet, s; less than `deltaTime`. */
   private waiting = 0;
-  /** Steps yet to be made: more than none between two frames only if a handler threw. */
+  /** Steps yet to be made; between two frames more than 0 only if a handler threw. */
   private due = 0;
-  /** Through which it does. */
+  /** The world, or the recorder through which it is stepped. */
   private readonly stepped: World | Recorder;
   private advancing = false;
 
@@ -62,14 +62,17 @@ export class FixedStepRunner {
     return new FixedStepRunner(params);
   }
 
-  /** Share of a step, from 0 to less than 1, that has passed since the last one: for `Physics2DDebugDraw.interpolation`, and what you draw. */
+  /**
+   * The share of a step, from 0 to less than 1, that has passed since the last one: for `Physics2DDebugDraw.interpolation`, and for your
+   * own drawing.
+   */
   get interpolation(): number {
     return this.waiting / this.deltaTime;
   }
 
   /**
-   * Makes the steps that are due after `elapsed` seconds (>= 0) more. What is due beyond `maxSteps`, as after a pause, is dropped: the game is late
-   * then, but it does not freeze. If a handler throws, the steps that were still to be made are due in the next frame.
+   * Makes the steps that are due after another `elapsed` seconds (>= 0). Steps beyond `maxSteps`, as after a pause, are dropped: the game
+   * is late then, but it does not freeze. If a handler throws, the steps not yet made are due in the next frame.
    *
    * @param beforeStep called before each step: the place for forces and input.
    * @returns how many steps were made.
@@ -106,17 +109,17 @@ export class FixedStepRunner {
   getPosition(body: RigidBody): Vec2;
   getPosition<T extends NumberSink>(body: RigidBody, dst: T): T;
   getPosition<T extends NumberSink>(body: RigidBody, dst?: T): T | Vec2 {
-    this.look('FixedStepRunner.getPosition', body);
+    this.readPose('FixedStepRunner.getPosition', body);
     return vec2(pose[X]!, pose[Y]!, 'FixedStepRunner.getPosition', dst);
   }
 
-  /** At which angle to draw a body: clockwise on screen, rad. */
+  /** The rotation to draw a body with, clockwise on screen, rad. */
   getRotation(body: RigidBody): number {
-    this.look('FixedStepRunner.getRotation', body);
+    this.readPose('FixedStepRunner.getRotation', body);
     return pose[ANGLE]!;
   }
 
-  private look(where: string, body: RigidBody): void {
+  private readPose(where: string, body: RigidBody): void {
     if (typeof body?.getRotation !== 'function') {
       throw typeError(where, 'body', 'a RigidBody', body);
     }
@@ -124,5 +127,5 @@ export class FixedStepRunner {
   }
 }
 
-/** Scratch. */
+/** The pose that `readPose` writes: scratch. */
 const pose = /* @__PURE__ */ new Float64Array(3);

@@ -1,5 +1,5 @@
 /**
- * What your `userData` is, if you say it once for the whole program; what is not said is `unknown`:
+ * Declares the types of your `userData`, once for the whole program; what you do not declare is `unknown`:
  *
  * ```
  * declare module 'phys2d' {
@@ -10,8 +10,8 @@
  * }
  * ```
  *
- * Then `shape.userData` is `{ damage: number } | null` wherever a shape comes from: an event, a query, a list. The names are `body`, `shape`, `constraint` and
- * `material`. For code that imports; what `require` gives has `unknown`.
+ * Then `shape.userData` is `{ damage: number } | null` wherever a shape comes from: an event, a query, a list. The names are `body`,
+ * `shape`, `constraint` and `material`. For code that uses `import`; with `require` it is `unknown`.
  */
 // biome-ignore lint/suspicious/noEmptyInterface: it is for others to fill
 export interface UserData {}

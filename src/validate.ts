@@ -8,14 +8,14 @@
 import { FAR } from './config.js';
 import type { Ray } from './math/vectors.js';
 
-/** The class of an object, if its name tells something: those of one or two letters are of minifiers, and bundlers put `_` before some. */
+/** The class of an object, if its name says something: names of one or two letters are from minifiers, and some bundlers put `_` before names. */
 function classOf(value: object): string {
   const name: unknown = Object.getPrototypeOf(value)?.constructor?.name;
   const isTelling = typeof name === 'string' && name.length > 2 && name !== 'Object';
   return isTelling ? ` of class ${name.replace('_', '').slice(0, 40)}` : '';
 }
 
-/** A value as it appears in a message: short, and never throwing, whatever it is. */
+/** A value as it appears in a message: short, and without ever throwing. */
 function show(value: unknown): string {
   if (typeof value === 'string') {
     return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
@@ -40,7 +40,7 @@ export function rangeError(where: string, name: string, rule: string, value: unk
   return new RangeError(`${where}: ${name} must be ${rule}, got ${show(value)}`);
 }
 
-/** The error for what should be a number, and one of some range. */
+/** The error for what should be a number within some range. */
 function noNumber(where: string, name: string, rule: string, value: unknown): Error {
   return (typeof value === 'number' ? rangeError : typeError)(where, name, rule, value);
 }
@@ -93,7 +93,7 @@ export function nonNegativeOrInfinite(where: string, name: string, value: unknow
   return value;
 }
 
-/** An integer from `least` to 1e9: snapshots and arrays have room for no more. */
+/** An integer from `least` to 1e9: snapshots and arrays have no room for more. */
 export function integer(where: string, name: string, value: unknown, least: number): number {
   if (!(typeof value === 'number' && Number.isInteger(value) && value >= least && value <= 1e9)) {
     throw noNumber(where, name, `an integer from ${least} to 1e9`, value);
@@ -116,7 +116,7 @@ export function boolean(where: string, name: string, value: unknown): boolean {
   return value;
 }
 
-/** A number of at most some size. */
+/** A finite number of magnitude `most` or less. */
 export function within(where: string, name: string, value: unknown, most: number): number {
   const n = finite(where, name, value);
   if (Math.abs(n) > most) {
@@ -125,12 +125,15 @@ export function within(where: string, name: string, value: unknown, most: number
   return n;
 }
 
-/** Something with at least so many indices. */
+/** Whether it is an object of length `count` or more. */
 function isList(value: unknown, count: number): value is ArrayLike<unknown> {
   return typeof value === 'object' && value !== null && (value as ArrayLike<unknown>).length >= count;
 }
 
-/** Whether `vector` takes it. Asked first, as the words for what is wrong cost more than all else where it is called for every corner. */
+/**
+ * Whether `vector` accepts it. Asked first where it is called for every corner, as composing the names for messages would cost more than
+ * all else.
+ */
 export function isVector(value: unknown, count: number, most: number): value is ArrayLike<number> {
   if (!isList(value, count)) {
     return false;
@@ -144,7 +147,7 @@ export function isVector(value: unknown, count: number, most: number): value is 
   return true;
 }
 
-/** `count` finite numbers, of at most some size, at the indices 0 … count − 1. */
+/** `count` finite numbers of magnitude `most` or less, at the indices 0 … count − 1. */
 export function vector(
   where: string,
   name: string,
@@ -174,7 +177,7 @@ export function numbers(where: string, name: string, value: unknown, count: numb
   }
 }
 
-/** A ray: a finite origin, a finite direction that is not zero, and how far it goes, which may be `Infinity`. */
+/** A ray: a finite origin, a finite direction other than zero, and its length `maxFactor`, which may be `Infinity`. */
 export function checkedRay(where: string, ray: unknown): Ray {
   if (typeof ray !== 'object' || ray === null) {
     throw typeError(where, 'ray', 'a ray { origin, direction, maxFactor }', ray);
@@ -189,7 +192,7 @@ export function checkedRay(where: string, ray: unknown): Ray {
   return ray as Ray;
 }
 
-/** What an argument leads to has to be numbers of at most some size: else it is the argument that is out of range. */
+/** Blames an argument if the results it leads to are not all of magnitude 1e150 or less. */
 export function leadsTo(
   where: string,
   name: string,
@@ -202,7 +205,7 @@ export function leadsTo(
   }
 }
 
-/** Whether there is room for so many numbers: an array grows, a typed one does not. What may not be written to shows as it is. */
+/** Whether `count` numbers can be written to it: an array grows, a typed one does not. What is read-only shows when it is written to. */
 export function holdsNumbers(value: unknown, count: number): boolean {
   return (
     typeof value === 'object' &&
@@ -211,31 +214,31 @@ export function holdsNumbers(value: unknown, count: number): boolean {
   );
 }
 
-/** The error for a destination of so many numbers. */
+/** The error for a bad destination of `count` numbers. */
 export function noSink(where: string, name: string, value: unknown, count: number): TypeError {
   return typeError(where, name, `an array to write ${count} numbers into`, value);
 }
 
-/** A destination for so many numbers: anything with writable indices. */
+/** A destination for `count` numbers: anything with writable indices. */
 export function sink(where: string, name: string, value: unknown, count: number): void {
   if (!holdsNumbers(value, count) || Object.isFrozen(value) || isShut(value as ArrayLike<unknown>, count)) {
     throw noSink(where, name, value, count);
   }
 }
 
-/** It cannot grow to hold so many, or holds integers of another type. */
+/** Whether it cannot grow to hold `count` numbers, or holds integers of another type. */
 function isShut(value: ArrayLike<unknown>, count: number): boolean {
   return typeof value[0] === 'bigint' || (!Object.isExtensible(value) && !(value.length >= count));
 }
 
-/** A destination for objects: an array, or what has writable indices as one. */
+/** A destination for objects: an array, or anything else with writable indices. */
 export function list(where: string, name: string, value: unknown): void {
   if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || !Object.isExtensible(value)) {
     throw typeError(where, name, 'an array to write into', value);
   }
 }
 
-/** The default of an option that is left out or `undefined`; `null` is a value like any other, and mostly a wrong one. */
+/** The value of an option, or its default if it is left out or `undefined`. `null` is a value like any other, and mostly a wrong one. */
 export function optional<T>(value: T | undefined, fallback: T): T {
   return value === undefined ? fallback : value;
 }

@@ -22,69 +22,70 @@ import type { JointSolver } from './solver/joints/joints.js';
 import { boolean, callable, instance, integer, optional, options, typeError, vector } from './validate.js';
 import type { World } from './world.js';
 
-/** What `World.poses` is: a `PoseBuffer`, or anything with such a method. */
+/** The type of `World.poses`: a `PoseBuffer`, or anything with this method. */
 export interface PoseUpdate {
-  /** Called at the end of each step, before events. The rules are those of their handlers. */
+  /** Called at the end of each step, before events. The rules for their handlers apply. */
   update(): void;
 }
 
 /** Called with the interaction, `this` = the world. */
 export type WorldContactHandler = (this: World, arbiter: Arbiter) => void;
 
-/** Called with the collision that has begun, and how hard that was. */
+/** Called with the collision that has begun and how hard it was, `this` = the world. */
 export type WorldHitHandler = (this: World, arbiter: Arbiter, hit: Hit) => void;
 
-/** Called with the body that was frozen. */
+/** Called with the body that was frozen, `this` = the world. */
 export type WorldBodyHandler = (this: World, body: RigidBody) => void;
 
-/** The events of a world, and what their handlers are: those of all shapes in it, each told once. */
+/** The events of a world, and the types of their handlers. Those of shapes are reported for all shapes in the world, each once. */
 export interface WorldEvents {
   /** Two shapes touch for the first time, or again. */
   begin: WorldContactHandler;
-  /** They touch in another step, and are awake. */
+  /** They still touch in another step, and are awake. */
   progress: WorldContactHandler;
-  /** They do not touch any more, or one of them is gone. */
+  /** They no longer touch, or one of them is gone. */
   end: WorldContactHandler;
   /** A collision has begun. */
   hit: WorldHitHandler;
-  /** A body was frozen, as its motion would not have been finite. */
+  /** A body was frozen, because its motion would not have been finite. */
   nonfinite: WorldBodyHandler;
 }
 
-/** What worlds tell their listeners. */
+/** The types of events of a world. */
 export type WorldEventType = keyof WorldEvents;
 
 /** Options of `createWorld`. */
 export interface WorldParams {
-  /** Finds pairs of shapes that are near each other; any object of that interface. Default: a box tree. */
+  /** Finds pairs of shapes that are near each other: any object with that interface. Default: a box tree. */
   broadphase?: Broadphase | undefined;
-  /** m/s². Default `[0, 10]`: down, as y points down. */
+  /** Gravity, m/s². Default `[0, 10]`: down, as y points down. */
   gravity?: Vec2Like | undefined;
-  /** In a whole step, integer from 1 to 1e9; each sub-step has its share, at least one. Default 8. */
+  /** Velocity iterations per step, integer from 1 to 1e9; they are spread over the sub-steps, at least one each. Default 8. */
   velocityIterations?: number | undefined;
-  /** In a whole step, as `velocityIterations`. Default 8. */
+  /** Position iterations per step, as `velocityIterations`. Default 8. */
   positionIterations?: number | undefined;
-  /** Equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them. Default 4. */
+  /** Sub-steps: the equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them. Default 4. */
   substeps?: number | undefined;
   /** Whether bodies at rest fall asleep by themselves. Default `true`. */
   allowSleeping?: boolean | undefined;
   /**
-   * What `snapshot`, `restore` and `hash` work with: `worldState`. Default: nothing with the function `createWorld`, so that a bundle that does not
-   * save worlds has nothing of it, and these methods throw; `worldState` with the one of `phys2D`.
+   * What implements `snapshot`, `restore` and `hash`: `worldState`. Default: `worldState` with `phys2D.createWorld`; with the function
+   * `createWorld` nothing, so that a bundle that saves no worlds has no code for it, and these methods throw.
    */
   state?: WorldSaving | undefined;
   /**
-   * What solves contacts and joints: `simdKernels`, two at a time in WebAssembly where there is such. Default: `simdKernels` with the `createWorld` of `phys2D`, and with the function
-   * plain TypeScript, so that a bundle has less. The results are the same to the bit.
+   * The loops that solve contacts and joints: `simdKernels`, which work on two at a time, in WebAssembly where that is available. Default:
+   * `simdKernels` with `phys2D.createWorld`; with the function `createWorld` plain TypeScript, so that a bundle is smaller. The results are
+   * the same to the bit.
    */
   kernels?: Kernels | undefined;
 }
 
-/** What `WorldParams.state` is: `worldState`. */
+/** The type of `WorldParams.state`: `worldState`. */
 export interface WorldSaving {
-  /** Of the snapshots that it writes and reads. */
+  /** The version of the snapshots that it writes and reads. */
   readonly version: number;
-  /** @internal the class of the bodies that it knows: that of its own copy of the engine */
+  /** @internal the class of bodies in its own copy of the engine */
   readonly bodyClass: typeof RigidBody;
   /** @internal */
   hash(world: World): string;
@@ -96,7 +97,7 @@ export interface WorldSaving {
 
 const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 'sample'] as const;
 
-/** What a world is made of: its lists, its settings, and the parts it owns. {@link World} is its public face. */
+/** The state of a world: its lists, its settings, and the parts it owns. {@link World} is its public face. */
 export abstract class WorldState {
   /** All bodies in this world. */
   readonly rigidBodies: RigidBody[] = [];
@@ -119,31 +120,34 @@ export abstract class WorldState {
   gravityX: number;
   /** @internal */
   gravityY: number;
-  /** @internal from the first line of `step` until its events are about to be delivered */
+  /** @internal in `step`, until its events are about to be delivered */
   stepping = false;
   /** @internal bodies whose geometry has to be refreshed */
   readonly stale = new List<RigidBody>();
-  /** @internal a body, shape or constraint did, since `letGo` */
+  /** @internal a body, shape or constraint has left since `letGo` was last called */
   someLeft = false;
-  /** @internal sleeping bodies hit in this step */
+  /** @internal sleeping bodies that were hit in this step */
   readonly toWake = new List<RigidBody>();
-  /** @internal pairs that are near, but go too fast to tell how they will meet from how they lie */
+  /** @internal pairs that are near each other, but too fast to tell from their placements how they will meet */
   readonly closing = new List<Arbiter>();
-  /** @internal shapes that lie on or near several static ones, of one step */
+  /** @internal shapes that lie on or near several static ones in this step */
   readonly straddling = new List<Shape>();
   /** @internal */
   readonly saving: WorldSaving | null;
-  /** @internal since there was a constraint */
+  /** @internal the solver of constraints, since the first one was added */
   jointSolver: JointSolver | null = null;
-  /** @internal what the solver knows of the live constraints is out of date */
+  /** @internal the solver has to list the live constraints anew */
   jointsStale = false;
-  /** @internal … or only which bodies are where in its arrays, or numbers of some constraint */
+  /** @internal … or only the slots of their bodies, or numbers of some constraint, have changed */
   jointsTouched = false;
-  /** @internal grows with each body, shape and constraint added, whose `order` it becomes; of what never was in a world that is 0 */
+  /** @internal the `order` of the next body, shape or constraint that is added; one that was never in a world has 0 */
   nextOrder = 1;
-  /** @internal grows where pairs that were kept apart may interact now: a filter changed, or which joints keep their bodies from interacting */
+  /**
+   * @internal grows whenever pairs that were kept apart may interact from now on: a filter changed, or which joints keep their bodies from
+   * interacting
+   */
   filters = 1;
-  /** @internal that happened within this step already */
+  /** @internal `filters` has grown within this step already */
   filtersChanged = false;
   /** @internal */
   readonly pairs = new Pairs();
@@ -153,11 +157,11 @@ export abstract class WorldState {
   readonly solver: SolverData;
   /** @internal */
   readonly islandWork = new IslandWork();
-  /** @internal what moved fast in this step */
+  /** @internal the bodies that moved fast in this step */
   readonly movers = new Movers();
-  /** @internal what cannot be moved in this step, as its motion is not finite */
+  /** @internal bodies that are frozen in this step, as their motion is not finite */
   readonly frozen = new Set<RigidBody>();
-  /** @internal what sleeps though forces push it in the next step, or did in the last one */
+  /** @internal sleeping bodies on which forces act in the next step, or did in the last one */
   readonly pushed = new Set<BodyState>();
   /** @internal */
   listeners: Listeners<WorldEvents[WorldEventType]> = NO_LISTENERS;
@@ -211,7 +215,7 @@ export abstract class WorldState {
     this.claimBroadphase(where);
   }
 
-  /** @internal Before the first body comes: two worlds in one broadphase would cut each other for ever. */
+  /** @internal Called before the first body is added: two worlds in one broadphase would break each other for good. */
   claimBroadphase(where: string): void {
     const user = users.get(this.broadphase);
     if (user !== undefined && user !== this && user.rigidBodies.length > 0) {
@@ -220,24 +224,27 @@ export abstract class WorldState {
     users.set(this.broadphase, this);
   }
 
-  /** @internal Before the first body comes to an empty world: what is played again goes as it did in a new one, whatever the steps were last. */
+  /**
+   * @internal Called before the first body is added to an empty world: what is played again there goes as it did in a new one, whatever the
+   * last steps were.
+   */
   beginAnew(where: string): void {
     this.claimBroadphase(where);
     this.solver.previousH = 0;
     this.solver.span = 0;
   }
 
-  /** s. Grows by the step length at the start of each step; never reset. */
+  /** Simulated time, s. Grows by the step length at the start of each step; never reset. */
   get simulatedTime(): number {
     return this.time;
   }
 
-  /** Number of steps; grows at the start of each step; never reset. */
+  /** Number of steps so far. Grows at the start of each step; never reset. */
   get timeStamp(): number {
     return this.stamp;
   }
 
-  /** Velocity iterations per step in total, integer from 1 to 1e9. */
+  /** Velocity iterations per step, over all sub-steps; integer from 1 to 1e9. */
   get velocityIterations(): number {
     return this.velocityTotal;
   }
@@ -246,7 +253,7 @@ export abstract class WorldState {
     this.velocityTotal = integer('World', 'velocityIterations', value, 1);
   }
 
-  /** Position iterations per step in total, integer from 1 to 1e9. */
+  /** Position iterations per step, over all sub-steps; integer from 1 to 1e9. */
   get positionIterations(): number {
     return this.positionTotal;
   }
@@ -255,7 +262,7 @@ export abstract class WorldState {
     this.positionTotal = integer('World', 'positionIterations', value, 1);
   }
 
-  /** Equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them, at least one each. */
+  /** Sub-steps: the equal parts in which a step is integrated, integer from 1 to 1e9; the iterations are spread over them, at least one each. */
   get substeps(): number {
     return this.substepCount;
   }
@@ -265,8 +272,8 @@ export abstract class WorldState {
   }
 
   /**
-   * Times the phases of each step for `profile`, such as `() => performance.now()`; `null`, the default, costs nothing. The engine has no clock of its
-   * own, so that nothing it does can depend on one.
+   * A clock that times the phases of each step for `profile`, such as `() => performance.now()`. The default, `null`, costs nothing. The
+   * engine has no clock of its own, so that no result can depend on one.
    */
   get clock(): Clock | null {
     return this.timepiece;
@@ -280,12 +287,12 @@ export abstract class WorldState {
     this.measured = value === null ? null : new Profile(() => this.readClock(value));
   }
 
-  /** Where the time of the latest step went; `null` without a `clock`. The same object in each step. */
+  /** The times of the phases of the latest step; `null` without a `clock`. The same object in each step. */
   get profile(): Profile | null {
     return this.measured;
   }
 
-  /** Told at the end of each step where bodies are, before events. Default `null`: nothing is. */
+  /** An object that is updated with the placements of bodies at the end of each step, before events. Default `null`. */
   get poses(): PoseUpdate | null {
     return this.told;
   }
@@ -297,7 +304,7 @@ export abstract class WorldState {
     this.told = value;
   }
 
-  /** Whether bodies at rest fall asleep by themselves. A change wakes everything: their delay begins anew. */
+  /** Whether bodies at rest fall asleep by themselves. A change wakes everything: the delay until they sleep begins anew. */
   get allowSleeping(): boolean {
     return this.mayRest;
   }
@@ -309,7 +316,7 @@ export abstract class WorldState {
     }
   }
 
-  /** What a clock throws waits until the step is over, so that it cannot leave one half done. */
+  /** What the clock throws waits until the step is over, so that no step is left half done. */
   private readClock(clock: Clock): number {
     try {
       return clock();
@@ -330,7 +337,7 @@ function checkedSaving(where: string, value: unknown): WorldSaving {
   return value as WorldSaving;
 }
 
-/** The world that each broadphase is for: the one that has bodies, else the one that it was given to last. */
+/** The world that uses each broadphase: the one that has bodies, else the last one it was given to. */
 const users = /* @__PURE__ */ new WeakMap<Broadphase, WorldState>();
 
 function checkedBroadphase(where: string, value: unknown): Broadphase {

@@ -47,9 +47,9 @@ import {
 } from './world-state.js';
 
 /**
- * Bodies, and the time that passes for them. All lists are live and without order; do not modify them. During a step
- * (in `preSolve` handlers) nothing can be added or removed; in all other handlers everything may be changed.
- * `validate(world)`, imported apart from `phys2d/validate`, checks that all that a world consists of is consistent.
+ * A simulated world: bodies, constraints, and the time that passes for them. All its lists are live and in no particular order; do not
+ * modify them. During a step (in `preSolve` handlers) nothing can be added or removed; in all other handlers everything may be changed.
+ * `validate(world)`, from the separate module `phys2d/validate`, checks that the state of a world is consistent.
  */
 export class World extends WorldState {
   /** Of the class, as in Turbulenz. */
@@ -65,8 +65,8 @@ export class World extends WorldState {
   /**
    * Advances the world by one step of `deltaTime` seconds (> 0), then delivers events. Use a fixed step such as 1/60.
    *
-   * @throws Error when called from a handler. An exception of a handler, or of `poses`, leaves the world consistent: the step is completed,
-   * the other handlers are called, then the first exception is thrown on.
+   * @throws Error when called from a handler. If a handler or `poses` throws, the world stays consistent: the step is completed, the other
+   * handlers are called, and then the first exception is rethrown.
    */
   step(deltaTime: number): void {
     positive('World.step', 'deltaTime', deltaTime);
@@ -93,7 +93,7 @@ export class World extends WorldState {
     this.events.rethrow();
   }
 
-  /** m/s². */
+  /** The gravity, m/s²; y points down. */
   getGravity(): Vec2;
   getGravity<T extends NumberSink>(dst: T): T;
   getGravity<T extends NumberSink>(dst?: T): T | Vec2 {
@@ -110,7 +110,10 @@ export class World extends WorldState {
     }
   }
 
-  /** Adds a body. @returns `false`, without effect, if it is in a world already, or during a step. @throws if another world with bodies has the broadphase of this one. */
+  /**
+   * Adds a body. @returns `false`, without effect, if it is in a world already, or during a step. @throws Error if this world is empty and
+   * its broadphase belongs to another world that has bodies.
+   */
   addRigidBody(body: RigidBody): boolean {
     instance('World.addRigidBody', 'body', body, RigidBody, 'a RigidBody');
     if (this.stepping || body.owner !== null) {
@@ -139,7 +142,7 @@ export class World extends WorldState {
   }
 
   /**
-   * Removes a body, and its constraints with it; what touches it wakes, its interactions end.
+   * Removes a body, and its constraints with it. What touches it wakes, and its interactions end.
    *
    * @returns `false`, without effect, if it is not in this world, or during a step.
    */
@@ -167,7 +170,7 @@ export class World extends WorldState {
   }
 
   /**
-   * Adds a constraint; wakes its bodies unless it was put to sleep or disabled.
+   * Adds a constraint, and wakes its bodies unless it was put to sleep or disabled.
    *
    * @returns `false`, without effect, if it is in a world already, or during a step.
    */
@@ -180,7 +183,7 @@ export class World extends WorldState {
     return true;
   }
 
-  /** Removes a constraint; if it was asleep its bodies wake. @returns `false`, without effect, if not in this world, or during a step. */
+  /** Removes a constraint; if it was asleep, its bodies wake. @returns `false`, without effect, if it is not in this world, or during a step. */
   removeConstraint(constraint: Constraint): boolean {
     checkConstraint('World.removeConstraint', constraint);
     if (this.stepping || constraint.owner !== this) {
@@ -214,44 +217,50 @@ export class World extends WorldState {
     this.stale.clear();
     this.pairs.clear();
     this.events.clear();
-    // Who is told of an event may still ask what it was.
+    // Within a delivery, a handler may still read the event it was called for.
     if (!this.delivering) letGo(this);
   }
 
-  /** The shapes that contain a point, in the order in which they were made, written to the start of `store`; boundaries count. @returns how many. */
+  /**
+   * Finds the shapes that contain a point, boundaries included, and writes them to the start of `store`, in the order in which they were
+   * made. @returns how many.
+   */
   shapePointQuery(point: Vec2Like, store: Shape[]): number {
     return writeResults(this.atPoint('World.shapePointQuery', point, store), store);
   }
 
-  /** The bodies with a shape that contains a point, in the order of their first such shapes; as `shapePointQuery`. */
+  /** Finds the bodies with a shape that contains a point, as `shapePointQuery`; in the order of their first such shapes. */
   bodyPointQuery(point: Vec2Like, store: RigidBody[]): number {
     return writeResults(bodiesOf(this.atPoint('World.bodyPointQuery', point, store)), store);
   }
 
-  /** The shapes that a disc meets; as `shapePointQuery`, touching counts. `radius` > 0, may be `Infinity`. @returns how many. */
+  /** Finds the shapes that intersect a disc, as `shapePointQuery`; touching counts. `radius` > 0, may be `Infinity`. @returns how many. */
   shapeCircleQuery(center: Vec2Like, radius: number, store: Shape[]): number {
     return writeResults(this.inCircle('World.shapeCircleQuery', center, radius, store), store);
   }
 
-  /** The bodies that a disc meets; as `bodyPointQuery` and `shapeCircleQuery`. */
+  /** Finds the bodies with a shape that intersects a disc, as `bodyPointQuery` and `shapeCircleQuery`. */
   bodyCircleQuery(center: Vec2Like, radius: number, store: RigidBody[]): number {
     return writeResults(bodiesOf(this.inCircle('World.bodyCircleQuery', center, radius, store)), store);
   }
 
   /**
-   * The shapes that an upright rectangle meets; as `shapePointQuery`, touching counts. Two opposite corners in any order, which may be
-   * infinite. @returns how many.
+   * Finds the shapes that intersect an axis-aligned rectangle, as `shapePointQuery`; touching counts. The rectangle is given by two
+   * opposite corners in any order, which may be infinite. @returns how many.
    */
   shapeRectangleQuery(rectangle: RectLike, store: Shape[]): number {
     return writeResults(this.inRectangle('World.shapeRectangleQuery', rectangle, store), store);
   }
 
-  /** The bodies that a rectangle meets; as `bodyPointQuery` and `shapeRectangleQuery`. */
+  /** Finds the bodies with a shape that intersects a rectangle, as `bodyPointQuery` and `shapeRectangleQuery`. */
   bodyRectangleQuery(rectangle: RectLike, store: RigidBody[]): number {
     return writeResults(bodiesOf(this.inRectangle('World.bodyRectangleQuery', rectangle, store)), store);
   }
 
-  /** The shapes of other bodies that a shape meets where its body is now, in this world or not; as `shapePointQuery`, touching counts. @returns how many. */
+  /**
+   * Finds the shapes of other bodies that intersect a shape where its body is now, in this world or not; as `shapePointQuery`, touching
+   * counts. @returns how many.
+   */
   shapeQuery(shape: Shape, store: Shape[]): number {
     const where = 'World.shapeQuery';
     bodyOf(where, 'shape', shape);
@@ -260,9 +269,9 @@ export class World extends WorldState {
   }
 
   /**
-   * The nearest surface that a ray meets at a factor below `ray.maxFactor`, or `null`. A ray that starts inside a shape meets it where it leaves it,
-   * unless `ignoreInnerSurfaces` (default `false`). `callback` is asked about each hit that is nearer than those before, by an object that is used again; if it
-   * returns nothing or `false` the shape is left out. It must not change the world.
+   * The nearest hit of a ray at a factor below `ray.maxFactor`, or `null`. A ray that starts inside a shape hits it where it leaves it,
+   * unless `ignoreInnerSurfaces` (default `false`). `callback` is called for each hit that is nearer than those accepted before, with a
+   * result object that is used again. If it returns `false` or nothing, the shape is left out. It must not change the world.
    */
   rayCast(
     ray: Ray,
@@ -277,7 +286,7 @@ export class World extends WorldState {
     return castRay(this, ray, ignoreInnerSurfaces, accept && ((found) => accept.call(thisObject, ray, found)));
   }
 
-  /** Every shape that a ray meets, as `rayCast` would, nearest first, written to the start of `store`. @returns how many. */
+  /** Finds all hits of a ray, one a shape, as `rayCast`, and writes them to the start of `store`, nearest first. @returns how many. */
   rayCastAll(ray: Ray, ignoreInnerSurfaces: boolean, store: CastResult[]): number {
     const where = 'World.rayCastAll';
     checkedRay(where, ray);
@@ -287,10 +296,10 @@ export class World extends WorldState {
   }
 
   /**
-   * Sweeps a shape with its body's velocities for `deltaTime` seconds (> 0) against everything else in the world, which stands still: the first hit, or
-   * `null`. What touches at the start, and other shapes of the body, are left out; the body may be in any world or none, and stays as it
-   * is. `factor` is the time of the hit, s; `callback` as in `rayCast`. What turns more than some three hundred times while it is within reach of another shape
-   * is given up there.
+   * Sweeps a shape with its body's velocities for `deltaTime` seconds (> 0) against everything else in the world, which stands still.
+   * Returns the first hit, or `null`. What touches at the start, and other shapes of the body, are left out; the body may be in any world
+   * or none, and is not moved. `factor` is the time of the hit, s; `callback` as in `rayCast`. If the shape turns more than some three
+   * hundred times within reach of another one, that one is left out.
    */
   convexCast(
     shape: Shape,
@@ -306,21 +315,23 @@ export class World extends WorldState {
   }
 
   /**
-   * A digest of all that influences the future, 16 hexadecimal digits: worlds of equal digests go on alike, as far as handlers and callbacks do. The same in
-   * every JavaScript engine, whatever the broadphase, for the same calls.
+   * A digest of all that influences the future, 16 hexadecimal digits: worlds with equal digests continue alike, as far as handlers and
+   * callbacks do. It is the same in every JavaScript engine, whatever the broadphase, for the same calls.
    *
-   * @throws Error when called from a handler or callback of this world, or of a world that was made without `state`, as `snapshot` and `restore`.
+   * @throws Error, as do `snapshot` and `restore`, when called from a handler or callback of this world, or if the world was made without
+   * `state`.
    */
   hash(): string {
     return this.saved('World.hash').hash(this);
   }
 
   /**
-   * The state of the world: all that `restore` needs to go on from here to the bit. Listeners, user data and the variables of handlers and
-   * callbacks are not in it (but see `state` of custom constraints), nor are bodies that are in no world: of one that a constraint in this world has,
-   * place and motion are in it, its shapes are not.
+   * Saves the state of the world: all that `restore` needs to continue from here to the bit. Not included are listeners, user data, the
+   * variables of handlers and callbacks (but see `state` of custom constraints), and bodies that are in no world; if a constraint in this
+   * world has such a body, its placement and motion are included, its shapes are not.
    *
-   * @param target is written to, if it is large enough, and returned: keep what is returned, and a game that saves each step makes no garbage.
+   * @param target is written to and returned, if it is large enough. If a game saves each step and passes what the last call returned, it
+   * makes no garbage.
    */
   snapshot(target?: ArrayBuffer): ArrayBuffer {
     const where = 'World.snapshot';
@@ -328,17 +339,17 @@ export class World extends WorldState {
   }
 
   /**
-   * Brings the world back to where it was when a snapshot was taken, in place: bodies, shapes, constraints and materials are the same objects. What was added
-   * since is removed, without events; what was removed comes back, as do shapes and materials that were exchanged. A pair of shapes may have another
-   * arbiter object than before.
+   * Restores the world, in place, to its state when a snapshot was taken: bodies, shapes, constraints and materials are the same objects.
+   * What was added since is removed, without events. What was removed comes back, as do shapes and materials that were exchanged. A pair of
+   * shapes may have another arbiter object than before.
    *
-   * A buffer that `snapshot` returned names its objects, so they always come back. A copy of its bytes names them by when they were added:
-   * what is not in the world then has to be in `held`.
+   * A buffer that `snapshot` returned knows its objects, so they always come back. In a copy of its bytes, objects are identified by the
+   * order in which they were added: what is not in the world then has to be in `held`.
    *
    * @param snapshot may be bytes in another buffer, such as a Node `Buffer`: a copy then.
    * @param held bodies, shapes and constraints that are not in the world.
-   * @throws RangeError if the snapshot is damaged, none, or of another version; Error if an object of it cannot be found, or is in another world.
-   * Nothing has changed then.
+   * @throws RangeError if the bytes are damaged, no snapshot, or of another version; Error if an object of it cannot be found, or is in
+   * another world. Nothing has changed then.
    */
   restore(snapshot: ArrayBuffer | ArrayBufferView, held: Iterable<RigidBody | Shape | Constraint> = []): void {
     const where = 'World.restore';
@@ -356,10 +367,11 @@ export class World extends WorldState {
   /**
    * Adds a handler, which is called when the step is done, and may change anything.
    *
-   * - `begin`, `progress`, `end`, `hit`: as of shapes, see `shape.addEventListener`, for any two shapes, after their own handlers. What sleeps is not woken to tell. Of more than 64 shapes that
-   *   lie in the middle of each other, and have no handlers, some pairs are left out.
-   * - `nonfinite`: a body was frozen in the step, as its motion would not have been finite, or farther than 1e150 m. It is where it was,
-   *   without velocity, force and torque, and moved nothing else. Causes are forces and masses of no measure, and custom constraints.
+   * - `begin`, `progress`, `end`, `hit`: as for shapes, see `shape.addEventListener`, for any two shapes, after the handlers of these.
+   *   Adding one wakes nothing. Of more than 64 shapes that lie in the middle of each other and have no handlers, some pairs are left out.
+   * - `nonfinite`: a body was frozen in the step, because its motion would not have been finite, or would have led farther than 1e150 m. It
+   *   is where it was, without velocity, force and torque, and moved nothing else. Causes are extreme forces and masses, and custom
+   *   constraints.
    *
    * @returns `false` for an unknown type or a handler already present.
    */
@@ -374,7 +386,7 @@ export class World extends WorldState {
     return removeListener(this, plainListener(bitOf(eventType, OF_WORLDS), handler), null);
   }
 
-  /** @internal in a step, or telling of it: handlers and callbacks are being called. Keeps its name */
+  /** @internal in a step or delivering its events: handlers and callbacks are being called. Keeps its name */
   get busy(): boolean {
     return this.stepping || this.delivering;
   }
@@ -405,7 +417,7 @@ export class World extends WorldState {
     return shapesInRectangle(this, rectangle);
   }
 
-  // What bodies ask of the solver goes through their world, so that their modules need not import it; constraints ask their own.
+  // Bodies call the solver through their world, so that their modules need not import it; constraints have their own reference to it.
 
   /** @internal */
   wakeBody(body: RigidBody, silent: boolean): void {
@@ -427,19 +439,19 @@ export class World extends WorldState {
     changeKind(this, body, kind);
   }
 
-  /** @internal before a change of what filters or joints let interact */
+  /** @internal to be called before a change of filters, or of what joints keep from interacting */
   changeFilters(): void {
     changeFilters(this);
   }
 
-  /** @internal a body is about to be put elsewhere */
+  /** @internal keeps the manifolds of a body that is about to be moved by hand */
   holdContacts({ shapes }: Pick<RigidBody, 'shapes'>): void {
     for (const { arbiters } of shapes) {
       arbiters.forEach(holdAtEnd);
     }
   }
 
-  /** @internal a shape was attached to a body of this world */
+  /** @internal called after a shape was attached to a body of this world */
   shapeAdded(shape: Shape): void {
     shape.place(shape.owner!);
     this.enter(shape);
@@ -452,7 +464,7 @@ export class World extends WorldState {
     insertHandle(this, shape);
   }
 
-  /** @internal a shape is about to be detached from a body of this world */
+  /** @internal called before a shape is detached from a body of this world */
   shapeRemoved(shape: Shape): void {
     rouseNeighbours(this, shape.owner!);
     cutPairs(this, shape);
@@ -467,7 +479,7 @@ export class World extends WorldState {
   }
 }
 
-/** Asked for what it can do, as its class would be in every bundle that has a world. */
+/** By what it can do, as naming its class would put that into every bundle that has a world. */
 function checkConstraint(where: string, constraint: Constraint): void {
   if (typeof constraint?.measure !== 'function') {
     throw typeError(where, 'constraint', 'a Constraint', constraint);
