@@ -1,9 +1,9 @@
 import type { World } from './world.js';
 
-/** Milliseconds, or whatever the clock counts, since any moment. */
+/** A clock: returns the time in milliseconds, or in any other unit, since any moment. */
 export type Clock = () => number;
 
-/** What the step is made of, in the order in which it comes first. */
+/** The phases of a step, in the order in which they first come. */
 export const PHASES = [
   'pairs',
   'foresight',
@@ -16,48 +16,51 @@ export const PHASES = [
   'events',
 ] as const;
 
-/** The parts of a step that are timed. */
+/** A phase of a step that is timed. */
 export type Phase = (typeof PHASES)[number];
 
 /**
- * Where the time of the latest step went, and how much there was to do: `world.profile`, while `world.clock` is set. Times are what the clock counts,
- * milliseconds of `performance.now`; they add up to the whole step.
+ * The times of the phases of the latest step, and the amount of work in it: `world.profile`, while `world.clock` is set. Times are in the
+ * unit of the clock, milliseconds for `performance.now`; they add up to the whole step.
  */
 export class Profile {
-  /** Bounds and broadphase brought up to date, pairs found, collisions worked out, `preSolve` handlers. */
+  /** Update of bounds and broadphase, search for pairs, narrow phase, `preSolve` handlers. */
   pairs = 0;
-  /** Looking ahead for what moves fast. */
+  /** Prediction of contacts of what moves fast. */
   foresight = 0;
-  /** Islands; what rests falls asleep. */
+  /** Search for islands, and putting those at rest to sleep. */
   islands = 0;
-  /** Writing bodies, contacts and joints into the arrays of the solver. */
+  /** Packing of bodies, contacts and joints into the arrays of the solver. */
   prepare = 0;
   /** Forces, warm start and velocity iterations, of all sub-steps. */
   velocities = 0;
-  /** Motion and position iterations, of all sub-steps. */
+  /** Integration of positions and position iterations, of all sub-steps. */
   positions = 0;
-  /** Writing the outcome back. */
+  /** Writing the results back to bodies, contacts and joints. */
   store = 0;
-  /** Impacts of what moved fast. */
+  /** Continuous collision: impacts of what moved fast. */
   continuous = 0;
-  /** Handlers. */
+  /** Event handlers. */
   events = 0;
 
   /** Bodies in the solver, dynamic and kinematic. */
   awakeBodies = 0;
-  /** Pairs of shapes whose bounds overlap, or that interacted a short while ago, with something awake. */
+  /** Pairs of shapes, with at least one awake body, whose bounds overlap or that interacted a short while ago. */
   activePairs = 0;
-  /** Pairs of shapes, no sensors, whose collision was worked out. */
+  /** Pairs of shapes that the narrow phase collided; without sensors. */
   manifolds = 0;
-  /** Contacts in the solver, of one and of two points. */
+  /** Contact constraints in the solver, each of one or two points. */
   contacts = 0;
-  /** How many of `contacts` are in parts that are swept over more often. */
+  /** How many of `contacts` are hard to solve, and get more iterations. */
   hardContacts = 0;
   /** Constraints in the solver. */
   joints = 0;
-  /** Groups of awake dynamic bodies that touch or are tied, and sleep and wake together; 0 while `allowSleeping` is false. */
+  /**
+   * Awake islands: groups of dynamic bodies that touch or are connected by constraints, and sleep and wake together; 0 while
+   * `allowSleeping` is false.
+   */
   awakeIslands = 0;
-  /** Impacts that were found by sweeping. */
+  /** Impacts that continuous collision found. */
   impacts = 0;
 
   private last = 0;
@@ -74,14 +77,14 @@ export class Profile {
     this.last = this.clock();
   }
 
-  /** @internal the time since the last call went into a phase */
+  /** @internal adds the time since the last call to a phase */
   lap(phase: Phase): void {
     const now = this.clock();
     this[phase] += now - this.last;
     this.last = now;
   }
 
-  /** @internal what the solver has to do */
+  /** @internal counts the work of the step */
   count({ solver, pairs, timeStamp, islandWork }: World): void {
     this.awakeBodies = solver.bodyCount - 1;
     this.activePairs = pairs.sorted.count;

@@ -306,7 +306,7 @@ export class Arbiter extends PairState {
    * @internal N·s along (x, y) that body B received before the pair was collided again in the latest step: the share of one point, split as
    * the normal impulses since are
    */
-  earlierShare(which: number, x: number, y: number): number {
+  shareBefore(which: number, x: number, y: number): number {
     if (!this.active || !this.metAgain()) {
       return 0;
     }
@@ -364,7 +364,7 @@ export class Arbiter extends PairState {
   }
 
   /** @internal point `which` is the one that used to be the other: takes over its impulses, and the other one is new */
-  takeOverPoint(which: 0 | 1): void {
+  shiftPoint(which: 0 | 1): void {
     const to = this.at + c.NORMAL + c.IMPULSES * which;
     const from = this.at + c.NORMAL + c.IMPULSES * (1 - which);
     this.numbers.copyWithin(to, from, from + c.IMPULSES);

@@ -49,7 +49,7 @@ export class Contact {
   /** The normal impulse of the latest step on body B, along the arbiter's normal, N·s, >= 0. Body A received the opposite. */
   getNormalImpulse(): number {
     const { numbers: n, at: o } = this.arbiter;
-    const earlier = this.arbiter.earlierShare(this.which, n[o + g.NX]!, n[o + g.NY]!);
+    const earlier = this.arbiter.shareBefore(this.which, n[o + g.NX]!, n[o + g.NY]!);
     return n[o + c.STEP_NORMAL + c.IMPULSES * this.which]! + Math.max(0, earlier);
   }
 
@@ -60,7 +60,7 @@ export class Contact {
    */
   getTangentImpulse(): number {
     const { numbers: n, at: o } = this.arbiter;
-    const earlier = this.arbiter.earlierShare(this.which, -n[o + g.NY]!, n[o + g.NX]!);
+    const earlier = this.arbiter.shareBefore(this.which, -n[o + g.NY]!, n[o + g.NX]!);
     return n[o + c.STEP_TANGENT + c.IMPULSES * this.which]! + earlier;
   }
 }

@@ -70,9 +70,9 @@ function matchPoints(pair: Arbiter): void {
   const id0 = n[o + g.ID0];
   const id1 = n[o + g.ID1];
   if (id0 === last.id1) {
-    pair.takeOverPoint(0);
+    pair.shiftPoint(0);
   } else if (id1 === last.id0) {
-    pair.takeOverPoint(1);
+    pair.shiftPoint(1);
   } else {
     if (id0 !== last.id0) {
       pair.dropPoint(0);

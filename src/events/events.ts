@@ -31,8 +31,8 @@ function makeLists(): Notes[] {
  */
 export class EventQueue {
   private lists = makeLists();
-  /** The lists being delivered, while `lists` takes what handlers cause. */
-  private delivered = makeLists();
+  /** The lists that are being handed out, while `lists` takes what handlers cause. */
+  private handed = makeLists();
   /** Whether anything was noted since the last delivery: most steps of most worlds have no events. */
   private stirred = false;
   private readonly hits: Hit[] = [];
@@ -165,29 +165,29 @@ export class EventQueue {
     }
     this.stirred = false;
     const lists = this.lists;
-    this.lists = this.delivered;
-    this.delivered = lists;
+    this.lists = this.handed;
+    this.handed = lists;
     for (const list of lists) {
-      this.deliverList(list);
+      this.handOut(list);
     }
   }
 
-  private deliverList(list: Notes): void {
+  private handOut(list: Notes): void {
     list.sort();
     for (let i = 0; i < list.count; i += 1) {
       const note = list.all[i]!;
       const { own, other, arbiter, hit } = note;
-      this.callHandlers(list, note.listeners, note.otherGroup, own, arbiter ?? note.body, other, hit);
+      this.hand(list, note.listeners, note.otherGroup, own, arbiter ?? note.body, other, hit);
       if (other !== null) {
-        this.callHandlers(list, note.otherListeners, note.group, other, arbiter, own as Shape, hit);
-        this.callHandlers(list, note.worldListeners, note.group, this.world, arbiter, hit, null);
+        this.hand(list, note.otherListeners, note.group, other, arbiter, own as Shape, hit);
+        this.hand(list, note.worldListeners, note.group, this.world, arbiter, hit, null);
       }
     }
     list.clear();
   }
 
   /** Calls the handlers of one object for an event. If one of them calls `World.clear`, the list is emptied, and no more are called. */
-  private callHandlers(
+  private hand(
     list: Notes,
     { entries }: Listeners<unknown>,
     group: number,
@@ -247,7 +247,7 @@ export class EventQueue {
 
   /** Drops all events, and ends a delivery in progress. */
   clear(): void {
-    for (const list of [...this.lists, ...this.delivered]) {
+    for (const list of [...this.lists, ...this.handed]) {
       list.clear();
     }
     this.woken.clear();

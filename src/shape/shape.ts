@@ -194,7 +194,7 @@ export abstract class BaseShape {
     return isOther;
   }
 
-  /** The material. */
+  /** What the shape is made of. */
   getMaterial(): Material {
     return this.material;
   }
