@@ -22,6 +22,7 @@ export const BREAK = 64;
 export const PRE_SOLVE = 128;
 export const NON_FINITE = 256;
 
+/** The types that an object of each kind has, as bits. */
 export const OF_SHAPES = BEGIN | HIT | PROGRESS | END | PRE_SOLVE;
 export const OF_BODIES = WAKE | SLEEP;
 export const OF_CONSTRAINTS = WAKE | SLEEP | BREAK;

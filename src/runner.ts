@@ -11,6 +11,9 @@ import type { Recorder } from './state/recorder.js';
 import { callable, integer, nonNegative, options, positive, typeError } from './validate.js';
 import type { World } from './world.js';
 
+/** The pose that `readPose` writes: scratch. */
+const pose = /* @__PURE__ */ new Float64Array(3);
+
 /** Options of `FixedStepRunner.create`. */
 export interface FixedStepRunnerParams {
   /** The world to step, which nobody else should step; or its `Recorder`, through which it is stepped. */
@@ -126,6 +129,3 @@ export class FixedStepRunner {
     writePose(body, this.interpolation, pose);
   }
 }
-
-/** The pose that `readPose` writes: scratch. */
-const pose = /* @__PURE__ */ new Float64Array(3);

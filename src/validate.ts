@@ -32,10 +32,12 @@ function show(value: unknown): string {
   return String(value);
 }
 
+/** The error for a value of the wrong kind. */
 export function typeError(where: string, name: string, rule: string, value: unknown): TypeError {
   return new TypeError(`${where}: ${name} must be ${rule}, got ${show(value)}`);
 }
 
+/** The error for a value of the right kind that is out of range. */
 export function rangeError(where: string, name: string, rule: string, value: unknown): RangeError {
   return new RangeError(`${where}: ${name} must be ${rule}, got ${show(value)}`);
 }
@@ -109,6 +111,7 @@ export function bits(where: string, name: string, value: unknown): number {
   return value >>> 0;
 }
 
+/** `true` or `false`. */
 export function boolean(where: string, name: string, value: unknown): boolean {
   if (typeof value !== 'boolean') {
     throw typeError(where, name, 'a boolean', value);
@@ -259,6 +262,7 @@ export function options<T extends object>(
   return value;
 }
 
+/** An object of a class; `rule` names it in the message. */
 export function instance<T>(
   where: string,
   name: string,
@@ -272,6 +276,7 @@ export function instance<T>(
   return value;
 }
 
+/** A function. */
 export function callable(where: string, name: string, value: unknown): void {
   if (typeof value !== 'function') {
     throw typeError(where, name, 'a function', value);

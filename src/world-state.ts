@@ -97,6 +97,9 @@ export interface WorldSaving {
 
 const BROADPHASE_METHODS = ['insert', 'update', 'remove', 'clear', 'perform', 'sample'] as const;
 
+/** The world that uses each broadphase: the one that has bodies, else the last one it was given to. */
+const users = /* @__PURE__ */ new WeakMap<Broadphase, WorldState>();
+
 /** The state of a world: its lists, its settings, and the parts it owns. {@link World} is its public face. */
 export abstract class WorldState {
   /** All bodies in this world. */
@@ -336,9 +339,6 @@ function checkedSaving(where: string, value: unknown): WorldSaving {
   }
   return value as WorldSaving;
 }
-
-/** The world that uses each broadphase: the one that has bodies, else the last one it was given to. */
-const users = /* @__PURE__ */ new WeakMap<Broadphase, WorldState>();
 
 function checkedBroadphase(where: string, value: unknown): Broadphase {
   if (typeof value !== 'object' || value === null) {

@@ -64,7 +64,7 @@ export interface Numbers {
  * of its bodies, the Jacobian J. All else is common: the solver drives C to zero with impulses Jᵀλ.
  */
 export abstract class BaseConstraint {
-  /** The kind of constraint. */
+  /** The kind of constraint, which tells the classes apart. */
   abstract readonly type: ConstraintType;
   /** The number of components of its error. */
   readonly dimension: number;

@@ -27,7 +27,7 @@ export function clearPoint(n: Float64Array, o: number, which: number): void {
 }
 
 /** The impulses of a pair from before it was collided a second time within a step: linear on body B, angular on each body. */
-export interface Before {
+export interface EarlierImpulses {
   step: number;
   x: number;
   y: number;
@@ -36,7 +36,7 @@ export interface Before {
 }
 
 /** A manifold as it was at the end of a step, kept because a body has been moved by hand since. */
-export interface Held {
+export interface HeldManifold {
   step: number;
   /** The normal, then position and penetration of the first point and of the second. */
   readonly numbers: Float64Array;
@@ -59,9 +59,9 @@ export class Arbiter extends PairState {
   /** @internal index in shapeB.arbiters */
   indexB = -1;
   /** @internal the impulses from before the pair was collided a second time within a step; valid if `metAgain` */
-  before: Before | null = null;
+  before: EarlierImpulses | null = null;
   /** @internal the manifold at the end of a step, if a body was moved by hand since: see `at-end.ts`; valid if `isHeld` */
-  held: Held | null = null;
+  held: HeldManifold | null = null;
   /** The array behind `contacts`, and the two objects it is filled with. Made on first use: most pairs are never asked. */
   private seenPoints: { readonly list: Contact[]; readonly points: readonly Contact[] } | null = null;
 
@@ -293,7 +293,7 @@ export class Arbiter extends PairState {
    * @internal the pair is collided a second time in this step: keeps the sum of the impulses so far, in a spare object if there is one, and
    * drops the points
    */
-  meetAgain(spare: Before[]): void {
+  meetAgain(spare: EarlierImpulses[]): void {
     this.sumImpulses(-1);
     const wA = sum[2]!;
     this.sumImpulses(1);

@@ -2,7 +2,7 @@ import { ARBITER_CACHE, SENSOR_CACHE } from '../config.js';
 import { List, takeOut } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
 import { isOlder, type Shape } from '../shape/shape.js';
-import { Arbiter, type Before } from './arbiter.js';
+import { Arbiter, type EarlierImpulses } from './arbiter.js';
 import { ACTIVE, AWAKE, DEAD, LISTED, SHOWN, SLEEPING } from './bits.js';
 import { Crowd } from './crowd.js';
 import { PairTable } from './pair-table.js';
@@ -59,7 +59,7 @@ export class Pairs {
   /** @internal the first free arbiter; each links the next one, as an array would grow when many pairs end */
   pool: Arbiter | null = null;
   /** @internal objects for `Arbiter.before`: left in the arbiters in the pool, there would be one in every arbiter in the end */
-  readonly spare: Before[] = [];
+  readonly spare: EarlierImpulses[] = [];
   /**
    * @internal pairs that were cut off since the last step began, and those from before: an `end` event that is yet to be delivered may
    * still name them
@@ -327,7 +327,7 @@ export class Pairs {
   }
 }
 
-/** Lets go of the shapes of a report: they, and what is bound to them, may be gone. */
+/** Lets go of the shapes of a report, so that they and what they refer to can be collected. */
 function dropShapes(report: Report): void {
   report.shapeA = null!;
   report.shapeB = null!;

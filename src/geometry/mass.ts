@@ -51,6 +51,7 @@ function sum(vertices: ArrayLike<number>): void {
   sums.second = second;
 }
 
+/** Area, m². */
 export function polygonArea(vertices: ArrayLike<number>): number {
   sum(vertices);
   return sums.area / 2;

@@ -4,6 +4,12 @@ import { Distance, measureDistance } from './distance.js';
 import { EDGE_STRIDE } from './layout.js';
 import { Outline } from './outline.js';
 
+/** By what share the time at which circles meet is reckoned too early. */
+const SHORT = 1e-9;
+
+/** By what share of its length the end of a way may be off by rounding. */
+const ROUNDING = 4 * Number.EPSILON;
+
 /** Angle, cosine, sine: scratch. */
 const turned = /* @__PURE__ */ new Float64Array(3);
 
@@ -127,12 +133,6 @@ export class Sweep {
     this.b.shape = null;
   }
 }
-
-/** By what share the time at which circles meet is reckoned too early. */
-const SHORT = 1e-9;
-
-/** By what share of its length the end of a way may be off by rounding. */
-const ROUNDING = 4 * Number.EPSILON;
 
 /**
  * Writes to `bound` how far a moving outline reaches at most along the axis, now `(nx, ny)`, after another `dt`: every corner goes on at

@@ -12,6 +12,12 @@ import { isUnderWay, refreshPlaces } from '../solver/refresh.js';
 import type { World } from '../world.js';
 import { shapesNear } from './queries.js';
 
+/** Makes the limit longer by more than rounding. */
+const LIMIT_SLACK = 1 + 1e-6;
+
+/** For the next cast; one made within the callback of another takes a new one. */
+let spareSweep: Sweep | null = null;
+
 /** What a cast hit. */
 export interface CastResult {
   /** What was hit. */
@@ -186,12 +192,6 @@ export function castShape(world: World, shape: Shape, deltaTime: number, accept:
   spareSweep = sweep;
   return best;
 }
-
-/** Makes the limit longer by more than rounding. */
-const LIMIT_SLACK = 1 + 1e-6;
-
-/** For the next cast; one made within the callback of another takes a new one. */
-let spareSweep: Sweep | null = null;
 
 /** Whether bounds that move with the velocity of a body may meet those of a shape within a time. */
 function mayMeet(start: RectLike, { vx, vy }: Travel, { numbers: n, at }: Shape, limit: number): boolean {

@@ -52,6 +52,7 @@ export function bodiesOf(shapes: readonly Shape[]): RigidBody[] {
   return [...new Set(shapes.map(({ owner }) => owner!))];
 }
 
+/** The shapes that contain a point, sorted by id; the boundary counts. */
 export function shapesAtPoint(world: World, point: Vec2Like): Shape[] {
   const x = point[0]!;
   const y = point[1]!;
@@ -60,6 +61,7 @@ export function shapesAtPoint(world: World, point: Vec2Like): Shape[] {
   );
 }
 
+/** The shapes that intersect a disc, sorted by id; touching counts. The radius may be `Infinity`. */
 export function shapesInCircle(world: World, center: Vec2Like, radius: number): Shape[] {
   const x = center[0]!;
   const y = center[1]!;
@@ -72,6 +74,7 @@ export function shapesInCircle(world: World, center: Vec2Like, radius: number): 
   return found.filter((shape) => meets(shape, x, y));
 }
 
+/** The shapes that intersect a rectangle, given by any two opposite corners, sorted by id; touching counts. */
 export function shapesInRectangle(world: World, rectangle: RectLike): Shape[] {
   const bounds = [
     Math.min(rectangle[0]!, rectangle[2]!),

@@ -117,7 +117,7 @@ export abstract class BaseShape {
   material: Material;
   /** Anything of yours. */
   userData: UserDataOf<'shape'>;
-  /** Tells circles from polygons. */
+  /** The kind of shape, which tells circles from polygons. */
   abstract readonly type: 'CIRCLE' | 'POLYGON';
 
   /** @internal */
