@@ -195,7 +195,7 @@ export class SqueezeList {
   readonly contacts = new List<number>();
   /** N·s. What each of their points, two by two, may start a sub-step with however deep it is. */
   least = new Float64Array(0);
-  /** By slot: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, whether joints are in them, and whether they are pressed. */
+  /** By index in `liveDynamics`: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, whether joints are in them, and whether they are pressed. */
   parent = new Int32Array(0);
   weight = new Float64Array(0);
   tied = new Uint8Array(0);

@@ -22,10 +22,10 @@ export function findSqueezes(world: World, h: number): void {
     contacts.clear();
     return;
   }
-  squeezes.reserve(solver.bodyCount, contacts.count);
+  squeezes.reserve(world.liveDynamics.length, contacts.count);
   const { pressed, weight, tied, least } = squeezes;
   joinAll(world);
-  weigh(solver, h);
+  weigh(world, h);
   pressed.fill(0);
   for (let i = 0; i < contacts.count; i += 1) {
     const contact = contacts.items[i]!;
@@ -35,7 +35,7 @@ export function findSqueezes(world: World, h: number): void {
   for (let i = 0; i < contacts.count; i += 1) {
     const contact = contacts.items[i]!;
     const set = setOf(solver, contact);
-    if (pressed[set] === 1) {
+    if (set >= 0 && pressed[set] === 1) {
       const { records: r, stride } = batchOf(solver, contact);
       const at = recordAt(contact >> 1, stride);
       const isTwo = stride === d.TWO_STRIDE;
@@ -73,12 +73,12 @@ function ease(r: Float64Array, at: number, least: Float64Array, which: number): 
   }
 }
 
-/** One of its bodies is kinematic, or gives way as little. */
+/** One of its bodies gives way to the other, which is kinematic or as heavy. */
 function isDriven(data: SolverData, contact: number): boolean {
   const { bodies } = batchOf(data, contact);
   const a = bodies[contact & ~1]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
-  return (a > 0 && !givesWay(data, a)) || (b > 0 && !givesWay(data, b));
+  return a > 0 && b > 0 && givesWay(data, a) !== givesWay(data, b);
 }
 
 /** The record of a body: also what only turns, as a seesaw of infinite mass, gives way. */
@@ -86,36 +86,30 @@ function givesWay({ velocity: v }: SolverData, at: number): boolean {
   return v[at + d.INV_MASS]! > 0 || v[at + d.INV_INERTIA]! > 0;
 }
 
-/** The set of the first of its bodies that gives way. */
+/** The set of the first of its bodies that gives way, −1 if none does. */
 function setOf(data: SolverData, contact: number): number {
   const { bodies } = batchOf(data, contact);
   const a = bodies[contact & ~1]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
-  return rootOf(data.squeezes.parent, (givesWay(data, a) ? a : b) / d.BODY_STRIDE);
+  const at = givesWay(data, a) ? a : b;
+  return givesWay(data, at) ? rootOf(data.squeezes.parent, indexOf(at)) : -1;
 }
 
-/** Makes sets of the slots of bodies that give way, and press upon each other or are tied. */
+/** By its record: where a body is among the live dynamic ones, whose slots are the first. */
+function indexOf(at: number): number {
+  return at / d.BODY_STRIDE - 1;
+}
+
+/** Makes sets of the dynamic bodies that press upon each other or are tied. */
 function joinAll(world: World): void {
-  const { solver, liveConstraints } = world;
-  const { parent, tied } = solver.squeezes;
-  for (let slot = 0; slot < solver.bodyCount; slot += 1) {
-    parent[slot] = slot;
-    tied[slot] = 0;
+  const { solver, liveDynamics } = world;
+  const { parent } = solver.squeezes;
+  for (let i = 0; i < liveDynamics.length; i += 1) {
+    parent[i] = i;
   }
   joinContacts(solver, solver.two, parent);
   joinContacts(solver, solver.one, parent);
-  for (let i = 0; i < liveConstraints.length; i += 1) {
-    const { members } = liveConstraints[i]!;
-    let joined = 0;
-    for (let k = 0; k < members.length; k += 1) {
-      const { owner, liveIndex, slot } = members[k]!;
-      if (owner === world && liveIndex >= 0 && givesWay(solver, slot * d.BODY_STRIDE)) {
-        if (joined > 0) unite(parent, joined, slot);
-        joined = slot;
-        tied[slot] = 1;
-      }
-    }
-  }
+  world.jointSolver?.joinTied(world, parent);
 }
 
 function joinContacts(data: SolverData, { records, bodies, count, stride }: ContactBatch, parent: Int32Array): void {
@@ -125,23 +119,26 @@ function joinContacts(data: SolverData, { records, bodies, count, stride }: Cont
     const at = recordAt(k, stride);
     const bears = records[at + d.NORMAL1]! > 0 || (stride === d.TWO_STRIDE && records[at + d.NORMAL2]! > 0);
     if (bears && givesWay(data, a) && givesWay(data, b)) {
-      unite(parent, a / d.BODY_STRIDE, b / d.BODY_STRIDE);
+      unite(parent, indexOf(a), indexOf(b));
     }
   }
 }
 
-/** By sets: N·s, what forces and gravity give all in it in a sub-step of length h, and no less than a gravity would, as it may be pushed; and whether joints are in it. */
-function weigh({ velocity: v, drive, bodyCount, squeezes }: SolverData, h: number): void {
-  const { parent, weight, tied } = squeezes;
-  weight.fill(0, 0, bodyCount);
-  for (let slot = 1; slot < bodyCount; slot += 1) {
-    const at = slot * d.BODY_STRIDE;
-    const root = rootOf(parent, slot);
+/** By sets: N·s, what forces and gravity give all in it in a sub-step of length h, and no less than a gravity would, as it may be pushed; and whether constraints are in it. */
+function weigh({ solver, liveDynamics }: World, h: number): void {
+  const { velocity: v, drive } = solver;
+  const { parent, weight, tied } = solver.squeezes;
+  const count = liveDynamics.length;
+  weight.fill(0, 0, count);
+  tied.fill(0, 0, count);
+  for (let i = 0; i < count; i += 1) {
+    const at = (i + 1) * d.BODY_STRIDE;
+    const root = rootOf(parent, i);
     const inverseMass = v[at + d.INV_MASS]!;
     if (inverseMass > 0) {
       const gain = Math.abs(drive[at + d.GAIN_X]!) + Math.abs(drive[at + d.GAIN_Y]!);
       weight[root]! += Math.max(gain, SQUEEZE_GRAVITY * h) / inverseMass;
     }
-    if (tied[slot] === 1) tied[root] = 1;
+    if (liveDynamics[i]!.constraints.length > 0) tied[root] = 1;
   }
 }
