@@ -25,6 +25,8 @@ export interface RigidBodyParams {
   inertia?: number | undefined;
   /** Stays asleep when added to a world. Default `false`. */
   sleeping?: boolean | undefined;
+  /** Whether it falls asleep by itself once it rests. While it does not, what it touches or is tied to stays awake, too. Default `true`. */
+  allowSleeping?: boolean | undefined;
   /**
    * Continuous collision with other dynamic bodies: it does not pass through them when it is fast. Nothing passes through static and
    * kinematic bodies anyway. Default `false`.
@@ -84,6 +86,7 @@ export function checkedParams(params: RigidBodyParams | undefined) {
     mass: given.mass === undefined ? -1 : positiveOrInfinite(where, 'mass', given.mass),
     inertia: given.inertia === undefined ? -1 : positiveOrInfinite(where, 'inertia', given.inertia),
     sleeping: boolean(where, 'sleeping', optional(given.sleeping, false)),
+    allowSleeping: boolean(where, 'allowSleeping', optional(given.allowSleeping, true)),
     bullet: boolean(where, 'bullet', optional(given.bullet, false)),
     userData: given.userData === undefined ? null : given.userData,
   };

@@ -48,6 +48,8 @@ export abstract class BodyState extends BodyNumbers {
   mover = -1;
   /** @internal index in the live list of its type, −1 while in none */
   liveIndex = -1;
+  /** @internal what `allowSleeping` is */
+  mayRest = true;
   /** Attached shapes. Do not modify. */
   readonly shapes: Shape[];
   /** The constraints in a world, enabled or not, that use this body. Do not modify. */
@@ -91,6 +93,7 @@ export abstract class BodyState extends BodyNumbers {
     this.fixedMass = given.mass;
     this.fixedInertia = given.inertia;
     this.asleep = given.sleeping;
+    this.mayRest = given.allowSleeping;
     this.isBullet = given.bullet;
     this.userData = given.userData;
     this.shapes = this.own(given.shapes);
@@ -111,6 +114,18 @@ export abstract class BodyState extends BodyNumbers {
     }
     shapes.length = count;
     return shapes;
+  }
+
+  /** Whether it falls asleep by itself once it rests, as `World.allowSleeping` for all. While it does not, what it touches or is tied to stays awake, too. A change wakes it. */
+  get allowSleeping(): boolean {
+    return this.mayRest;
+  }
+
+  set allowSleeping(value: boolean) {
+    if (boolean('RigidBody', 'allowSleeping', value) !== this.mayRest) {
+      this.mayRest = value;
+      this.rouse();
+    }
   }
 
   /**

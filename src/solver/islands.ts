@@ -70,7 +70,7 @@ export function sleepIslands(world: World, dt: number): void {
   for (let i = 0; i < live.length; i += 1) {
     const body = live[i]!;
     body.refreshMass();
-    if (!isAtRest(body, dt) || isPushedAnew(body, dt)) {
+    if (!body.mayRest || !isAtRest(body, dt) || isPushedAnew(body, dt)) {
       body.wakeTime = stamp;
     } else if (waits && body.wakeTime < stamp) {
       body.wakeTime += 1;

@@ -316,7 +316,7 @@ export function sleepKinematics(world: World): void {
   const live = world.liveKinematics;
   for (let i = live.length - 1; i >= 0 && world.allowSleeping; i -= 1) {
     const body = live[i]!;
-    if (!body.isGoing() && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
+    if (body.mayRest && !body.isGoing() && body.lastDx === 0 && body.lastDy === 0 && body.lastTurn === 0) {
       quieten(world, body);
     }
   }

@@ -5,7 +5,7 @@ import { Digest } from './digest.js';
 /** Words of the header. */
 const HEADER = 8;
 const MAGIC = 0x32643270;
-export const VERSION = 22;
+export const VERSION = 23;
 const LENGTH = 2;
 const NUMBERS = 3;
 const WORDS = 4;

@@ -17,7 +17,7 @@ export interface RecordedCall {
   readonly args: readonly unknown[];
 }
 
-/** What `Recorder.set` sets: of worlds and, the last one, of bodies. */
+/** What `Recorder.set` sets: of worlds and, the last two, of bodies. */
 export type RecordedSetting = 'substeps' | 'velocityIterations' | 'positionIterations' | 'allowSleeping' | 'bullet';
 
 const SETTINGS: readonly RecordedSetting[] = [

@@ -76,7 +76,13 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   const { numbers: n, integers } = bodyRow;
   if (tape.writes) {
     const isPushed = b.applied !== null && (b.applied.pushes() || b.applied.pushedBefore());
-    integers[0] = (b.asleep ? 1 : 0) | (b.woken ? 2 : 0) | (b.isBullet ? 4 : 0) | (b.kind << 3) | (isPushed ? 32 : 0);
+    integers[0] =
+      (b.asleep ? 1 : 0) |
+      (b.woken ? 2 : 0) |
+      (b.isBullet ? 4 : 0) |
+      (b.kind << 3) |
+      (isPushed ? 32 : 0) |
+      (b.mayRest ? 64 : 0);
     n[0] = b.fx;
     n[1] = b.fy;
     n[2] = b.appliedTorque;
@@ -92,13 +98,14 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   }
   tape.pass(bodyRow);
   const flags = integers[0]!;
-  tape.require(flags >= 0 && flags < 64 && ((flags >> 3) & 3) <= 2);
+  tape.require(flags >= 0 && flags < 128 && ((flags >> 3) & 3) <= 2);
   keepApplied(tape, b, (flags & 32) !== 0);
   if (tape.takes) {
     b.asleep = (flags & 1) !== 0;
     b.woken = (flags & 2) !== 0;
     b.isBullet = (flags & 4) !== 0;
     b.kind = (flags >> 3) & 3;
+    b.mayRest = (flags & 64) !== 0;
     b.fx = n[0]!;
     b.fy = n[1]!;
     b.appliedTorque = n[2]!;

@@ -70,6 +70,7 @@ factory(
     mass: NOT_MASS,
     inertia: NOT_MASS,
     sleeping: NOT_BOOLEAN,
+    allowSleeping: NOT_BOOLEAN,
     bullet: NOT_BOOLEAN,
     position: NOT_VECTOR,
     rotation: NOT_FINITE,
@@ -498,14 +499,17 @@ describe('worlds', () => {
     expect(world[name]).toBe(before);
   });
 
-  it('bullet of a body is checked when set', () => {
+  it.each([
+    ['bullet', false],
+    ['allowSleeping', true],
+  ] as const)('%s of a body is checked when set', (name, usual) => {
     const body = plainBody();
     for (const bad of NOT_BOOLEAN) {
-      refuses((value) => Object.assign(body, { bullet: value }), 'RigidBody', 'bullet', bad);
+      refuses((value) => Object.assign(body, { [name]: value }), 'RigidBody', name, bad);
     }
-    expect(body.bullet).toBe(false);
-    body.bullet = true;
-    expect(body.bullet).toBe(true);
+    expect(body[name]).toBe(usual);
+    body[name] = !usual;
+    expect(body[name]).toBe(!usual);
   });
 
   it('gravity and bodies are checked', () => {

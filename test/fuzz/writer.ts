@@ -147,6 +147,7 @@ export class Writer {
         gravityScale: v.chance(0.8) ? '1' : v.force(),
         surfaceVelocity: v.pair('speed'),
         sleeping: v.flag(),
+        allowSleeping: v.chance(0.8) ? 'true' : v.flag(),
         bullet: v.flag(),
       },
       `type: '${type}', position: ${v.pair('place')}, shapes: all(${shape}${v.chance(0.2) ? `, ${this.s()}` : ''})`,
