@@ -281,9 +281,12 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     try {
       for (let i = 0; i < count; i += 1) {
         const tree = i < movingCount ? moving : still;
+        const handle = tree.items[found[i]!];
         const at = tree.right[found[i]!]! * BOX;
-        if (boxes[at]! <= maxX && boxes[at + 2]! >= minX && boxes[at + 1]! <= maxY && boxes[at + 3]! >= minY) {
-          callback.call(thisObject, tree.items[found[i]!]!, bounds);
+        const isMet = boxes[at]! <= maxX && boxes[at + 2]! >= minX && boxes[at + 1]! <= maxY && boxes[at + 3]! >= minY;
+        // Callbacks may take others out.
+        if (isMet && handle) {
+          callback.call(thisObject, handle, bounds);
         }
       }
     } finally {

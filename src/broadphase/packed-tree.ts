@@ -155,7 +155,9 @@ export class PackedTree<T> extends TreeShape<T> {
     for (;;) {
       const a = left[node]!;
       if (a === NONE) {
-        end = visit(this.items[node]!);
+        // A visit may have taken others out of the tree.
+        const item = this.items[node];
+        if (item !== null && item !== undefined) end = visit(item);
       } else {
         const b = right[node]!;
         const i = BOX * a;

@@ -116,7 +116,10 @@ function visitOnWay(
   const minY = start[1]! + Math.min(y, 0);
   const maxX = start[2]! + Math.max(x, 0);
   const maxY = start[3]! + Math.max(y, 0);
-  shapesNear(world, [minX, minY, maxX, maxY]).forEach(visit);
+  for (const shape of shapesNear(world, [minX, minY, maxX, maxY])) {
+    // A visit may have taken it out of the world.
+    if (shape.owner?.owner === world) visit(shape);
+  }
 }
 
 /** The nearest hit that is accepted. Of equally near ones the older shape counts, whatever the order in which they are found. */

@@ -11,6 +11,26 @@ import type { Item } from './tree-model.js';
 const EVERYWHERE: Rect = [-Infinity, -Infinity, Infinity, Infinity];
 
 describe.each(BROADPHASES)('edges: %s', (_, create) => {
+  it('what a callback of a sample or a cast takes out is not visited', () => {
+    const { broadphase } = new Model(create());
+    const visits = (isCast: boolean): number => {
+      const handles = Array.from({ length: 8 }, (_, i) => broadphase.insert(i, [i, 0, i + 0.5, 1], i % 2 === 0));
+      let count = 0;
+      const visit = (): number => {
+        count += 1;
+        for (const handle of handles.splice(0)) {
+          broadphase.remove(handle);
+        }
+        return Infinity;
+      };
+      if (isCast) broadphase.cast?.([-1, 0.5, -1, 0.5], [1, 0], Infinity, visit);
+      else broadphase.sample(EVERYWHERE, visit);
+      return count;
+    };
+    expect(visits(false)).toBe(1);
+    if (broadphase.cast !== undefined) expect(visits(true)).toBe(1);
+  });
+
   it('what a callback of a sample inserts is not sampled', () => {
     const broadphase = create();
     for (let i = 0; i < 5; i += 1) broadphase.insert(i, [0, 0, 1, 1], i % 2 === 0);

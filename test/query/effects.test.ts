@@ -142,6 +142,31 @@ describe.each(BROADPHASES)('looking, with %s,', (_, create) => {
     expect(nested).toBeGreaterThan(plain.length / 2);
   });
 
+  it.each([
+    ['the body before it', (world: World, { shape }: CastResult) => void world.removeRigidBody(shape.body!)],
+    ['all bodies', (world: World) => world.clear()],
+  ])('goes on where a callback takes away %s', (_what, take) => {
+    const row = (): { world: World; swept: Shape } => {
+      const world = weightless({ broadphase: create() });
+      const swept = disc(0.2);
+      const bodies = Array.from({ length: 6 }, (_each, i) => plainBody({ position: [2 * i, 0], shapes: [disc(0.5)] }));
+      add(world, ...bodies, plainBody({ position: [-3, 0], velocity: [100, 0], shapes: [swept] }));
+      return { world, swept };
+    };
+    for (const isRay of [true, false]) {
+      const { world, swept } = row();
+      let asked = 0;
+      const accept = (_of: unknown, found: CastResult): boolean => {
+        asked += 1;
+        take(world, found);
+        return false;
+      };
+      const ray = { origin: [-2, 0], direction: [1, 0], maxFactor: 100 };
+      expect(isRay ? world.rayCast(ray, false, accept) : world.convexCast(swept, 1, accept)).toBe(null);
+      expect(asked).toBe(world.rigidBodies.length > 0 ? 6 : 1);
+    }
+  });
+
   it('sees placements in preSolve as they were before the step', () => {
     const world = bin(create);
     steps(world, 30);
