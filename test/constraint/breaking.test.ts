@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { phys2D } from '../../src/index.js';
-import { box, DT, heavy, plainBody, staticBody, weightless } from '../conformance/setting.js';
+import { phys2D, type World } from '../../src/index.js';
+import { box, DT, heavy, plainBody, staticBody, steps, weightless } from '../conformance/setting.js';
 
 // A sub-step begins with what the last one gave, once more. Of a joint that broke then that stayed: it had given up to twice its limit, and a rope that tore threw its load back up.
 
@@ -100,12 +100,8 @@ it.each([{ breakUnderForce: false }, { maxForce: Infinity }])(
   },
 );
 
-// All of them had too much for ten steps on end, and broke in the same one.
-it.each([
-  [12, 100],
-  [20, 300],
-])('of a bridge of %d planks that bears too much one joint breaks, which relieves the others', (planks, maxForce) => {
-  const world = heavy();
+/** A bridge of planks of 1 m over a gap, m, whose joints bear so much, N. @returns the steps in which they break. */
+function buildBridge(world: World, planks: number, gap: number, maxForce: number): number[] {
   const bank = staticBody();
   const broken: number[] = [];
   let last = bank;
@@ -115,7 +111,7 @@ it.each([
       bodyA: last,
       bodyB: plank,
       anchorA: last === bank ? [0, 0] : [0.5, 0],
-      anchorB: plank === bank ? [planks, 0] : [-0.5, 0],
+      anchorB: plank === bank ? [gap, 0] : [-0.5, 0],
       maxForce,
       breakUnderForce: true,
       ignoreInteractions: true,
@@ -127,10 +123,65 @@ it.each([
     world.addConstraint(joint);
     last = plank;
   }
+  return broken;
+}
+
+// All of them had too much for ten steps on end, and broke in the same one.
+it.each([
+  [12, 100],
+  [20, 300],
+])('of a bridge of %d planks that bears too much one joint breaks, which relieves the others', (planks, maxForce) => {
+  const world = heavy();
+  const broken = buildBridge(world, planks, planks, maxForce);
   for (let i = 0; i < 120; i += 1) {
     world.step(DT);
   }
   expect(broken.length).toBeGreaterThan(0);
   expect(broken.length).toBeLessThan(3);
   expect(new Set(broken).size).toBe(broken.length);
+});
+
+// Up to 20 of its 21 joints broke in the step in which it fell on them.
+it.each([300, 350, 400, 450, 500, 600])(
+  'of a bridge that a crate falls on, whose joints bear %d N, few break, one in a step',
+  (maxForce) => {
+    const world = heavy();
+    const broken = buildBridge(world, 20, 19.5, maxForce);
+    for (const body of world.rigidBodies) {
+      body.setLinearDrag(0.3);
+      body.setAngularDrag(0.3);
+    }
+    steps(world, 900);
+    expect(broken).toEqual([]);
+    const material = phys2D.createMaterial({ density: 3 });
+    world.addRigidBody(phys2D.createRigidBody({ position: [10, -2], shapes: [box(0.8, 0.8, { material })] }));
+    steps(world, 240);
+    expect(broken.length).toBeGreaterThan(0);
+    expect(broken.length).toBeLessThan(4);
+    expect(new Set(broken).size).toBe(broken.length);
+  },
+);
+
+// What is spared is not stronger than it is told, and does not jerk back what it gave way to.
+it.each([1, 4])('of two cords that one blow is too much for one breaks first, substeps %i', (substeps) => {
+  for (const maxForce of [10, 20, 40]) {
+    const world = weightless({ substeps });
+    const body = plainBody({ velocity: [1, 0] });
+    world.addRigidBody(body);
+    const cords = [0, 1].map(() =>
+      phys2D.createPointConstraint({ bodyA: staticBody(), bodyB: body, maxForce, breakUnderForce: true }),
+    );
+    cords.forEach((cord) => void world.addConstraint(cord));
+    const most = maxForce * DT + 1e-12;
+    let last = 1;
+    for (let i = 0; i < 10; i += 1) {
+      world.step(DT);
+      const [speed] = body.getVelocity();
+      expect(speed).toBeGreaterThan(-1e-9);
+      expect(last - speed).toBeLessThanOrEqual(most);
+      if (i === 0) expect(cords.filter((cord) => cord.world === null).length).toBe(1);
+      last = speed;
+    }
+    expect(last > 0.1).toBe(cords.every((cord) => cord.world === null));
+  }
 });

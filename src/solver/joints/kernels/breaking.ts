@@ -44,6 +44,25 @@ export function tear(data: SolverData, joint: Joint): void {
   findLength(r, at + work, rows);
   if (length[0]! > r[at + j.BREAK]!) applyRows(data, joint, jacobian, impulse, -1, false);
   breakJoint(data.joints, joint);
+  spareOthers(data, joint);
+}
+
+/**
+ * In this step nothing else of what hangs together breaks by force, as it may be relieved: a blow would shatter a whole bridge. It bears no more than it may, though, and gives way: so it is not pushed into place in this step, and without
+ * momentum in the next one, in which it may break.
+ */
+function spareOthers({ joints: { groups, joints, records: r, h } }: SolverData, broken: Joint): void {
+  const index = joints.indexOf(broken);
+  const { start, end } = groups.find((group) => group.start <= index && index < group.end)!;
+  for (let k = start; k < end; k += 1) {
+    const { at, constraint } = joints[k]!;
+    if (constraint.breakUnderForce) {
+      r[at + j.BREAK] = Infinity;
+      r[at + j.LIMIT] = constraint.maxForce * h;
+      r[at + j.PUSH] = 0;
+      constraint.fresh = true;
+    }
+  }
 }
 
 /**
