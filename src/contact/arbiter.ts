@@ -304,17 +304,17 @@ export class Arbiter extends PairState {
 
   /**
    * @internal N·s along (x, y) that body B received before the pair was collided again in the latest step: the share of one point, split as
-   * the normal impulses since are
+   * the normal impulses since are, or in equal parts. A point that was not used since is virtual, and has none.
    */
   shareBefore(which: number, x: number, y: number): number {
     if (!this.active || !this.metAgain()) {
       return 0;
     }
-    const { numbers: n, at: o, before } = this;
-    const first = n[o + c.STEP_NORMAL]!;
-    const both = first + n[o + c.STEP_NORMAL + c.IMPULSES]!;
-    const ofFirst = both > 0 ? first / both : 1 / this.shown;
-    return (which === 0 ? ofFirst : 1 - ofFirst) * (before!.x * x + before!.y * y);
+    const { numbers: n, at: o, before, usedPoints } = this;
+    const both = n[o + c.STEP_NORMAL]! + n[o + c.STEP_NORMAL + c.IMPULSES]!;
+    const equal = usedPoints === 3 ? 0.5 : (usedPoints >> which) & 1;
+    const share = both > 0 ? n[o + c.STEP_NORMAL + c.IMPULSES * which]! / both : equal;
+    return share * (before!.x * x + before!.y * y);
   }
 
   /** @internal sets `before` for the latest step */

@@ -24,12 +24,12 @@ export class Contact {
 
   /** Whether the velocity solver did not use the point, because the surfaces are apart here. */
   get virtual(): boolean {
-    return (this.arbiter.usedPoints & (1 << this.which)) === 0;
+    return ((this.arbiter.usedPoints >> this.which) & 1) === 0;
   }
 
   /** Whether the latest step is the first in which the velocity solver used the point. */
   get fresh(): boolean {
-    return (this.arbiter.freshPoints & (1 << this.which)) !== 0;
+    return ((this.arbiter.freshPoints >> this.which) & 1) !== 0;
   }
 
   /** The contact point in world coordinates at the end of the step, half-way into the overlap, m. */

@@ -147,4 +147,31 @@ describe('normal and penetration are those of the end of the step', () => {
     }
     expect(again).toBeGreaterThan(5);
   });
+
+  it('a virtual contact has no part in what its pair gave before it met again', () => {
+    const world = phys2D.createWorld({ substeps: 2 });
+    const floor = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(30, 1) });
+    world.addRigidBody(phys2D.createRigidBody({ type: 'static', position: [0, 3], shapes: [floor] }));
+    const material = phys2D.createMaterial({ elasticity: 0.8 });
+    const shape = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.3, 0.2), material });
+    const body = phys2D.createRigidBody({
+      position: [0, 2],
+      rotation: 5,
+      velocity: [-2.1, 9.1],
+      angularVelocity: 3.9,
+      shapes: [shape],
+    });
+    world.addRigidBody(body);
+    for (let k = 0; k < 3; k += 1) {
+      world.step(1 / 60);
+    }
+    const arbiter = world.staticArbiters[0]!;
+    expect(arbiter.metAgain()).toBe(true);
+    const gave = Math.abs(arbiter.getImpulseForBody(body)[1]);
+    expect(gave).toBeGreaterThan(0.5);
+    const told = arbiter.contacts.map((contact) => [contact.virtual, contact.getNormalImpulse()] as const);
+    expect(told.filter(([virtual]) => virtual)).toEqual([[true, 0]]);
+    expect(told.find(([virtual]) => !virtual)![1]).toBeCloseTo(gave, 9);
+    expect(arbiter.contacts.find((contact) => contact.virtual)!.getTangentImpulse()).toBe(0);
+  });
 });
