@@ -53,7 +53,7 @@ export class CustomConstraint extends BaseConstraint {
   /** Tells the kinds apart. */
   readonly type = 'CUSTOM';
   /** The bodies, in the order of the Jacobian's columns. Do not modify. */
-  readonly bodies: readonly RigidBody[];
+  readonly bodies: RigidBody[];
 
   /** @internal a callback threw, or wrote what is not a finite number: left out for the rest of the step */
   failed = false;

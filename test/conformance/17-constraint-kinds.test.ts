@@ -346,6 +346,13 @@ describe('17 Constraints: kinds', () => {
     }
   });
 
+  it('C-203 CUSTOM: lists its bodies, copied, in a list of the type of all others', () => {
+    const given = [plainBody(), staticBody()];
+    const bodies: RigidBody[] = phys2D.createCustomConstraint({ dimension: 1, bodies: given, jacobian() {} }).bodies;
+    expect(bodies).toEqual(given);
+    expect(bodies).not.toBe(given);
+  });
+
   it('C-203 CUSTOM: an error of one metre is gone after a step', () => {
     const world = weightless();
     const body = addPlain(world, { position: [1, 0] });
