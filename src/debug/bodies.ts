@@ -70,7 +70,7 @@ function colorsOf(body: RigidBody): ShapeColors {
 
 /** In its last step it went by more than half its size, or turned by more than can be overlooked: what was on its way it may have met. */
 function isFast({ lastDx, lastDy, lastTurn, radius }: RigidBody): boolean {
-  return Math.abs(lastDx) + Math.abs(lastDy) > radius / 2 || Math.abs(lastTurn) > 0.05;
+  return 4 * (lastDx * lastDx + lastDy * lastDy) > radius * radius || Math.abs(lastTurn) > 0.05;
 }
 
 function colorOf(colors: ShapeColors, sensor: boolean, sleeping: boolean): Color {

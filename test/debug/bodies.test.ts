@@ -91,6 +91,8 @@ describe('colours', () => {
 describe('of a bullet', () => {
   it.each([
     ['that goes by half its size in a step', { velocity: [60, 0] }, [1, 1, 1, 1]],
+    ['that goes by half its size aslant', { velocity: [16, 16] }, [1, 1, 1, 1]],
+    ['that goes by less than half its size aslant', { velocity: [14, 14] }, [0.5, 1, 0.5, 1]],
     ['that turns fast', { angularVelocity: 4 }, [1, 1, 1, 1]],
     ['that is slow', { velocity: [10, 0], angularVelocity: 2 }, [0.5, 1, 0.5, 1]],
   ] as const)('%s', (_, params, expected) => {
