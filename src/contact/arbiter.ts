@@ -6,7 +6,20 @@ import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vecto
 import type { Shape } from '../shape/shape.js';
 import { boolean, instance, nonNegative, notNaN } from '../validate.js';
 import { atEnd, normalAtEnd } from './at-end.js';
-import { ACCEPTED, AWAKE, DEAD, FIXED, FRESH, LISTED, NEAR, PERSISTENT, SENSOR, SHOWN, USED } from './bits.js';
+import {
+  ACCEPTED,
+  AWAKE,
+  DEAD,
+  FIXED,
+  FRESH,
+  LISTED,
+  NEAR,
+  PERSISTENT,
+  SENSOR,
+  SHOWN,
+  USED,
+  USED_BEFORE,
+} from './bits.js';
 import { Contact } from './contact.js';
 import * as c from './layout.js';
 import { PairState } from './pair-state.js';
@@ -299,7 +312,7 @@ export class Arbiter extends PairState {
     this.sumImpulses(1);
     this.before ??= spare.pop() ?? null;
     this.noteBefore(sum[0]!, sum[1]!, wA, sum[2]!);
-    this.dropPoints();
+    this.clearPoints();
   }
 
   /**
@@ -353,6 +366,12 @@ export class Arbiter extends PairState {
 
   /** @internal drops the impulses of both points */
   dropPoints(): void {
+    this.clearPoints();
+    this.unmark(3 << USED_BEFORE);
+  }
+
+  /** Nothing is known of them but whether they were used before this step. */
+  private clearPoints(): void {
     this.numbers.fill(0, this.at + c.NORMAL, this.at + c.ELASTICITY);
     this.unmark((3 << USED) | (3 << FRESH));
   }
@@ -360,7 +379,7 @@ export class Arbiter extends PairState {
   /** @internal drops the impulses of one point: it is new */
   dropPoint(which: 0 | 1): void {
     clearPoint(this.numbers, this.at, which);
-    this.unmark(1 << (USED + which));
+    this.unmark((1 << (USED + which)) | (1 << (USED_BEFORE + which)));
   }
 
   /** @internal point `which` is the one that used to be the other: takes over its impulses, and the other one is new */
@@ -368,7 +387,8 @@ export class Arbiter extends PairState {
     const to = this.at + c.NORMAL + c.IMPULSES * which;
     const from = this.at + c.NORMAL + c.IMPULSES * (1 - which);
     this.numbers.copyWithin(to, from, from + c.IMPULSES);
-    this.use(which === 0 ? this.usedPoints >> 1 : (this.usedPoints << 1) & 2);
+    this.put(1 << (USED + which), this.is(1 << (USED + 1 - which)));
+    this.put(1 << (USED_BEFORE + which), this.is(1 << (USED_BEFORE + 1 - which)));
     this.dropPoint(which === 0 ? 1 : 0);
   }
 

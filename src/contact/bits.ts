@@ -32,9 +32,14 @@ export const FIXED = 12;
 export const USED = 16;
 export const FRESH = 18;
 export const SHOWN = 20;
+/** Which points were used before this step: of impacts in it those are fresh that were not. */
+export const USED_BEFORE = 25;
 
 /** What the solver writes after a step. */
 export const USE = ROCKS | (3 << USED) | (3 << FRESH);
+
+/** The same with what it knows of the step before. */
+export const NOTED = USE | (3 << USED_BEFORE);
 
 /** What snapshots keep. */
 export const KEPT = ACTIVE | SLEEPING | ACCEPTED | PERSISTENT | LISTED | USE | (15 << FIXED) | (3 << SHOWN);

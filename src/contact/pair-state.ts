@@ -1,7 +1,20 @@
 import * as g from '../collide/layout.js';
 import { Slab } from '../math/doubles.js';
 import type { Shape } from '../shape/shape.js';
-import { ACCEPTED, ACTIVE, FIXED, FRESH, NEAR, ROCKS, SENSOR, SHOWN, SLEEPING, STRAINS, USED } from './bits.js';
+import {
+  ACCEPTED,
+  ACTIVE,
+  FIXED,
+  FRESH,
+  NEAR,
+  ROCKS,
+  SENSOR,
+  SHOWN,
+  SLEEPING,
+  STRAINS,
+  USED,
+  USED_BEFORE,
+} from './bits.js';
 
 /** A step number long before the first. */
 const LONG_AGO = -1e6;
@@ -112,9 +125,10 @@ export abstract class PairState {
     return (this.bits >> SHOWN) & 3;
   }
 
-  /** @internal sets which points the solver used */
-  use(points: number): void {
-    this.bits = (this.bits & ~(3 << USED)) | (points << USED);
+  /** @internal after an impact: of the points that were used those are fresh that were not before this step */
+  noteImpact(): void {
+    const fresh = this.usedPoints & ~(this.bits >> USED_BEFORE);
+    this.bits = (this.bits & ~(3 << FRESH)) | (fresh << FRESH);
   }
 
   /** @internal whether it joins its bodies to one island: active and accepted */

@@ -148,6 +148,38 @@ describe('arbiters', () => {
     }
   });
 
+  it('C-112 a point that was virtual is fresh in the step that uses it, also where an impact does', () => {
+    let used = 0;
+    const wrong: unknown[] = [];
+    for (const substeps of [1, 4]) {
+      for (let k = 0; k < 20; k += 1) {
+        const world = heavy({ substeps });
+        const floor = addFloor(world);
+        const body = boxBody(1, 1, {
+          rotation: 0.02 + 0.05 * k,
+          position: [0, -0.3 - 0.02 * k],
+          angularVelocity: (k % 5) - 2,
+        });
+        add(world, body);
+        let before: boolean[] = [];
+        for (let i = 0; i < 150; i += 1) {
+          steps(world, 1);
+          const contacts = arbiterOf(world, floor, body)?.contacts.filter((contact) => contact.active) ?? [];
+          if (contacts.length === before.length) {
+            contacts.forEach((contact, at) => {
+              const wanted = before[at]! && !contact.virtual;
+              used += wanted ? 1 : 0;
+              if (contact.fresh !== wanted) wrong.push([substeps, k, i, at]);
+            });
+          }
+          before = contacts.map((contact) => contact.virtual);
+        }
+      }
+    }
+    expect(wrong).toEqual([]);
+    expect(used).toBeGreaterThan(60);
+  });
+
   it('C-113 a point that is apart is virtual', () => {
     const low = 0.5 * (Math.cos(0.1) + Math.sin(0.1));
     for (const rotation of [0.1, -0.1]) {

@@ -11,7 +11,7 @@ import {
   TUMBLE_SPIN,
 } from '../../config.js';
 import { clearPoint } from '../../contact/arbiter.js';
-import { FRESH, ROCKS, STRAINS, USE, USED } from '../../contact/bits.js';
+import { FRESH, NOTED, ROCKS, STRAINS, USED, USED_BEFORE } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
 import { type ContactBatch, recordAt, remember, type SolverData } from '../data.js';
 import * as d from '../layout.js';
@@ -108,10 +108,12 @@ function noteUse(
   stamp: number,
 ): void {
   const was = bits[index]!;
-  const is = (was & ~USE) | (used << USED) | ((used & ~(was >> USED)) << FRESH) | (rocks ? ROCKS : 0);
+  const before = (was >> USED) & 3;
+  const found = (used << USED) | ((used & ~before) << FRESH) | (before << USED_BEFORE) | (rocks ? ROCKS : 0);
+  const is = (was & ~NOTED) | found;
   if (is !== was) {
     const pair = arbiters[index]!;
-    pair.bits = (pair.bits & ~USE) | (is & USE);
+    pair.bits = (pair.bits & ~NOTED) | found;
   }
   if (isStrained || (was & STRAINS) !== 0) {
     const pair = arbiters[index]!;

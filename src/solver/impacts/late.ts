@@ -44,8 +44,10 @@ export function strikeMet(world: World): void {
     }
   }
   for (let k = 0; k < met.count; k += 1) {
-    beginLate(world, met.items[k]!);
-    world.events.hit(met.items[k]!, FOUND_LATE);
+    const pair = met.items[k]!;
+    pair.noteImpact();
+    beginLate(world, pair);
+    world.events.hit(pair, FOUND_LATE);
   }
   lastSide.fill(0);
   met.clear();

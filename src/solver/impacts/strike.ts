@@ -3,7 +3,7 @@ import { DYNAMIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
 import { works } from '../../collide/polygon-works.js';
 import type { Arbiter } from '../../contact/arbiter.js';
-import { ACTIVE, FRESH, LISTED, PERSISTENT } from '../../contact/bits.js';
+import { ACTIVE, LISTED, PERSISTENT } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';
 import * as c from '../../contact/layout.js';
 import { touch, touchAtPoint } from '../../contact/touch.js';
@@ -57,9 +57,8 @@ export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
   solveImpacts(world, struck);
   for (let i = 0; i < struck.count; i += 1) {
     const pair = struck.items[i]!;
+    pair.noteImpact();
     if (begins(pair)) {
-      pair.unmark(3 << FRESH);
-      pair.mark(pair.usedPoints << FRESH);
       world.events.hit(pair, FOUND_LATE);
     } else if (pair.bodyA.kind !== DYNAMIC || pair.bodyB.kind !== DYNAMIC) {
       stopComing(pair);
