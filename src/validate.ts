@@ -162,7 +162,7 @@ export function vector(
     return value;
   }
   if (!isList(value, count)) {
-    throw typeError(where, name, `${count} finite numbers [${'x, y, …'.slice(0, count === 2 ? 4 : 7)}]`, value);
+    throw typeError(where, name, `${count} finite numbers${count === 2 ? ' [x, y]' : ''}`, value);
   }
   for (let i = 0; i < count; i += 1) {
     within(where, `${name}[${i}]`, value[i], most);

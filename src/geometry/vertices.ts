@@ -92,7 +92,7 @@ function refuseRepeats(where: string, name: string, flat: readonly number[]): vo
   const i = repeatedVertex(flat);
   if (i >= 0) {
     const j = (i + 1) % (flat.length / 2);
-    const rule = `must have distinct vertices, got vertex ${j} equal to vertex ${i}`;
+    const rule = `must be distinct, got vertex ${j} equal to vertex ${i}`;
     throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`);
   }
 }
