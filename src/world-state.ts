@@ -102,9 +102,9 @@ const users = /* @__PURE__ */ new WeakMap<Broadphase, WorldState>();
 
 /** The state of a world: its lists, its settings, and the parts it owns. {@link World} is its public face. */
 export abstract class WorldState {
-  /** All bodies in this world. */
+  /** All bodies in this world, in no order. `addRigidBody` and `removeRigidBody` change it, nobody else should; to remove what you walk through, walk through a copy. */
   readonly rigidBodies: RigidBody[] = [];
-  /** All constraints in this world. */
+  /** All constraints in this world; as `rigidBodies`. */
   readonly constraints: Constraint[] = [];
   /** Dynamic bodies that are awake. */
   readonly liveDynamics: RigidBody[] = [];

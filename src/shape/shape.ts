@@ -302,7 +302,8 @@ export abstract class BaseShape {
    *   (default 0).
    *
    * With a `mask` the handler is only called for other shapes with `(mask & group) !== 0`. Without one it is a different listener than with
-   * 0xffffffff.
+   * 0xffffffff. The least speed of a `hit` is the fourth argument: as the third it would be a mask. `begin`, `progress` and `end` have no
+   * option.
    *
    * @returns `false` for an unknown type, or if the same (type, handler, mask) is present. Otherwise wakes the body without an event.
    */

@@ -14,7 +14,7 @@ export interface PoseBufferParams {
 
 /**
  * Where bodies are, as one list of numbers for a renderer: x, y, cosine and sine of the rotation of each, at four times its index. A body keeps its index
- * as long as it is tracked; a free one has four zeros. Given to `world.poses`, it is brought up to date at the end of every step, before events.
+ * as long as it is tracked, also when it was removed from its world: `untrack` it then. A free one has four zeros. Given to `world.poses`, it is brought up to date at the end of every step, before events.
  *
  * A thread that reads while another steps may see some bodies one step ahead of others; each number is whole.
  */
