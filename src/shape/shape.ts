@@ -311,7 +311,7 @@ export abstract class BaseShape {
     eventType: T,
     handler: ShapeEvents[T],
     mask?: number,
-    option?: T extends 'hit' ? number : boolean,
+    option?: T extends 'hit' ? number : T extends 'preSolve' ? boolean : undefined,
   ): boolean {
     const where = 'Shape.addEventListener';
     const type = bitOf(eventType, OF_SHAPES);

@@ -185,7 +185,7 @@ function valuesOf(stage: Stage, type: string, owner: string): { good: unknown; b
     Float64Array: { good: new Float64Array(1), bad: [...NO_OBJECT, {}, [1]] },
     Physics2DDevice: { good: phys2D, bad: [...NO_OBJECT, {}] },
     PlainWorld: { good: state.serialize(phys2D.createWorld()), bad: [...NO_OBJECT, {}] },
-    "T extends 'hit' ? number : boolean": { good: undefined, bad: [] },
+    "T extends 'hit' ? number : T extends 'preSolve' ? boolean : undefined": { good: undefined, bad: [] },
     'T[K] extends Overloads<infer A, infer B, unknown, unknown> ? A | B : never': { good: undefined, bad: [] },
     'World | Recorder': { good: world, bad: [...NO_OBJECT, {}, one] },
     'World | RigidBody': { good: world, bad: [...NO_OBJECT, {}, one] },

@@ -48,6 +48,10 @@ for (const one of body.constraints) {
 const name: string = typeof box.userData === 'string' ? box.userData : '';
 // @ts-expect-error no such event
 box.addEventListener('hitt', () => {});
+box.addEventListener('hit', () => {}, undefined, 1);
+box.addEventListener('preSolve', () => {}, undefined, true);
+// @ts-expect-error an option of preSolve alone
+box.addEventListener('begin', () => {}, undefined, true);
 // @ts-expect-error an event of constraints
 body.addEventListener('break', () => {});
 // @ts-expect-error unknown option
