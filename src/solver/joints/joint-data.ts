@@ -37,195 +37,225 @@ export interface Joint {
   readonly constraint: Constraint;
   readonly kernel: number;
   readonly layout: BlockLayout;
-  /** Offset of its record; of a rigid point joint, of what it keeps. */
+  /** Offset of its record; for a rigid point joint, of what it keeps from step to step. */
   readonly at: number;
-  /** Which of the records of rigid point joints it has in a step, and whether these are solved two at a time … */
+  /** The index of its record for a step, if it is a rigid point joint; whether these are solved two at a time … */
   slot: number;
   isPaired: boolean;
-  /** … of two groups, each of which has every second record. */
+  /** … and whether two groups share them, each with every second record. */
   isBeside: boolean;
   /** Index of its first member in `bodies`. */
   readonly first: number;
-  /** rad. That of a point that keeps an angle, else NaN: see `order/pinned.ts`. */
+  /** rad. The angle that a point keeps, else NaN: see `order/pinned.ts`. */
   readonly angle: number;
-  /** Pairs of members that are the same body. */
+  /** Pairs of indices of members that are the same body. */
   readonly twins: readonly (readonly [number, number])[];
 }
 
-/** Joints next to each other that one kernel solves: from `start` up to, not including, `end`. No more than a window of contacts, see `inPieces`. */
+/**
+ * Joints next to each other that one kernel solves: from `start` up to, not including, `end`. At most as many as a window of contacts, see
+ * `inPieces`.
+ */
 export interface Run {
   readonly kernel: number;
   readonly start: number;
   end: number;
-  /** At the start of the sub-step some error was larger than is asked for. */
+  /** At the start of the sub-step, some error was larger than the one from which on joints are off. */
   isOff: boolean;
 }
 
-/** Joints that hang together. */
+/** Joints that hang together: those that are reached from one by way of the dynamic bodies that they share. */
 export class Group {
-  // As long as the same joints hang together.
+  // Valid as long as the same joints hang together.
 
   end: number;
   readonly runs: Run[] = [];
-  /** Another one lies beside it, joint by joint: as no body hangs on both, both can be solved at once. */
+  /** Another group lies beside it, joint by joint: as no body is in both, both can be solved at once. */
   isBeside = false;
-  /** Of the first of two that lie side by side, the other one, which comes next. */
+  /** For the first of two that lie side by side: the other one, which comes next. */
   beside: Group | null = null;
-  /** Offsets of the bodies that move, each once. */
+  /** Offsets of the records of the bodies that move, each once. */
   readonly bodies = new List<number>();
-  /** A joint holds something that does not move, too. */
+  /** Some member of a joint does not move. */
   isAnchored = false;
-  /** How often its joints hold on to something static or kinematic. */
+  /** How many members of its joints are static or kinematic. */
   anchors = 0;
-  /** Joints hold it to what does not move at two places or more: they may not all be met. */
+  /** Joints hold it to bodies that do not move at two places or more, so it may be that they cannot all be met. */
   isBetween = false;
   /** Some body has three of its joints or more. */
   branches = false;
   /** Some of its joints are custom constraints. */
   hasCustoms = false;
-  /** m, rad. The part of the worst error for which it is swept over once more. */
+  /** m, rad. It is swept over once more for each such part of its worst error. */
   tolerance = 0;
-  /** A motor that turns, or a custom constraint that is no spring, does what nobody knows. */
+  /** It has a motor that turns, or a custom constraint that is no spring, whose work is not known. */
   isDriven = false;
   /** One of its joints breaks under force. */
   mayBreak = false;
-  /** Hz. That of the hardest of its springs. */
+  /** Hz. The frequency of the hardest of its springs; 0 without any. */
   frequency = 0;
-  /** Welds hold it together, and leave nothing of it to move: it turns as one body. */
+  /** Welds hold it together so that nothing of it can move by itself: it turns as one body. */
   isWhole = false;
   /** Its joints may pull against each other: see `energy/stress.ts`. */
   isOverheld = false;
-  /** There are more joints than are needed, so that what each of them gives is not determined: they are never solved to their end. */
+  /**
+   * There are more joints than are needed, so that the impulse of each of them is not determined. Such joints are never solved to their
+   * end.
+   */
   isIndeterminate = false;
-  /** There are, and of several kinds, as points and then angles. They are swept over to and fro: one way rings of nine bodies and more would tremble, ever more, and lose all momentum as that is taken back. */
+  /**
+   * The same, and they are of several kinds, such as points and then angles. They are swept over to and fro: swept one way, rings of nine
+   * bodies and more would tremble, ever more, and lose all momentum as that energy is taken back.
+   */
   isMixed = false;
 
   // Carried over from step to step, and so part of the state of a world: see `keepGroup` in `state/rows.ts`.
 
-  /** One of the joints was changed before this step, or they hang together in another way: some may have gone. */
+  /** One of the joints was changed before this step, or the set of joints that hang together changed: some may have gone. */
   fresh = true;
-  /** The heaviest of the bodies, and how they hang together, are yet to be looked at. */
+  /** Its masses and its kind are yet to be looked at: see `weigh` in `plan/plan.ts`. */
   isNew = true;
-  /** One body is far heavier than another: sweeps are slow to close the joints between these. */
+  /** One body is far heavier than another. Sweeps are slow to close the joints between these. */
   burdened = false;
   /** Its joints may make energy, if sub-steps are too long for them. */
   mayGain = false;
-  /** Its joints leave little to move: if it stands on something, or is held, they are solved to their end, see `plan/gradients.ts`. */
+  /**
+   * Its joints leave few degrees of freedom: if it stands on something, or is held, they are solved to their end, see `plan/gradients.ts`.
+   */
   isMechanism = false;
-  /** Few rigid joints that do not break, some of which hang on what does not move: what they leave to move is solved to its end, see `mayBeFirm` in `plan/plan.ts`. */
+  /**
+   * It has few rigid joints that do not break, some of which are held by what does not move. Whatever freedom they leave, they are solved
+   * to their end under the conditions of `mayBeFirm` in `plan/plan.ts`.
+   */
   isHeld = false;
-  /** Some body is a hub, so that all joints are swept over to and fro: see `plan/hubs.ts`. */
+  /** Some body is a hub, or `isMixed`: all joints are swept over to and fro, see `plan/hubs.ts`. */
   toAndFro = false;
-  /** How often it is swept over in this sub-step, spread over the iterations. */
+  /** How many velocity sweeps it has in this sub-step, spread over the iterations. */
   sweeps = 1;
-  /** Which of its joints these sweeps are over, but for the last one, which is over all. */
+  /** Indices of the joints that these sweeps are over, from the first to the one after the last; the last sweep is over all. */
   from = 0;
   to = 0;
-  /** s. Corrections make as much momentum as in a sub-step of this length: the present one's, or more after longer ones. */
+  /** s. Corrections make as much momentum as in a sub-step of this length: that of the present one, or more after longer ones. */
   span = 0;
-  /** For so many steps more large errors are corrected without momentum. */
+  /** For so many steps more, large errors are corrected without momentum. */
   settling = 0;
-  /** For so many steps there was an error that no sweep removed. */
+  /** The number of steps in a row with an error that no sweep removed, at most STUCK_STEPS. */
   stuck = 0;
-  /** For so many steps its velocities told of far more motion than there was. */
+  /** The number of steps in a row in which its velocities meant far more motion than there was, at most UNTRUE_STEPS. */
   untrue = 0;
-  /** For so many steps it touched nothing, FIRM_STEPS at most: very few joints are solved to their end after as many. */
+  /**
+   * The number of steps in a row in which it touched nothing, at most FIRM_STEPS: after as many, very few joints are solved to their end.
+   */
   untouched = FIRM_STEPS;
-  /** J. What its joints made in the steps so far, and was not taken back yet; below 0 what was lost a short while ago. */
+  /** J. The energy that its joints made in the steps so far and that was not taken back yet; below 0, what they lost a short while ago. */
   excess = 0;
 
-  // Of the step.
+  // Valid in this step.
 
-  /** One of the bodies is in contact. */
+  /** One of its bodies is in contact. */
   touched = false;
-  /** So few of them are in contact that it stands on something, rather than lies in a heap; known of mechanisms. */
+  /** So few of its bodies are in contact that it stands on something, rather than lies in a heap. Set for mechanisms only. */
   stands = false;
-  /** A frame that stands on something, and whose joints were open as the step began: see `touching/momentum.ts`. */
+  /** It is a frame that stands on something, and its joints were open as the step began: see `touching/momentum.ts`. */
   isBent = false;
-  /** In this step its bodies are told how they moved, as its joints cannot all be met: see `energy/motion.ts`. */
+  /** Its joints cannot all be met, so its bodies may get the velocities with which they moved: see `energy/motion.ts`. */
   isUnmet = false;
-  /** An error is above JOINT_TORN: corrections make no momentum, and part of what joints gave is forgotten. */
+  /** It is torn: an error is above JOINT_TORN. Corrections make no momentum, and part of its impulses is forgotten. */
   isTorn = false;
-  /** It is looked at in this step for the energy its joints make: see `energy/energy.ts`. */
+  /** The energy that its joints make is looked at in this step: see `energy/energy.ts`. */
   isWatched = false;
-  /** Of what is watched and touches something: neither that nor what it is with touches or hangs on something that is not dynamic. */
+  /** For a watched group that touches something: neither it nor its guests touch or hang on anything that is not dynamic. */
   isAfloat = false;
-  /** Of what is watched and touches something: offsets of the bodies that lie on its own, or on those. */
+  /** For a watched group that touches something: offsets of the other bodies of its company, see `energy/company.ts`. */
   readonly guests = new List<number>();
-  /** J. Of its bodies, as the step begins. */
+  /** J. The energy of its bodies and guests, as the step begins. */
   energy = 0.5;
 
-  // Of the sub-step.
+  // Valid in this sub-step.
 
   /** The square of the largest error at the start of the sub-step. */
   error = 0;
   /** The square of the largest error that the first position iteration found. */
   pushed = 0;
-  /** In this sub-step they are solved to their end. */
+  /** Its joints are solved to their end in this sub-step. */
   isFirm = false;
 
-  /** Without joints, the first of which will be at `start`. */
+  /** Makes a group without joints; the first one will be at `start`. */
   constructor(readonly start: number) {
     this.end = start;
   }
 }
 
-/** Joints by callbacks. */
+/** Whether the joints of a run are custom constraints. */
 export function hasCallbacks({ kernel }: Run): boolean {
   return kernel === CUSTOM;
 }
 
-/** Whether the numbers of a joint stay in its record from step to step, and are only fetched when somebody asks. */
+/** Whether the numbers of joints of a kernel stay in their records from step to step, and are only fetched when somebody asks. */
 export function keepsNumbers(kernel: number): boolean {
   return kernel === POINT || kernel === TURN;
 }
 
-/** The joints of a world. Which there are, and their order, changes with the set of live constraints; the numbers are written in each step. */
+/** The joints of a world. The list and its order change with the set of live constraints; the numbers are written in each step. */
 export class JointData {
   readonly joints: Joint[] = [];
   readonly runs: Run[] = [];
   readonly groups: Group[] = [];
   records = new Float64Array(0);
-  /** Offsets of the members' records. */
+  /** Offsets of the records of the members' bodies, joint by joint. */
   bodies = new Int32Array(0);
-  /** Those that broke in this step … */
+  /** Joints that broke in this step … */
   readonly broken: Joint[] = [];
-  /** … and those that ask for something else than in the last one, which are corrected bit by bit in the sub-steps that are left. */
+  /**
+   * … and joints whose bounds or anchors were changed since the last step: they are corrected bit by bit in the sub-steps that are left.
+   */
   readonly shifted: Joint[] = [];
   substepsLeft = 1;
-  /** s. Length of a sub-step, and how many there are. */
+  /** Length of a sub-step, s, and how many there are. */
   h = 0;
   substeps = 1;
-  /** Steps since the joints were listed, up to EASE_STEPS, and from 1 on again: that of the world would make a level that is played again in the same world another one. Part of its state. */
+  /**
+   * The number of steps since the joints were listed, up to EASE_STEPS, and then from 1 again. Part of the state. The step count of the
+   * world would not do: a level that is played again in the same world would go differently.
+   */
   age = 0;
   /** Some joint is a custom constraint. */
   hasCustoms = false;
-  /** There are springs in this step. Their work is added up, by slot … */
+  /** There are springs in this step. Their work, J, is added up by slot … */
   hasSprings = false;
   work = new Float64Array(0);
-  /** … for which the velocities are kept with which a sub-step began: three of each body. */
+  /** … for which the velocities at the start of a sub-step are kept: three numbers for each body. */
   begun = new Float64Array(0);
-  /** Squares: the worst error of a group so far in this sweep or at the start of the sub-step, of rigid point joints by whether their slots are even or odd … */
+  /**
+   * Squared: the worst error of a group so far in this sweep or at the start of the sub-step, of rigid point joints by whether their slots
+   * are even or odd …
+   */
   readonly worst = new Float64Array(2);
-  /** … and the error from which on a joint is off … */
+  /** … the error above which a joint is off … */
   readonly asked = new Float64Array(1);
-  /** … and which are off: the first, and the one after the last. */
+  /** … and the joints that are off: the index of the first, and that after the last. */
   readonly off = new Int32Array(2);
-  /** rad/s. … and by how much the motor that is farthest from its rate misses it. */
+  /** rad/s. By how much the motor that is farthest from its rate misses it. */
   readonly lag = new Float64Array(1);
-  /** What share of the momentum of the corrections of a group is made, at the end of a sub-step. As the others no number of its own, which would be boxed where it is handed on. */
+  /**
+   * The share of the momentum of corrections that is made at the end of a sub-step. An array like the others, as a number would be boxed
+   * where it is passed on.
+   */
   readonly share = new Float64Array(1);
-  /** m, rad. The largest error that is left. */
+  /** m, rad. The largest error that is left, found by the `measure…` functions. */
   readonly left = new Float64Array(1);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);
-  /** Bodies that callbacks were shown elsewhere than where the step began, and where that was. */
+  /** Bodies that were moved for callbacks, with their placements as the step began. */
   readonly shown = new Map<RigidBody, Float64Array>();
-  /** Counts the steps: what constraints fetched before is not so any more. */
+  /** Counts the steps: what constraints fetched in an earlier one is no longer valid. */
   solved = 0;
-  /** How many records there are for rigid point joints in a step: of two side by side the second is missing if it would share a body with the first or be of another run. */
+  /**
+   * How many records there are for rigid point joints in a step. Of two side by side, the second is missing if it would share a body with
+   * the first or belong to another run.
+   */
   slots = 0;
-  /** How many numbers all records have, and how many members all joints. */
+  /** How many numbers all records have together, and how many members all joints. */
   size = 0;
   members = 0;
 }
@@ -244,7 +274,7 @@ export function resetJoints(data: JointData): void {
   data.members = 0;
 }
 
-/** What a joint that keeps its numbers here has in its record. */
+/** Reads the impulse of a joint that keeps its numbers here, and what it gave to each body, from its record. */
 export function fetchNumbers({ joints, records: r }: JointData, index: number, { impulse, given }: Numbers): void {
   const { kernel, at } = joints[index]!;
   if (kernel === TURN) {
@@ -270,20 +300,20 @@ export function fetchNumbers({ joints, records: r }: JointData, index: number, {
   }
 }
 
-/** Lets all constraints fetch what they have not yet. */
+/** Lets all constraints fetch their numbers, if they have not yet. */
 export function fetchAll({ joints }: JointData): void {
   for (const { constraint } of joints) {
     constraint.fetch();
   }
 }
 
-/** Notes that a joint broke; from now on it does nothing. */
+/** Notes that a joint broke; from now on it has no effect. */
 export function breakJoint(data: JointData, joint: Joint): void {
   data.broken.push(joint);
   silence(data, joint);
 }
 
-/** Takes a joint out of the rest of the step: it is as soft as can be, so nothing it finds has an effect. */
+/** Takes a joint out of the rest of the step: with softness 0, nothing it finds has an effect. */
 export function silence({ records: r }: JointData, { at, layout }: Joint): void {
   r.fill(0, at, at + layout.size);
   r[at + MAX_ERROR] = Infinity;

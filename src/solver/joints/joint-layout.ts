@@ -1,37 +1,41 @@
 /**
- * Offsets; a file without imports, as only then the numbers stand in the loops themselves.
+ * Offsets into the records of joints. This file has no imports, as only then the bundler writes the numbers into the loops themselves.
  *
- * Joints: the packed form of constraints, in the order in which they are solved. A record begins with what is common to all, of which
- * the first three numbers are those of softness.ts; the rest depends on the kernel that solves it.
+ * A record is the packed form of one constraint; records are in the order in which joints are solved. It begins with a head that is common
+ * to all kernels, the first three numbers of which are those of softness.ts; the rest depends on the kernel that solves it.
  */
 export const SOFTNESS = 0;
 export const FEEDBACK = 1;
 export const RATE = 2;
-/** Largest correcting speed. */
+/** The largest speed with which an error is corrected. */
 export const MAX_BIAS = 3;
-/** N·s. An impulse of a sub-step is cut to this. */
+/** N·s. The impulse of a sub-step is clamped to this. */
 export const LIMIT = 4;
-/** N·s. An impulse of the step above this breaks the joint. */
+/** N·s. If the impulse of the step exceeds this, the joint breaks. */
 export const BREAK = 5;
-/** An error above this breaks the joint. */
+/** If the error exceeds this, the joint breaks. */
 export const MAX_ERROR = 6;
-/** s⁻¹. What a position correction is multiplied by to become momentum. */
+/** s⁻¹. A position correction times this is the momentum made of it. */
 export const CARRY = 7;
 /** 1 if position errors are corrected. */
 export const PUSH = 8;
 /** 1 if LIMIT or BREAK is finite. */
 export const CHECKED = 9;
-/** 1 if the last position iteration did without turning. */
+/** 1 if the last position iteration moved the bodies without turning them. */
 export const SNAPPED = 10;
-/** 1 if a large error is corrected without turning. */
+/** 1 if a large error is corrected without turning the bodies. */
 export const SNAPS = 11;
-/** m, rad. A larger error is corrected by no more at once: see `reachLess`; below 0, so much of it is left open: see `correctShare`. */
+/**
+ * m, rad. The most that is corrected of an error at once, see `reachLess`; if it is below 0, its absolute value is left open instead, see
+ * `correctShare`.
+ */
 export const REACH = 12;
 const HEAD = 13;
 
 /**
- * Rigid point joints: what they keep from step to step, without such a head, as they are two rows with unit columns, so that their arms say all: anchors in the
- * coordinates of their bodies, of immovable ones in the world, the impulse of the last sub-step …
+ * What rigid point joints keep from step to step. They have no such head, as their two rows have unit columns, so that their arms are the
+ * whole Jacobian. First the anchors, in the coordinates of their bodies, on immovable bodies in those of the world; and the impulse of the
+ * last sub-step …
  */
 export const KEPT_ANCHOR_AX = 0;
 export const KEPT_ANCHOR_AY = 1;
@@ -39,20 +43,24 @@ export const KEPT_ANCHOR_BX = 2;
 export const KEPT_ANCHOR_BY = 3;
 export const KEPT_IMPULSE_X = 4;
 export const KEPT_IMPULSE_Y = 5;
-/** … and what the last step gave: an impulse to B, its opposite to A, and what turned each. */
+/** … and what the last step gave: an impulse to B, its opposite to A, and an angular impulse to each. */
 export const KEPT_SUM_X = 6;
 export const KEPT_SUM_Y = 7;
 export const KEPT_SUM_WA = 8;
 export const KEPT_SUM_WB = 9;
-/** Which of the records for a step is its own. */
+/** The index of its record for a step. */
 export const KEPT_SLOT = 10;
-/** Where the origins are of those of its bodies that are immovable, else 0, of A and then of B: their arms are from that of the world. */
+/**
+ * The origins of A and of B, if they are immovable, else 0: the angular impulse of an immovable body is summed up about the origin of the
+ * world.
+ */
 export const KEPT_ORIGIN_AX = 11;
 export const KEPT_ORIGIN_AY = 12;
 export const KEPT_STRIDE = 15;
 
 /**
- * Their records for a step lie two by two, as those of contacts (`layout.ts`). What velocity iterations use stands first: arms, impulse and K⁻¹ …
+ * Their records for a step are interleaved two by two, as those of contacts (`layout.ts`). First what velocity iterations use: arms,
+ * impulse and K⁻¹ …
  */
 export const ARM_AX = 0;
 export const ARM_AY = 2;
@@ -63,7 +71,10 @@ export const IMPULSE_Y = 10;
 export const I11 = 12;
 export const I12 = 14;
 export const I22 = 16;
-/** … then what position iterations use: arms where the last exact sweep found them, the error that these make linear in the motion, corrections … */
+/**
+ * … then what position iterations use: the arms at the last exact sweep, the part of the error that is constant in the linear sweeps after
+ * it, corrections …
+ */
 export const PLACED_AX = 18;
 export const PLACED_AY = 20;
 export const PLACED_BX = 22;
@@ -72,7 +83,7 @@ export const OFFSET_X = 26;
 export const OFFSET_Y = 28;
 export const PUSH_X = 30;
 export const PUSH_Y = 32;
-/** … the error at the start of the sub-step; 1 if a large one is corrected without turning … */
+/** … the error at the start of the sub-step; 1 if a large one is corrected without turning the bodies … */
 export const ERROR_X = 34;
 export const ERROR_Y = 36;
 export const POINT_SNAPS = 38;
@@ -81,13 +92,13 @@ export const ANCHOR_AX = 40;
 export const ANCHOR_AY = 42;
 export const ANCHOR_BX = 44;
 export const ANCHOR_BY = 46;
-/** … and what the step gave so far; the momentum of corrections, as CARRY. */
+/** … what the step gave so far; and the same as CARRY. */
 export const SUM_X = 48;
 export const SUM_Y = 50;
 export const SUM_WA = 52;
 export const SUM_WB = 54;
 export const POINT_CARRY = 56;
-/** How far either body was turned in the sub-step when the last exact sweep found its arm. */
+/** How far each body had turned in the sub-step at the last exact sweep, rad. */
 export const PLACED_WA = 58;
 export const PLACED_WB = 60;
 /** How many numbers a record has. */
@@ -95,7 +106,7 @@ export const POINT_STRIDE = 31;
 
 /** Kernels: rigid point joints that do not break … */
 export const POINT = 0;
-/** … angles, motors, and points beside others, that do not break … */
+/** … angles, motors, and points that keep an angle (`order/pinned.ts`), that do not break … */
 export const TURN = 1;
 /** … distances, and angles that may break … */
 export const ROW = 2;
@@ -103,14 +114,12 @@ export const ROW = 2;
 export const LINE = 3;
 /** … welds, and points that are soft or may break … */
 export const ANCHORED = 4;
-/** … any number of rows and bodies … */
+/** … joints with any number of rows and bodies … */
 export const BLOCK = 5;
-/** … and the same by callbacks. */
+/** … and custom constraints, which do the same by callbacks. */
 export const CUSTOM = 6;
 
-/**
- * These have, after the head, what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K …
- */
+/** Records of TURN. After the head, first what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K … */
 export const TURN_IMPULSE = 13;
 export const TURN_BIAS = 14;
 export const TURN_LOW = 15;
@@ -122,35 +131,35 @@ export const TURN_PUSH = 19;
 export const TURN_VALUE = 20;
 export const TURN_LOWER = 21;
 export const TURN_UPPER = 22;
-/** … then: 1 if there are bounds; what of the value is due to bodies that cannot move; what the step gave to A and to B so far. */
+/** … then: 1 if there are bounds; the part of the value that is due to bodies that cannot move; what the step gave to A and to B so far. */
 export const TURN_BOUNDED = 23;
 export const TURN_STILL = 24;
 export const TURN_GIVEN_A = 25;
 export const TURN_GIVEN_B = 26;
-/** rad. Of a point that keeps an angle: that, from which bounds are a whole number of turns away; else NaN. */
+/** rad. The angle that a point keeps, from which its bounds are a whole number of turns away; else NaN. */
 export const TURN_ANGLE = 27;
-/** The impulse that the step began with. */
+/** The impulse with which the step began. */
 export const TURN_BEGAN = 28;
-/** rad/s. Of a motor, before its bounds are looked at. */
+/** rad/s. The rate of a motor, before it is limited by stops. */
 export const TURN_RATE = 29;
 export const TURN_STRIDE = 30;
 
-/** Where things are in the record of any other joint, of D rows and N members. */
+/** The layout of the record of any other joint, with D rows and N members. */
 export class BlockLayout {
   /** λ, corrections of this sub-step, bias … */
   readonly impulse: number;
   readonly push: number;
   readonly bias: number;
-  /** … error (in position iterations less its linear part) … */
+  /** … error (in position iterations without its linear part) … */
   readonly error: number;
-  /** … scratch, λ of the step, momentum of corrections of the step: D each. */
+  /** … scratch, λ of the step so far, momentum of corrections of the step so far: D numbers each. */
   readonly work: number;
   readonly total: number;
   readonly carried: number;
   /** Range of the last row's impulse. */
   readonly low: number;
   readonly high: number;
-  /** Jacobian of velocity iterations, and of position iterations. */
+  /** The Jacobian of velocity iterations, and that of position iterations. */
   readonly jacobian: number;
   readonly turned: number;
   /** K, factored. */

@@ -19,13 +19,13 @@ import {
   TURN_PUSH,
 } from './joint-layout.js';
 
-// Where the numbers of a joint are in a step, whatever kernel it has.
+// Where the numbers of a joint are within a step, whatever kernel it has.
 
 export function numbersOf({ joints, points }: SolverData, { kernel }: Joint): Float64Array {
   return kernel === POINT ? points : joints.records;
 }
 
-/** Of one of its rows. */
+/** The index of the impulse of one of its rows, in the array that `numbersOf` gives. */
 export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): number {
   if (kernel === POINT) {
     return recordAt(slot, POINT_STRIDE) + IMPULSE_X + 2 * row;
@@ -33,12 +33,12 @@ export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): num
   return at + (kernel === TURN ? TURN_IMPULSE : layout.impulse) + row;
 }
 
-/** How many of its rows hold: the last one does not where its bounds lie apart. */
+/** How many of its rows act all the time. The last one does not if its bounds are apart. */
 export function heldRows({ dimension, bounded, lower, upper, keepsAngle }: Constraint): number {
   return keepsAngle ? 1 : dimension - (bounded && lower < upper ? 1 : 0);
 }
 
-/** What position sweeps have corrected of it in this sub-step. */
+/** The index of what position sweeps have corrected of a row in this sub-step. */
 export function pushAt({ kernel, at, slot, layout }: Joint, row: number): number {
   if (kernel === POINT) {
     return recordAt(slot, POINT_STRIDE) + PUSH_X + 2 * row;
@@ -50,7 +50,7 @@ export function carryAt({ kernel, at, slot }: Joint): number {
   return kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_CARRY : at + CARRY;
 }
 
-/** In this step corrections of the joint make no momentum; with `snaps` = 1 large ones do not turn its bodies either. */
+/** In this step, corrections of the joint make no momentum. With `snaps` = 1, large ones do not turn its bodies either. */
 export function steady(data: SolverData, joint: Joint, snaps: number): void {
   const numbers = numbersOf(data, joint);
   const { kernel, at, slot } = joint;
@@ -58,17 +58,17 @@ export function steady(data: SolverData, joint: Joint, snaps: number): void {
   numbers[kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_SNAPS : at + SNAPS] = snaps;
 }
 
-/** Leaves a share of what a joint gave for the next sub-step. */
+/** Scales the impulse of a joint, for the next sub-step, by `share`. */
 export function forgetImpulse(data: SolverData, joint: Joint, share: number): void {
   const numbers = numbersOf(data, joint);
   for (let row = 0; row < joint.layout.rows; row += 1) {
     const n = impulseAt(joint, row);
-    // What is not finite goes, too.
+    // With 0 it is set, not multiplied, so that numbers that are not finite go, too.
     numbers[n] = share === 0 ? 0 : numbers[n]! * share;
   }
 }
 
-/** Lets the next sub-step start with what the step started with. What is elastic or drives goes on. */
+/** Resets the impulse of a joint to that with which the step began. Springs and motors keep theirs. */
 export function startAgain(data: SolverData, joint: Joint): void {
   const { kernel, at, layout, constraint } = joint;
   const { records } = data.joints;
@@ -86,7 +86,7 @@ export function startAgain(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Lists the bodies of a group that have a slot, which are those that are awake and move: in the order of its joints. */
+/** Lists the bodies of a group that have a slot, those that are awake and move, in the order of its joints. */
 export function listBodies(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { first, layout } = joints[group.end - 1]!;
@@ -102,7 +102,7 @@ export function listBodies(data: SolverData, group: Group): void {
   markBodies(data, group, 0);
 }
 
-/** Sets a mark in the slots of all bodies of a group, and clears MEMBER and SEEN unless it is one of them. */
+/** Clears MEMBER and SEEN in the traits of all bodies of a group, then sets `mark`; with 0, nothing. */
 export function markBodies({ traits }: SolverData, { bodies }: Group, mark: number): void {
   for (let n = 0; n < bodies.count; n += 1) {
     const slot = bodies.items[n]! / BODY_STRIDE;
@@ -110,7 +110,7 @@ export function markBodies({ traits }: SolverData, { bodies }: Group, mark: numb
   }
 }
 
-/** Whether a body that has a slot comes for the first time: it is marked for that. */
+/** Whether a body, given by the offset of its record, does not have the mark yet; sets it. */
 export function visit({ traits }: SolverData, offset: number, mark: number): boolean {
   const slot = offset / BODY_STRIDE;
   const isFirst = (traits[slot]! & mark) === 0;
@@ -119,8 +119,9 @@ export function visit({ traits }: SolverData, offset: number, mark: number): boo
 }
 
 /**
- * By what speed a motor misses its rate, if it gives less than it may, and did so still if it closed that by itself: a weak one that only brakes need not be swept to what it cannot give. Its impulse is at that
- * offset of its record, `mass` what it turns.
+ * Raises `lag` to the speed by which a motor misses its rate, if it gives less than it may, and would still if it made up for that by
+ * itself: a weak motor that only brakes need not be swept for what it cannot give. Its impulse is at the offset `impulse` of its record;
+ * `mass` is the effective mass that it turns.
  */
 export function noteLag(
   { joints: { records: r, lag } }: SolverData,

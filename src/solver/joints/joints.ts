@@ -46,7 +46,10 @@ import { closeOpen } from './touching/close-joints.js';
 import { pushHeld } from './touching/held-contacts.js';
 import { forgetShocks, linkShocks, solveFrames } from './touching/joint-shocks.js';
 
-/** Packs the live constraints for sub-steps of length h. Of those that keep their numbers here, the many, what did not change is still there. */
+/**
+ * Packs the live constraints for sub-steps of length h. Rigid points, angles and motors, which most joints are, keep their numbers in their
+ * records from step to step; these are written anew only after a change.
+ */
 function packJoints(world: World, h: number): void {
   const data = world.solver;
   const { joints } = data;
@@ -67,7 +70,7 @@ function packJoints(world: World, h: number): void {
     packPoses(world);
   }
   if (joints.hasCustoms) {
-    // Their callbacks may ask for what other constraints gave: that of the last step, as long as this one is being solved.
+    // A callback may ask for the impulses of other constraints. While this step is being solved, it gets those of the last one.
     fetchAll(joints);
   }
   for (let i = 0; i < joints.groups.length; i += 1) {
@@ -96,7 +99,9 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   if (group.isWatched) noteEnergy(data, group);
 }
 
-/** Of groups that touch something what they are with is watched, too. */
+/**
+ * Groups that touch something are watched together with their guests, the bodies that they exchange energy with: see `energy/company.ts`.
+ */
 function watchTouched(world: World): void {
   const { solver } = world;
   const { groups } = solver.joints;
@@ -112,7 +117,7 @@ function watchTouched(world: World): void {
   }
 }
 
-/** What was changed is corrected without momentum in this step, and as all others from the next one on. */
+/** Joints that were changed are corrected without momentum in this step, and like all others from the next one on. */
 function steadyFresh(data: SolverData): void {
   const { joints, groups, shifted } = data.joints;
   for (const group of groups) {
@@ -133,7 +138,7 @@ function steadyFresh(data: SolverData): void {
   }
 }
 
-/** Starts a sub-step: finds how often each group has to be swept over. */
+/** Starts a sub-step: warm starts all joints, and plans how often each group is swept over. */
 function warmStartJoints(data: SolverData, isFirst: boolean): void {
   const { groups, worst } = data.joints;
   noteVelocities(data);
@@ -156,14 +161,17 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
   spreadShifts(data);
 }
 
-/** The way to what is asked for anew is made over the whole step: all of it in the first sub-step would be so many times as fast, and what hangs on it, whose joints make momentum, be flung up. */
+/**
+ * Spreads the correction of a changed joint over the whole step. All of it in the first sub-step would be as many times as fast as there
+ * are sub-steps, and would fling up what hangs on the joint, as other joints make momentum of it.
+ */
 function spreadShifts(data: SolverData): void {
   const { shifted, substepsLeft } = data.joints;
   for (let i = 0; i < shifted.length; i += 1) {
     correctShare(data, shifted[i]!, 1 / substepsLeft);
   }
   data.joints.substepsLeft -= 1;
-  // Nobody is held on to.
+  // Afterwards nothing refers to these joints any more.
   if (substepsLeft === 1) shifted.length = 0;
 }
 
@@ -182,7 +190,7 @@ function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void 
   plan(data, group, isFirst);
 }
 
-/** Of a group that lies beside another, and was warm started with it. */
+/** Plans the sweeps of one of two groups that lie side by side and were warm started together. */
 function planChain(data: SolverData, group: Group, isFirst: boolean): void {
   beginGroup(data, group);
   group.runs[0]!.isOff = group.error > data.joints.asked[0]!;
@@ -206,12 +214,12 @@ function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   }
 }
 
-/** Of two groups side by side the last sweep is left out: it is over both at once. */
+/** Of two groups side by side, the last sweep is left out here, as it is done over both at once. */
 function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number, isOfTwo: boolean): void {
   const { sweeps } = group;
   const last = sweeps - 1;
   if (group.isFirm) {
-    // What touches nothing has it once, as nothing changes in between.
+    // A group that touches nothing is solved once, in the last iteration, as nothing changes its velocities in between.
     if (group.touched || i === count - 1) solveFirmly(data, group);
     return;
   }
@@ -221,7 +229,7 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
   }
 }
 
-/** Sweeps until nothing changes any more. */
+/** Sweeps until a sweep changes nothing worth another, with conjugate gradients in between: see `plan/gradients.ts`. */
 function solveFirmly(data: SolverData, group: Group): void {
   beginGradients(data, group, false);
   for (let sweep = 0; sweep < group.sweeps; sweep += 1) {
@@ -233,7 +241,10 @@ function solveFirmly(data: SolverData, group: Group): void {
   }
 }
 
-/** Custom constraints, whose callbacks are called once in each iteration. In odd iterations groups that are swept over to and fro begin with their last. @returns whether it was for one of them. */
+/**
+ * Solves the custom constraints, whose callbacks are called once in each iteration. In odd iterations, groups that are swept over to and
+ * fro begin with their last joint. @returns whether `solve` returned true for one of them.
+ */
 function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joint: Joint) => unknown): boolean {
   const { groups, joints } = data.joints;
   let found = false;
@@ -250,7 +261,10 @@ function sweepCustoms(data: SolverData, i: number, solve: (data: SolverData, joi
   return found;
 }
 
-/** Position iteration `i` of `count`; where there are fewer sweeps than iterations the first iterations have them. @returns whether there is something left for another. */
+/**
+ * Position iteration `i` of `count`. If there are fewer sweeps than iterations, the first iterations have them. @returns whether another
+ * iteration is worth while.
+ */
 function solvePositionJoints(data: SolverData, i: number, count: number): boolean {
   const { groups } = data.joints;
   let isLeft = data.joints.hasCustoms && sweepCustoms(data, i, pushCustom);
@@ -269,7 +283,7 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   return isLeft;
 }
 
-/** The first sweep over groups side by side: over both at once. */
+/** The first position sweep over two groups side by side, over both at once. */
 function pushBoth(data: SolverData, first: Group, second: Group): void {
   const { worst } = data.joints;
   worst[0] = 0;
@@ -280,8 +294,9 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
 }
 
 /**
- * Position sweeps, until errors are small. Those after the first take the errors of point joints as linear in the motion, unless
- * contacts came in between, or bodies are to be moved without turning. @returns whether the last one found an error that was worth another.
+ * Position sweeps, until errors are small. After the first, the sweeps take the errors of point joints as linear in the motion, unless
+ * contacts came in between or the bodies are to be moved without turning.
+ * @returns whether the last sweep found an error that was worth another one.
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
   const { worst } = data.joints;
@@ -293,7 +308,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   }
   for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
-    // More than small motion was left when all exact errors were found the last time.
+    // The last exact sweep found errors so large that linear ones are not enough where bodies have turned since.
     const pushAgain = group.pushed > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;
     worst[0] = 0;
     worst[1] = 0;
@@ -304,7 +319,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     }
     const isExact = group.isFirm && isOfPoints(group) && (goesOn || sweep === 0);
-    // What is swept to is swept fro, too.
+    // A sweep to is always followed by one fro.
     if (!isOff && !isExact && !(group.toAndFro && sweep % 2 === 0)) {
       return false;
     }
@@ -315,26 +330,33 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   return true;
 }
 
-/** Rigid points alone are pushed until nothing changes: where small errors wait until they are worth a sweep, forces jump from step to step. */
+/**
+ * Whether a group has rigid points alone. These are pushed until nothing changes: if small errors waited until they were worth a sweep,
+ * forces would jump from step to step.
+ */
 function isOfPoints({ runs, start, end }: Group): boolean {
   return runs.length === 1 && runs[0]!.kernel === POINT && end - start > 1;
 }
 
-/** @returns whether something may be left for another iteration. */
+/** One position iteration of a custom constraint. @returns whether another one may be worth while. */
 function pushCustom(data: SolverData, joint: Joint): boolean {
   lineariseBlock(data, joint);
   pushBlock(data, joint);
   return data.joints.records[joint.at + PUSH] !== 0;
 }
 
-/** Sets what share of the momentum of corrections is made. One sweep leaves some of the errors of several joints for the next sub-step, which would make too much of them where something swings; so do several kinds of joints that are more than needed. */
+/**
+ * Sets the share of the momentum of corrections that is made. It is less if several joints are swept over once, as one sweep leaves some of
+ * their errors for the next sub-step, which would make too much momentum of them where something swings; and if joints of several kinds are
+ * more than needed.
+ */
 function findShare({ joints: { h, share } }: SolverData, { span, sweeps, start, end, isWhole, isMixed }: Group): void {
   const isLess = isMixed || (sweeps === 1 && end - start > 1 && !isWhole);
   const kept = isLess ? Math.max(0, 1 - SWEPT_ONCE * h) : 1;
   share[0] = kept * (h / span) * (h / span);
 }
 
-/** Whether two groups that lie side by side, of as many joints, make the same share of it. */
+/** Whether two groups that lie side by side make the same share of it. */
 function areAlike(one: Group, other: Group): boolean {
   return one.span === other.span && (one.sweeps === 1) === (other.sweeps === 1);
 }
@@ -347,7 +369,7 @@ function finishGroup(data: SolverData, group: Group): void {
   }
 }
 
-/** Ends a sub-step. */
+/** Ends a sub-step: makes momentum of corrections, closes joints that contacts hold open, and moves the poses on. */
 function finishJoints(data: SolverData): void {
   const { groups, runs } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
@@ -372,7 +394,10 @@ function finishJoints(data: SolverData): void {
   }
 }
 
-/** Writes the outcome of the step back to the constraints, but those that fetch it; those that broke leave. */
+/**
+ * Ends a step: takes back energy that joints made, breaks what bore too much, and writes the results to the constraints or, for joints that
+ * keep their numbers, to their records. Joints that broke leave the world.
+ */
 function storeJoints(world: World): void {
   const data = world.solver;
   const { joints } = data;
@@ -384,7 +409,7 @@ function storeJoints(world: World): void {
     storeRun(data, joints.runs[i]!);
   }
   for (let k = 0; k < joints.joints.length && world.jointsStale; k += 1) {
-    // A callback may have switched it off, which forgot its impulses then.
+    // A callback may have disabled it, which resets its impulses; storing has just set them again.
     const { constraint } = joints.joints[k]!;
     if (!constraint.enabled) constraint.forget();
   }
@@ -394,12 +419,14 @@ function storeJoints(world: World): void {
   joints.broken.length = 0;
 }
 
-/** One more sweep over a group. */
+/** One velocity sweep over all joints of a group, for the shock it is part of: see `contacts/shocks.ts`. */
 function sweepShock(data: SolverData, index: number): void {
   sweepOver(data, data.joints.groups[index]!, 0, true, solveVelocityRun);
 }
 
-/** What a world solves its constraints with. These bring it along, so that a bundle without any has nothing of it. */
+/**
+ * All functions with which a world solves its constraints. Constraints bring it along, so that a bundle without any has no code for them.
+ */
 export const jointSolver = {
   pack: packJoints,
   warmStart: warmStartJoints,
