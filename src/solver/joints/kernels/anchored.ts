@@ -6,11 +6,14 @@ import { cutOrBreak } from './breaking.js';
 import { applyRows } from './jacobian.js';
 
 /**
- * Welds, and points that are soft or may break: block joints whose first two rows keep two anchors together, and so have unit columns, and whose third, of a weld, keeps an angle. Straight-line;
- * what they have in common with all others is done there.
+ * Welds, and points that are soft or may break: block joints whose first two rows keep two anchors together, and so have unit columns, and
+ * whose third, if it is a weld, keeps an angle. Straight-line; what is not here is done in `blocks.ts`.
  */
 
-/** One sweep, from the first to the last, or back: over velocities as `solveVelocityBlock` or, if `moving`, over the motion of the sub-step as `pushBlock`. */
+/**
+ * One sweep, from the first to the last, or back: over velocities, as `solveVelocityBlock`, or, if `moving`, over the motion of the
+ * sub-step, as `pushBlock`.
+ */
 export function sweepAnchored(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;

@@ -13,11 +13,11 @@ import { applyRows, clear, findLength, length, multiplyRows, writeMatrix } from 
 import { measure, showPoses } from './pose.js';
 
 /**
- * Joints of any number of rows and bodies, their Jacobian J written out. The method is that of point joints; of the rows the last
- * may be one-sided. As K is factored with it last, the other rows can be solved exactly for whatever it ends at.
+ * Block joints: joints with any number of rows and bodies, whose Jacobian J is written out. The method is that of point joints. The last
+ * row may be one-sided: as K is factored with it last, the other rows are solved exactly for whatever impulse it ends at.
  */
 
-/** Which bodies it has, and the impulse to start with. @returns whether one of them is in contact. */
+/** Writes which bodies a joint has, and the impulse to start with. @returns whether one of the bodies is in contact. */
 export function packBlock(data: SolverData, joint: Joint): boolean {
   const { records: r, bodies } = data.joints;
   const { at, layout, constraint, first } = joint;
@@ -39,7 +39,7 @@ export function packBlock(data: SolverData, joint: Joint): boolean {
   return isTouched;
 }
 
-/** Starts a sub-step: error, Jacobian and K for the present placement, and the impulse of the last sub-step once more. */
+/** Starts a sub-step: finds error, Jacobian and K for the present placement, and warm starts with the impulse of the last sub-step. */
 export function warmStartBlock(data: SolverData, index: number, isFirst: boolean): void {
   const { records: r, joints } = data.joints;
   const joint = joints[index]!;
@@ -74,19 +74,19 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   applyRows(data, joint, layout.jacobian, layout.impulse, 1, false);
 }
 
-/** What it gives of itself in a sub-step. */
+/** Starts a sub-step of a spring: writes its bias, or makes it only damp. */
 export function beginSpring(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
   writeElasticBias(data, joint);
   if (constraint.stored < 0 && isGiving(data, joint)) {
-    // It only damps: see `energy/springs.ts`.
+    // It owes energy, so it only damps: see `energy/springs.ts`.
     clear(r, at + layout.bias, layout.rows);
     clear(r, at + layout.impulse, layout.rows);
   }
 }
 
-/** Of the length that was found. */
+/** Notes the error of a joint, which is in `length`, for the sweeps of its group. */
 export function noteError({ joints }: SolverData, index: number): void {
   const { worst, asked, off } = joints;
   const error = length[0]!;
@@ -97,7 +97,7 @@ export function noteError({ joints }: SolverData, index: number): void {
   }
 }
 
-/** The callbacks are asked once per step: within it the error of an elastic joint follows its linear part. */
+/** Advances the error of an elastic custom joint by its linear part, as its callbacks are asked only once per step. */
 function foresee(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
@@ -107,18 +107,21 @@ function foresee(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Within its bounds: what pushes does nothing, or only so much that the bound is not passed. */
+/**
+ * Whether the last row is within its bounds, by the errors at the offset `errors`: it gives nothing, or only as much as keeps it from
+ * passing the bound.
+ */
 export function isSlack(r: Float64Array, { at, layout }: Joint, errors: number): boolean {
   const error = r[at + errors + layout.rows - 1]!;
   return (r[at + layout.high] === 0 && error < 0) || (r[at + layout.low] === 0 && error > 0);
 }
 
-/** How many rows have an error, of those at the offset `errors`: a slack last one has none. */
+/** How many rows have an error, of those at the offset `errors`: a slack last row has none. */
 function violatedRows(r: Float64Array, joint: Joint, errors: number): number {
   return isSlack(r, joint, errors) ? joint.layout.rows - 1 : joint.layout.rows;
 }
 
-/** The velocity towards the target; none while slack. Breaks under too large an error. */
+/** Writes the velocity towards the target as bias; a slack last row has none. Breaks the joint if its error is too large. */
 function writeElasticBias(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
@@ -143,7 +146,7 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   }
 }
 
-/** K⁻¹ · C, to the numbers at `work`. */
+/** Writes K⁻¹ · C to the numbers at `work`. */
 export function weighError({ joints: { records: r } }: SolverData, joint: Joint): void {
   const { at, layout } = joint;
   const { rows, work, error } = layout;
@@ -151,14 +154,14 @@ export function weighError({ joints: { records: r } }: SolverData, joint: Joint)
   solveWhole(r, joint);
 }
 
-/** Solves for the numbers at `work`. */
+/** Multiplies the numbers at `work` by K⁻¹. */
 function solveWhole(r: Float64Array, { at, layout }: Joint): void {
   const { rows, work, matrix } = layout;
   forward(r, at + matrix, rows, r, at + work);
   backward(r, at + matrix, rows, r, at + work);
 }
 
-/** Whether the error of a spring becomes less by itself: C · K⁻¹ · J · v < 0. */
+/** Whether the error of a spring is decreasing by itself: C · K⁻¹ · J · v < 0. */
 function isGiving(data: SolverData, joint: Joint): boolean {
   const { records: r } = data.joints;
   const { at, layout } = joint;
@@ -172,7 +175,7 @@ function isGiving(data: SolverData, joint: Joint): boolean {
   return sum < 0;
 }
 
-/** One sweep: λ → clamp(λ − K⁻¹(J·v + bias) · softness − feedback · λ). */
+/** One velocity sweep: λ → clamp(λ − K⁻¹(J·v + bias) · softness − feedback · λ). */
 export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
@@ -202,7 +205,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   applyRows(data, joint, jacobian, work, 1, false);
 }
 
-/** Solves for the numbers at `work`; the last row's impulse, at `so`, stays within its range. */
+/** Multiplies the numbers at `work` by K⁻¹, but so that the last row's impulse, at the offset `so`, stays within its range. */
 function solve(r: Float64Array, joint: Joint, so: number, feedback: number): void {
   const { at, layout, constraint } = joint;
   const { rows, work, matrix } = layout;
@@ -218,7 +221,7 @@ function solve(r: Float64Array, joint: Joint, so: number, feedback: number): voi
   backward(r, at + matrix, rows, r, at + work);
 }
 
-/** The callback sees the impulse as it would be in the whole step; one of sub-steps of equal strength. */
+/** Lets the callback clamp the impulse. It is shown that of the whole step: as if all sub-steps were as strong as this one. */
 function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstraint): void {
   const { records: r, substeps } = data.joints;
   const { at, layout } = joint;
@@ -240,8 +243,10 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
 }
 
 /**
- * Starts a position iteration; the sweeps that follow work with its linear part. What an error breaks is not corrected. In each iteration, though it takes a third of a step: left out in the second where errors
- * were below 4 mm, small pulleys gained up to 28 times as much energy, and where they are so small that none does hardly any are left out.
+ * Starts a position iteration: finds the error and Jacobian, from which the sweeps that follow take the error as linear. A joint whose
+ * error breaks it is not corrected. This is done in each iteration, though it takes a third of a step. Refused: leaving it out in the
+ * second one where errors were below 4 mm: small pulleys gained up to 28 times as much energy; and with a bound so low that none gains,
+ * hardly any joint is left out.
  */
 export function lineariseBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
@@ -262,7 +267,7 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
   correct(data, joint, error);
 }
 
-/** K for corrections; and of an error of that length what is to be corrected, less its linear part. */
+/** Writes K for corrections, and the part of an error of the length `error` that is to be corrected, without its linear part. */
 function correct(data: SolverData, joint: Joint, error: number): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
@@ -281,7 +286,7 @@ function correct(data: SolverData, joint: Joint, error: number): void {
   }
 }
 
-/** Rows that can be corrected without turning the bodies will be. */
+/** Drops the turning from all rows that can be corrected without it. */
 function dropTurning(data: SolverData, joint: Joint): void {
   const { records: r, bodies } = data.joints;
   const { at, layout, first } = joint;
@@ -300,7 +305,7 @@ function dropTurning(data: SolverData, joint: Joint): void {
   }
 }
 
-/** One sweep of a position iteration: moves the bodies by −M⁻¹·Jᵀ·K⁻¹·C, C as its linear part has it. */
+/** One position sweep: moves the bodies by −M⁻¹·Jᵀ·K⁻¹·C, with C as linear in the motion. */
 export function pushBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
@@ -326,7 +331,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   applyRows(data, joint, turned, work, 1, true);
 }
 
-/** Raises `left` to the error now, as its linear part has it, if that is larger. */
+/** Raises `left` to the error now, as linear in the motion, if that is larger. */
 export function measureBlock(data: SolverData, joint: Joint): void {
   const { records: r, left } = data.joints;
   const { at, layout } = joint;
@@ -341,8 +346,9 @@ export function measureBlock(data: SolverData, joint: Joint): void {
 }
 
 /**
- * Whether the one row points elsewhere than at the start of the sub-step, as a short rope does that swings. Momentum along that keeps energy as long as both are about the same (RATTLE); far from
- * it, it would make any amount, and goes along where the correction went.
+ * Whether the one row of a joint points elsewhere than at the start of the sub-step, as that of a short rope that swings does. Momentum
+ * along the row of the start keeps energy as long as both are about the same (RATTLE); far from it, that would make any amount of energy,
+ * and momentum is made along the row of the correction instead.
  */
 function hasTurnedFar({ joints: { records: r } }: SolverData, { at, layout }: Joint): boolean {
   const { members, jacobian, turned } = layout;
@@ -357,7 +363,7 @@ function hasTurnedFar({ joints: { records: r } }: SolverData, { at, layout }: Jo
   return dot < ROW_TURN * square;
 }
 
-/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+/** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joint gave. */
 export function finishBlock(data: SolverData, joint: Joint): void {
   const { records: r, share } = data.joints;
   const { at, layout, constraint } = joint;
@@ -383,7 +389,7 @@ export function finishBlock(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Writes the outcome of the step back to the constraint. */
+/** Ends a step: writes the results back to the constraint. */
 export function storeBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;

@@ -4,9 +4,12 @@ import { breakJoint, type Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
 import { applyRows, findLength, length } from './jacobian.js';
 
-// Joints break under what they give: in a velocity iteration, or by what they gave as a whole. Under their errors they do in `blocks.ts`.
+// Joints that break under force: in a velocity iteration, or by all they gave in a step. Those that break under their error are in
+// `blocks.ts`.
 
-/** Cuts the impulse to its limit, or breaks the joint if that of the step is too large. @returns whether it broke. */
+/**
+ * Cuts the impulse at `work` to its limit, or breaks the joint if the impulse of the step so far is too large. @returns whether it broke.
+ */
 export function cutOrBreak(data: SolverData, joint: Joint): boolean {
   const { records: r } = data.joints;
   const { at, layout } = joint;
@@ -31,8 +34,8 @@ export function cutOrBreak(data: SolverData, joint: Joint): boolean {
 }
 
 /**
- * A velocity iteration asks for more than a joint bears: it breaks. A sub-step begins with what the last one gave, once more: where the step would have had too much with that alone, it is taken back. Else a
- * rope that tore as it caught a load would throw it upwards.
+ * Breaks a joint of which a velocity iteration asks for more than it bears. A sub-step is warm started with the impulse of the last one: if
+ * the step has too much with that alone already, that is taken back. Else a rope that tore as it caught a load would throw it upwards.
  */
 export function tear(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
@@ -48,8 +51,9 @@ export function tear(data: SolverData, joint: Joint): void {
 }
 
 /**
- * In this step nothing else of what hangs together breaks by force, as it may be relieved: a blow would shatter a whole bridge. It bears no more than it may, though, and gives way: so it is not pushed into place in this step, and without
- * momentum in the next one, in which it may break.
+ * In this step, no other joint of the group breaks by force, as the break may relieve it; else a blow would shatter a whole bridge. The
+ * others are limited to their breaking force, though, and give way. So they are not pushed into place in this step, and in the next one, in
+ * which they may break, only without momentum.
  */
 function spareOthers({ joints: { groups, joints, records: r, h } }: SolverData, broken: Joint): void {
   const index = joints.indexOf(broken);
@@ -66,8 +70,9 @@ function spareOthers({ joints: { groups, joints, records: r, h } }: SolverData, 
 }
 
 /**
- * Breaks what bore too much in this step, while the constraints still tell of the last one: of what hangs together that which bore the most beyond its limit. The others may be relieved by that: else a taut rope or bridge, all of whose joints bear
- * about the same, would go to pieces at once.
+ * Breaks what bore too much in this step; the constraints still hold the numbers of the last one. In each group, only the joint breaks that
+ * bore the most beyond its limit, as that may relieve the others: else a taut rope or bridge, all of whose joints bear about the same,
+ * would go to pieces at once.
  */
 export function breakOverloaded(data: SolverData): void {
   const { groups, joints } = data.joints;
@@ -89,9 +94,10 @@ export function breakOverloaded(data: SolverData): void {
 }
 
 /**
- * Velocity iterations see only part of what a joint has to bear; what turns a swinging body comes half from corrections. But after a
- * sudden load these overshoot for a few steps, and where many hang together for more: only when the whole is too much for several steps on end does the joint
- * break by it; one of `few` for some, if it is about as much as it was. How much it is stands in `length`.
+ * Whether a joint bore too much for long enough. Velocity iterations see only part of what a joint has to bear: of what turns a swinging
+ * body, half comes from corrections. But after a sudden load these overshoot for a few steps, and for more where many joints hang together.
+ * So the whole breaks a joint only if it is too much for several steps in a row; for fewer, if the group has `few` joints and the load is
+ * about as large as in the last step. Leaves the impulse of the step in `length`.
  */
 function bearsTooMuch(data: SolverData, joint: Joint, few: boolean): boolean {
   const { records: r } = data.joints;
@@ -105,7 +111,7 @@ function bearsTooMuch(data: SolverData, joint: Joint, few: boolean): boolean {
   return constraint.overloadedSteps >= (few && isSteady(data, joint) ? BREAK_STEPS_STEADY : BREAK_STEPS);
 }
 
-/** Whether a joint pulls about as hard in this step as in the last one, of which the constraint still tells. */
+/** Whether a joint pulls about as hard in this step as in the last one, whose numbers the constraint still holds. */
 function isSteady({ impulseScale, joints: { records: r } }: SolverData, { at, layout, constraint }: Joint): boolean {
   let before = 0;
   let now = 0;

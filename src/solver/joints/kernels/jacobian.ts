@@ -4,12 +4,12 @@ import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
 
-// The rows of the Jacobian J of a joint whose numbers are written out: products with it.
+// Products with the Jacobian J of a joint whose rows are written out.
 
-/** What `findLength` found: a result would be boxed. */
+/** The result of `findLength`; an array, so that it is not boxed. */
 export const length = /* @__PURE__ */ new Float64Array(1);
 
-/** Of so many numbers of a record, to `length`. */
+/** Writes to `length` the length of the vector of `count` numbers of a record. */
 export function findLength(r: Float64Array, from: number, count: number): void {
   let square = 0;
   for (let n = 0; n < count; n += 1) {
@@ -18,7 +18,7 @@ export function findLength(r: Float64Array, from: number, count: number): void {
   length[0] = Math.sqrt(square);
 }
 
-/** K = J·M⁻¹·Jᵀ, factored. */
+/** Writes K = J·M⁻¹·Jᵀ, factored. */
 export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): void {
   const { records: r, bodies } = data.joints;
   const v = data.velocity;
@@ -45,7 +45,7 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
   factor(r, at + matrix, rows, MIN_INVERSE_MASS);
 }
 
-/** The same for two bodies and three rows at most: straight-line. */
+/** The same for two bodies and at most three rows, straight-line. */
 function writePairMatrix(data: SolverData, { at, layout, first }: Joint, jacobian: number): void {
   const { records: r, bodies } = data.joints;
   const v = data.velocity;
@@ -100,7 +100,10 @@ function writePairMatrix(data: SolverData, { at, layout, first }: Joint, jacobia
   r[k + 8] = pivot2 > MIN_INVERSE_MASS && pivot2 > DEPENDENT * k22 && pivot2 < Infinity ? 1 / pivot2 : 0;
 }
 
-/** All rows of J, times velocities or times the motion of the sub-step, whose three numbers lie alike, to the numbers at `work`. */
+/**
+ * Multiplies all rows of J by the velocities or, if `motion`, by the motion of the sub-step, whose three numbers are laid out alike; the
+ * products go to the numbers at `work`.
+ */
 export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, motion: boolean): void {
   const { records: r, bodies } = data.joints;
   const v = motion ? data.motion : data.velocity;
@@ -117,7 +120,7 @@ export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, m
   }
 }
 
-/** Adds `scale` · M⁻¹·Jᵀ·λ, λ at the offset `from`, to velocities or to the motion of the sub-step. */
+/** Adds `scale` · M⁻¹·Jᵀ·λ, with λ at the offset `from`, to the velocities or, if `motion`, to the motion of the sub-step. */
 export function applyRows(
   data: SolverData,
   joint: Joint,
@@ -150,7 +153,7 @@ export function applyRows(
   }
 }
 
-/** Sets so many numbers of a record to 0: so few that `fill` would take longer. */
+/** Sets `count` numbers of a record to 0: so few that `fill` would take longer. */
 export function clear(r: Float64Array, from: number, count: number): void {
   for (let n = from; n < from + count; n += 1) {
     r[n] = 0;

@@ -3,9 +3,12 @@ import * as d from '../../layout.js';
 import * as j from '../joint-layout.js';
 import { cutOrBreak } from './breaking.js';
 
-/** The sweeps of block joints for lines, two rows between two bodies, straight-line. All else is done there. */
+/** The sweeps of block joints for lines, two rows between two bodies, straight-line. All else is done in `blocks.ts`. */
 
-/** One sweep, from the first to the last, or back: over velocities as `solveVelocityBlock` or, if `moving`, over the motion of the sub-step as `pushBlock`. */
+/**
+ * One sweep, from the first to the last, or back: over velocities, as `solveVelocityBlock`, or, if `moving`, over the motion of the
+ * sub-step, as `pushBlock`.
+ */
 export function sweepLines(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;

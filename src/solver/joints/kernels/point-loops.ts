@@ -6,12 +6,13 @@ import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import * as j from '../joint-layout.js';
 
-// The loops over rigid point joints, from one of their records to another, which is left out: over each, or every second one, or back. The way is a whole number of steps.
+// The loops over rigid point joints, from the record `from` up to, not including, `to`: over each, or every second one, or back. `to` must
+// be a whole number of steps away.
 
 /** Angle, cosine, sine: scratch. */
 const turn = /* @__PURE__ */ new Float64Array(3);
 
-/** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
+/** Starts a sub-step: finds arms, error and K⁻¹ for the present placement, and warm starts with the impulse of the last sub-step. */
 export function warmStartPoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, velocity: v, pose: p } = data;
   const { worst } = data.joints;
@@ -71,7 +72,10 @@ export function warmStartPoints(data: SolverData, from: number, to: number, step
   }
 }
 
-/** K⁻¹ in place of K; of a K of rank 1 the larger diagonal element alone, of none nothing. Handed over in the record, as doubles would be boxed. */
+/**
+ * Inverts K in place. If K has rank 1, only its larger diagonal element is inverted; if it is 0, so is the result. In the record, as
+ * doubles would be boxed if passed.
+ */
 function invert(r: Float64Array, i: number): void {
   const k11 = r[i + j.I11]!;
   const k12 = r[i + j.I12]!;
@@ -90,7 +94,7 @@ function invert(r: Float64Array, i: number): void {
   }
 }
 
-/** One sweep: Δλ = −K⁻¹C'. */
+/** One velocity sweep: Δλ = −K⁻¹C'. */
 export function solveVelocityPoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, velocity: v } = data;
   for (let k = from; k !== to; k += step) {
@@ -129,8 +133,8 @@ export function solveVelocityPoints(data: SolverData, from: number, to: number, 
 }
 
 /**
- * One sweep of a position iteration: moves the bodies by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the
- * start of the sub-step a pendulum is 1 mm off after 5 s.
+ * One exact position sweep: corrects by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the start of the
+ * sub-step, a pendulum is 1 mm off after 5 s.
  *
  * @returns whether an error was worth another iteration.
  */
@@ -153,7 +157,7 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
     const wB = q[b + d.QW]!;
     const squareA = wA * wA;
     const squareB = wB * wB;
-    // Up to a small turn the first terms are exact to a ten-millionth of the arm; the next sub-step removes that.
+    // For small turns, the first terms are exact to a ten-millionth of the arm; the next sub-step removes that error.
     let ca = squareA * (squareA * (1 / 24) - 0.5);
     let sa = wA * (1 - squareA * (1 / 6 - squareA * (1 / 120)));
     let cb = squareB * (squareB * (1 / 24) - 0.5);
@@ -232,7 +236,10 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
   return found;
 }
 
-/** Another sweep: as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth another iteration. */
+/**
+ * Another position sweep, as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth
+ * another iteration.
+ */
 export function pushPointsLinearly(data: SolverData, from: number, to: number, step: number): boolean {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let found = false;
@@ -275,7 +282,7 @@ export function pushPointsLinearly(data: SolverData, from: number, to: number, s
   return found;
 }
 
-/** The largest error now, m, as linear in the motion since the last exact sweep, to `left`. */
+/** Writes to `left` the largest error now, m, as if linear in the motion since the last exact sweep. */
 export function measurePoints(data: SolverData, from: number, to: number, step: number): void {
   const { points: r, pointBodies: bodies, motion: q } = data;
   let most = 0;
@@ -298,7 +305,7 @@ export function measurePoints(data: SolverData, from: number, to: number, step: 
   data.joints.left[0] = Math.sqrt(most);
 }
 
-/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+/** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joints gave. */
 export function finishPoints(data: SolverData, from: number, to: number, step: number): void {
   const share = data.joints.share[0]!;
   const { points: r, pointBodies: bodies, velocity: v } = data;

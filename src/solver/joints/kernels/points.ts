@@ -7,15 +7,14 @@ import * as j from '../joint-layout.js';
 import * as plain from './point-loops.js';
 
 /**
- * Rigid point joints that do not break; all others are block joints. The error is C = Δ(x + r) between the bodies, and by velocities
- * C' = vB + ωB × rB − vA − ωA × rA. Velocity iterations bring C' to zero at the start of the sub-step; position iterations bring C to
- * zero at its end, where their corrections, with the arms of the start, become momentum. Together they are RATTLE (Andersen 1983),
- * which neither gains nor loses energy.
+ * Rigid point joints that do not break. The error is C = Δ(x + r) between the bodies, and its rate C' = vB + ωB × rB − vA − ωA × rA.
+ * Velocity iterations bring C' to zero at the start of the sub-step; position iterations bring C to zero at its end, and their corrections
+ * become momentum, by the arms of the start. Together this is RATTLE (Andersen 1983), which neither gains nor loses energy.
  */
 
 /**
- * A loop in WebAssembly, from one record to another, both even. @returns twice the index of the first that it left to the loop in TypeScript, and 1 if an error was worth
- * another iteration.
+ * A loop in WebAssembly over records, from one index to another, both even. @returns twice the index of the first record that it left to
+ * the loop in TypeScript, plus 1 if an error was worth another iteration.
  */
 type FastLoop = (data: SolverData, from: number, to: number) => number;
 
@@ -25,21 +24,30 @@ export interface PointKernels {
   readonly push: FastLoop;
   readonly pushLinearly: FastLoop;
   readonly finish: FastLoop;
-  /** Adds the motion of the sub-step to the placements of bodies. @returns the index of the first that it left to the loop in TypeScript. */
+  /**
+   * Adds the motion of the sub-step to the placements of bodies. @returns the index of the first body that it left to the loop in
+   * TypeScript.
+   */
   readonly advancePoses: FastLoop;
 }
 
-/** The same in TypeScript, over each record or, with a `step` of 2, every second one, or back with a negative one. @returns `true` if an error was worth another iteration. */
+/**
+ * The same in TypeScript: over each record or, with a `step` of 2, every second one, or back, with a negative one. @returns `true` if an
+ * error was worth another iteration.
+ */
 type Loop = (data: SolverData, from: number, to: number, step: number) => unknown;
 
-/** Joints that are looked at together where errors are large: fewer are called for one by one, more are seldom all still. */
+/**
+ * How many joints share the choice between an exact and a linear sweep where errors are large. With fewer the calls would be too many;
+ * among more, seldom has none turned.
+ */
 const FAR_BLOCK = 8;
 
-/** What changes seldom: anchors, bodies, and the impulse to start with. */
+/** Writes what changes seldom: anchors, bodies, and the impulse to start with. */
 export function packPoint(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, constraint } = joint;
-  // First, as what it gave in the last step may not have been fetched from here yet.
+  // Read first: reading it fetches the impulse of the last step from this very record, if that was not done yet.
   const { impulse } = constraint;
   r[at + j.KEPT_IMPULSE_X] = impulse[0]!;
   r[at + j.KEPT_IMPULSE_Y] = impulse[1]!;
@@ -81,7 +89,7 @@ export function beginPoints(data: SolverData, start: number, end: number): boole
     const b = bodies[n + 1]! & d.OFFSET;
     touched |= drive[a + d.TOUCHED]! | drive[b + d.TOUCHED]!;
     if ((slot & 1) === 0) {
-      // Until there is one, which comes next.
+      // Marked as missing; the next joint overwrites that if the slot is its own.
       missing(r, pointBodies, slot + 1, i + 1);
     }
     pointBodies[2 * slot] = a;
@@ -102,7 +110,7 @@ export function beginPoints(data: SolverData, start: number, end: number): boole
   return touched !== 0;
 }
 
-/** A record that no joint has. */
+/** Writes a record that belongs to no joint. */
 function missing(r: Float64Array, pointBodies: Int32Array, slot: number, i: number): void {
   pointBodies[2 * slot] = d.MISSING;
   pointBodies[2 * slot + 1] = 0;
@@ -112,7 +120,7 @@ function missing(r: Float64Array, pointBodies: Int32Array, slot: number, i: numb
   r[i + j.ANCHOR_BY] = 0;
 }
 
-/** Ends a step. */
+/** Ends a step: keeps the impulses for the next one, and what the step gave. */
 export function keepPoints(data: SolverData, start: number, end: number): void {
   const { records: kept, joints } = data.joints;
   const { points: r, impulseScale: scale } = data;
@@ -129,7 +137,7 @@ export function keepPoints(data: SolverData, start: number, end: number): void {
   }
 }
 
-/** Which of them have a larger error than asked for: from the first to the one after the last, to `off`, if there are such. */
+/** Widens `off` to the joints with a larger error than `asked`: from the first to the one after the last. */
 export function findOff(data: SolverData, start: number, end: number): void {
   const { off, joints } = data.joints;
   let from = start;
@@ -153,8 +161,10 @@ function isOff({ points: r, joints: { asked } }: SolverData, { slot }: Joint): b
 }
 
 /**
- * Joints from one to another, by a fast loop, if there is one, and by the plain one what is left: what it stops at, and at the ends what is a part of two. Those of two groups that lie side by side are solved
- * at once if both are wanted. Back it goes by the plain loop. @returns what they find together.
+ * Runs a loop over joints from one to another: the fast one, if there is one, and the plain one over what that leaves, where it stops and
+ * at the ends, where only one of two is asked for. Joints of two groups that lie side by side are solved at once if both groups are asked
+ * for. Back it is always the plain loop.
+ * @returns whether some error was worth another iteration.
  */
 function solve(
   data: SolverData,
@@ -195,33 +205,38 @@ function solve(
   return (k < to && loop(data, k, to, 1) === true) || found;
 }
 
-/** How far it is from one record to the next: two within a group with another one beside it, as all of them are even or odd. */
+/**
+ * The step from one record to the next: 2 within one group that has another one beside it, as its slots are all even or all odd; else 1.
+ */
 function stepOf({ joints: { joints } }: SolverData, start: number, end: number): number {
   const { slot, isBeside } = joints[start]!;
   return isBeside && ((joints[end - 1]!.slot ^ slot) & 1) === 0 ? 2 : 1;
 }
 
-/** Starts a sub-step: arms, error and K⁻¹ for the present placement, and the impulse of the last sub-step once more. */
+/** Starts a sub-step: finds arms, error and K⁻¹ for the present placement, and warm starts with the impulse of the last sub-step. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
   solve(data, start, end, false, data.pointKernels?.warmStart, plain.warmStartPoints);
 }
 
-/** One sweep over velocities. */
+/** One velocity sweep. */
 export function solveVelocityPoints(data: SolverData, start: number, end: number, isBack: boolean): void {
   solve(data, start, end, isBack, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
 }
 
-/** One exact sweep over positions. @returns whether an error was worth another iteration. */
+/** One exact position sweep. @returns whether an error was worth another iteration. */
 export function pushPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
   return solve(data, start, end, isBack, data.pointKernels?.push, plain.pushPoints);
 }
 
-/** Another sweep, linear. @returns as the others. */
+/** Another position sweep, with errors linear in the motion since the last exact one. @returns as `pushPoints`. */
 export function pushPointsLinearly(data: SolverData, start: number, end: number, isBack: boolean): boolean {
   return solve(data, start, end, isBack, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
 }
 
-/** Another sweep where errors are large: exact for each few joints of which one has turned since the last exact one. @returns as the others. */
+/**
+ * Another position sweep, where errors are large: exact for blocks of a few joints if a body of one has turned since the last exact sweep,
+ * else linear. @returns as `pushPoints`.
+ */
 export function pushTurnedPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
   let found = false;
   const block = isBack ? 1 : FAR_BLOCK;
@@ -234,14 +249,14 @@ export function pushTurnedPoints(data: SolverData, start: number, end: number, i
   return found;
 }
 
-/** The largest error now, m, to `left`. */
+/** Writes to `left` the largest error now, m. */
 export function measurePoints(data: SolverData, start: number, end: number): void {
   const { joints } = data.joints;
   const step = stepOf(data, start, end);
   plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + step, step);
 }
 
-/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+/** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joints gave. */
 export function finishPoints(data: SolverData, start: number, end: number): void {
   solve(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);
 }

@@ -15,7 +15,7 @@ import { clear } from './jacobian.js';
 /** Angle, cosine, sine: scratch. */
 const around = /* @__PURE__ */ new Float64Array(3);
 
-/** As `cosSin`, of the turn of a sub-step, which seldom is large. */
+/** As `cosSin`, for the turn of a sub-step, which is seldom large. */
 function turnAround(): void {
   const turn = around[0]!;
   const square = turn * turn;
@@ -27,7 +27,7 @@ function turnAround(): void {
   around[2] = turn * (1 - square * (1 / 6 - square * (1 / 120 - square * (1 / 5040 - square / 362880))));
 }
 
-/** Placements of the awake bodies as the step begins. */
+/** Writes the placements of all awake bodies as the step begins. */
 export function packPoses(world: World): void {
   const { liveDynamics, liveKinematics } = world;
   const { pose } = world.solver;
@@ -62,8 +62,8 @@ function forgetImpulses(data: SolverData): void {
 }
 
 /**
- * Adds the motion of the sub-step to the placements. What is faster than anything that can be meant is cut before; the joints that caused it forget
- * their impulses.
+ * Adds the motion of the sub-step to the placements. What is faster than MAX_SPEED, which nobody can mean, is cut to that before; the
+ * joints of such a body forget their impulses.
  */
 export function advancePoses(data: SolverData): void {
   if (inPieces(data, 1, data.bodyCount, advancePosesPiece)) {
@@ -112,7 +112,7 @@ function advancePlain(data: SolverData, from: number, to: number): boolean {
   return isCut;
 }
 
-/** Of the first three numbers of a record, all. */
+/** Whether all of the first three numbers of a record are below a value. False if one is not a number. */
 function isBelow(numbers: Float64Array, i: number, most: number): boolean {
   return Math.abs(numbers[i]!) < most && Math.abs(numbers[i + 1]!) < most && Math.abs(numbers[i + 2]!) < most;
 }
@@ -123,7 +123,9 @@ function cut(numbers: Float64Array, i: number, most: number): void {
   }
 }
 
-/** Placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it. */
+/**
+ * Writes the placements of a joint's members to `joints.pose`: those of the start of the sub-step or, if `moving`, those reached within it.
+ */
 function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose: to } = data.joints;
   const { motion: q, pose } = data;
@@ -156,7 +158,7 @@ function findPoses(data: SolverData, joint: Joint, moving: boolean): void {
   }
 }
 
-/** Error and Jacobian for the placement with which the sub-step begins or, if `moving`, that reached within it. */
+/** Writes error and Jacobian for the placement with which the sub-step begins or, if `moving`, that reached within it. */
 export function measure(data: SolverData, joint: Joint, moving: boolean): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;
@@ -183,7 +185,7 @@ export function measure(data: SolverData, joint: Joint, moving: boolean): void {
   }
 }
 
-/** A body listed twice: its columns become one. */
+/** Adds up the columns of a body that is listed twice. */
 function mergeTwins(data: SolverData, joint: Joint, jacobian: number): void {
   const { records: r } = data.joints;
   const { at, layout, twins } = joint;
@@ -200,8 +202,8 @@ function mergeTwins(data: SolverData, joint: Joint, jacobian: number): void {
 }
 
 /**
- * The last row has been measured; its error is how far it is from the bound that it exceeds or, within, from the nearer one. Its impulse may
- * only push back, unless both bounds are one.
+ * Turns the measured value of the last row into its error: the value less the bound that it exceeds or, within, less the nearer one; 0 if
+ * that is infinite. The impulse may only push back, unless both bounds are equal.
  */
 function compareWithBounds(r: Float64Array, joint: Joint): void {
   const { at, layout, constraint } = joint;
@@ -218,7 +220,7 @@ function compareWithBounds(r: Float64Array, joint: Joint): void {
   r[at + layout.high] = lower === upper || (!isUpper && !isOpen) ? Infinity : 0;
 }
 
-/** Puts the members of a custom constraint to where the solver has them, for its callbacks. */
+/** Moves the members of a custom constraint to where the solver has them, for its callbacks. */
 export function showPoses(data: SolverData, joint: Joint, moving: boolean): void {
   const { bodies, pose, shown } = data.joints;
   const { velocity: v } = data;
@@ -245,7 +247,7 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
   });
 }
 
-/** Puts them back to where the step began; the end of the step adds their motion to that. */
+/** Moves them back to where the step began; the end of the step adds their motion to that. */
 export function hidePoses(data: SolverData): void {
   const { shown } = data.joints;
   if (shown.size === 0) {
@@ -262,23 +264,26 @@ export function hidePoses(data: SolverData): void {
 }
 
 /**
- * Whether a joint holds two points together, and gives what it gives to both bodies at one place between these: where they lie apart, as a soft joint lets them, what is given at either would turn both bodies together,
- * out of nothing. Rigid points do not: of these, and of how they are corrected, pendulums keep their energy only with their own arms.
+ * Whether a joint that holds two points together applies its impulse to both bodies at one place between the points. Where these are apart,
+ * as a soft joint lets them be, an impulse at each point would turn both bodies together, out of nothing. Rigid points do not do this:
+ * pendulums keep their energy only if rigid points, and their corrections, have their own arms.
  */
 function givesAtOnePlace({ type, isElastic }: Constraint): boolean {
   return type === 'WELD' || (type === 'POINT' && isElastic);
 }
 
 /**
- * Moves the arms of the first two rows of the Jacobian for velocities to there. A soft joint then damps as seen from what turns, between as A and as B, as the line between the anchors does, so that a wheel on a soft joint that gives way turns on, and what hangs
- * on the rim of one goes with it. But what turns faster than the joint swings would be whirled ever farther, as a shaft by damping that turns with it: there they are moved by less.
+ * Moves the arms of the first two rows of the velocity Jacobian to that place. It is chosen so that a soft joint damps as seen from a frame
+ * that turns as the line between the anchors does, at a rate between those of A and B: so a wheel on a soft joint that gives way turns on,
+ * and what hangs on the rim of a wheel goes with it. But what turns faster than the joint swings would be whirled ever farther, as a shaft
+ * is by damping that turns with it: there the arms are moved by less.
  */
 function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joint): void {
   const { velocity: v, joints } = data;
   const { records: r, bodies } = joints;
   const a = bodies[first]!;
   const b = bodies[first + 1]!;
-  // What cannot be turned takes what the other one gives.
+  // A body that cannot be turned takes whatever the other one gives.
   if (v[a + d.INV_INERTIA] === 0 || v[b + d.INV_INERTIA] === 0) return;
   const one = at + layout.jacobian;
   const two = one + ROW_SIZE;
@@ -290,9 +295,9 @@ function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joi
   const vx = v[b + d.VX]! - v[a + d.VX]! + r[one + ROW_AW]! * wA + r[one + ROW_BW]! * wB;
   const vy = v[b + d.VY]! - v[a + d.VY]! + r[two + ROW_AW]! * wA + r[two + ROW_BW]! * wB;
   const turns = square > 0 ? (x * vy - y * vx) / square : 0;
-  // What part of the way from A's anchor to B's it is.
+  // The place, as a share of the way from A's anchor to B's.
   const between = wA === wB ? 0.5 : (turns - wB) / (wA - wB);
-  // 0, too, where numbers are so large that there is none.
+  // A comparison that is also false for NaN, which numbers that are too large give: then 0.
   const share = between > 0 ? Math.min(1, between) : 0;
   const turning = Math.abs(share * wA + (1 - share) * wB);
   const most = constraint.isElastic ? WHIRL * 2 * Math.PI * constraint.frequency : Infinity;

@@ -7,7 +7,10 @@ import { tear } from './breaking.js';
 import { applyRows, length, writeMatrix } from './jacobian.js';
 import { measure } from './pose.js';
 
-/** Block joints for one row between two bodies, straight-line: distances, and the angles that `turns.ts` does not solve. What they have in common with all others is done there. */
+/**
+ * Block joints with one row between two bodies, straight-line: distances, and the angles that `turns.ts` does not solve. What is not here
+ * is done in `blocks.ts`.
+ */
 
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartRows(data: SolverData, start: number, end: number): void {
@@ -36,7 +39,10 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
   }
 }
 
-/** One sweep, from the first to the last, or back: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ) or, if `moving`, over the motion of the sub-step, with C as its linear part has it. */
+/**
+ * One sweep, from the first to the last, or back. Over velocities: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ); or, if
+ * `moving`, over the motion of the sub-step, with C as linear in it.
+ */
 export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;

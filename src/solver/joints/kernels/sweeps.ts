@@ -34,9 +34,12 @@ import {
   warmStartTurns,
 } from './turns.js';
 
-// What is done with a run, by its kernel; and sweeps over the runs of a group.
+// Each phase for one run, by its kernel; and sweeps over the runs of a group.
 
-/** Starts a step. Of joints that keep their numbers here what did not change is still there. @returns whether one of the bodies is in contact. */
+/**
+ * Starts a step. Joints that keep their numbers in their records are written anew only if something changed. @returns whether one of the
+ * bodies is in contact.
+ */
 export function packRun(data: SolverData, { kernel, start, end }: Run, isChanged: boolean): boolean {
   const { joints } = data.joints;
   if (keepsNumbers(kernel)) {
@@ -69,10 +72,13 @@ export function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFi
   }
 }
 
-/** Solves a part of a run, from its first joint to its last, or back. @returns whether it was worth another sweep. */
+/** Sweeps over a part of a run, from its first joint to its last, or back. @returns whether an error was worth another sweep. */
 type Solve = (data: SolverData, kernel: number, start: number, end: number, isBack: boolean) => boolean;
 
-/** The sweep of that number: over all joints of a group, or over those that are off and near that; to and fro it is over all. */
+/**
+ * Sweep number `sweep` over a group: over all its joints, or only over those that are off and those near them. To and fro it is always over
+ * all. @returns whether an error was worth another sweep.
+ */
 export function sweepOver(data: SolverData, group: Group, sweep: number, isWhole: boolean, solve: Solve): boolean {
   const { runs, toAndFro } = group;
   if (toAndFro && sweep % 2 === 1) {
@@ -90,7 +96,7 @@ export function sweepOver(data: SolverData, group: Group, sweep: number, isWhole
   return found;
 }
 
-/** From the last joint to the first. */
+/** Sweeps from the last joint to the first. */
 function sweepBack(data: SolverData, runs: readonly Run[], solve: Solve): boolean {
   let found = false;
   for (let n = runs.length - 1; n >= 0; n -= 1) {
@@ -118,7 +124,7 @@ export function solveVelocityRun(
   return false;
 }
 
-/** One position sweep. What is left of the errors of rows and blocks is not known. */
+/** One position sweep. What is left of the errors of rows and blocks is not known: they always ask for another. @returns as `Solve`. */
 export function pushRun(data: SolverData, kernel: number, start: number, end: number, isBack: boolean): boolean {
   if (kernel === POINT) {
     return pushPoints(data, start, end, isBack);
@@ -130,7 +136,10 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
   return kernel !== CUSTOM;
 }
 
-/** Joints whose Jacobian is written out, over velocities or, if `moving`, over the motion of the sub-step. Those of callbacks have iterations of their own. */
+/**
+ * Sweeps over joints whose Jacobian is written out: over velocities or, if `moving`, over the motion of the sub-step. Custom constraints
+ * are not swept over, they have iterations of their own.
+ */
 function sweepWritten(
   data: SolverData,
   kernel: number,
@@ -194,7 +203,7 @@ export function finishRun(data: SolverData, { kernel, start, end }: Run): void {
   }
 }
 
-/** Ends a step: writes its outcome to what each joint keeps here, or back to the constraints. */
+/** Ends a step: writes its results to the records of joints that keep their numbers, and for all others to the constraints. */
 export function storeRun(data: SolverData, { kernel, start, end }: Run): void {
   if (kernel === POINT) {
     keepPoints(data, start, end);

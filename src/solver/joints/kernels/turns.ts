@@ -11,11 +11,12 @@ import * as j from '../joint-layout.js';
 import { noteLag } from '../joint-numbers.js';
 
 /**
- * Angles and motors that do not break, and points that keep an angle. The method and the record are those of a block joint, but of the one row (0, 0, −1, 0, 0, ratio) only the turns count;
- * K is the same in the whole step; and the error is linear, so that each position sweep has it exactly, and looks at both bounds.
+ * Angles and motors that do not break, and points that keep an angle. Method and record are like those of a block joint with the one row
+ * (0, 0, −1, 0, 0, ratio), so only angular velocities count. K is the same in the whole step; and as the error is linear in the turns, each
+ * position sweep has it exactly, and looks at both bounds.
  */
 
-/** What changes seldom: bodies, bounds, softness, and the impulse to start with. */
+/** Writes what changes seldom: bodies, bounds, softness, and the impulse to start with. */
 export function packTurn(data: SolverData, joint: Joint): void {
   const { records: r, bodies } = data.joints;
   const { at, first } = joint;
@@ -34,7 +35,7 @@ export function packTurn(data: SolverData, joint: Joint): void {
   r[at + j.TURN_LOWER] = lower;
   r[at + j.TURN_UPPER] = upper;
   r[at + j.TURN_ANGLE] = joint.angle;
-  // Of the value, what cannot move adds.
+  // The part of the value that is due to bodies that cannot move.
   r[at + j.TURN_STILL] = (b === 0 ? ratio * bodyB.angle : 0) - (a === 0 ? bodyA.angle : 0);
   if (type === 'MOTOR') {
     r[at + j.TURN_RATE] = constraint.getRate();
@@ -43,8 +44,9 @@ export function packTurn(data: SolverData, joint: Joint): void {
 }
 
 /**
- * The bounds of angles between the bodies of a motor, beyond which it does not drive them. Each would undo what the other did, and the motor give more and more: where it may give
- * anything, it would have to take all of that back before it turned the other way.
+ * Finds the stops of a motor: the bounds of angle constraints between its bodies, beyond which it does not drive them. Else motor and bound
+ * would undo each other's work, and the motor give more and more: one without a limit would have to take all of that back before it turned
+ * the other way.
  */
 function findStops({ joints: { records: r } }: SolverData, { constraint, at }: Joint): void {
   const motor = constraint as MotorConstraint;
@@ -64,7 +66,7 @@ function findStops({ joints: { records: r } }: SolverData, { constraint, at }: J
   }
 }
 
-/** How many times what a motor turns an angle is of; 0 if it is of something else. */
+/** The factor from the angle that a motor turns to that of an angle constraint; 0 if that is of something else. */
 function timesOf({ bodyA, bodyB, ratio }: MotorConstraint, angle: AngleConstraint): number {
   if (angle.bodyA === bodyA && angle.bodyB === bodyB) {
     return angle.ratio === ratio ? 1 : 0;
@@ -100,7 +102,7 @@ export function beginTurns(data: SolverData, start: number, end: number): boolea
   return touched !== 0;
 }
 
-/** Ends a step. */
+/** Ends a step: keeps the impulses for the next one. */
 export function keepTurns(data: SolverData, start: number, end: number): void {
   const { records: r, joints } = data.joints;
   for (let k = start; k < end; k += 1) {
@@ -109,7 +111,7 @@ export function keepTurns(data: SolverData, start: number, end: number): void {
   }
 }
 
-/** What keeps an angle keeps the one that is nearest, of all that are whole turns apart. */
+/** Sets the bounds of a point that keeps an angle: of all angles that are whole turns apart, the nearest. */
 function wind({ joints: { records: r }, pose: p }: SolverData, i: number, a: number, b: number): void {
   const angle = r[i + j.TURN_ANGLE]!;
   const value = r[i + j.TURN_STILL]! + p[b + ANGLE]! - p[a + ANGLE]!;
@@ -118,7 +120,7 @@ function wind({ joints: { records: r }, pose: p }: SolverData, i: number, a: num
   r[i + j.TURN_UPPER] = bound;
 }
 
-/** Starts a sub-step: where each is between its bounds, how fast it may turn, and the impulse of the last sub-step once more. */
+/** Starts a sub-step: finds the bias and the range of the impulse, and warm starts with the impulse of the last sub-step. */
 export function warmStartTurns(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints, h } = data.joints;
   const { velocity: v, pose: p } = data;
@@ -143,8 +145,8 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
 }
 
 /**
- * The nearer bound: within it the impulse may only keep what turns from passing it in the sub-step, beyond it only push back, unless both bounds are one. A
- * spring does nothing within, and beyond asks for the speed that brings it back.
+ * Aims at the nearer bound. Within it, the impulse may only keep it from being passed in the sub-step; beyond it, only push back, unless
+ * both bounds are equal. A spring does nothing within, and beyond asks for the speed that brings it back.
  */
 function aim({ joints: data }: SolverData, index: number, i: number): void {
   const { records: r, worst, asked, off, h } = data;
@@ -178,7 +180,7 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
   }
 }
 
-/** At its rate, but no further than to its stop. */
+/** Writes the bias of a motor: its rate, but no further in this sub-step than to its stop. */
 function drive(r: Float64Array, i: number, h: number): void {
   const rate = r[i + j.TURN_RATE]!;
   const way = r[i + (rate > 0 ? j.TURN_UPPER : j.TURN_LOWER)]! - r[i + j.TURN_VALUE]!;
@@ -240,7 +242,7 @@ export function pushTurns(data: SolverData, start: number, end: number, isBack: 
     if (over > JOINT_TOLERANCE || under < -JOINT_TOLERANCE) {
       found = true;
     }
-    // What would bring it to either bound; if both are passed on the way back, there is nothing to do.
+    // The total corrections that lead to either bound. If neither has to push, there is nothing to correct, and what was is taken back.
     const inverse = r[i + j.TURN_MASS]!;
     const down = old - inverse * over;
     const up = old - inverse * under;
@@ -253,7 +255,7 @@ export function pushTurns(data: SolverData, start: number, end: number, isBack: 
   return found;
 }
 
-/** How far beyond a bound, rad, the worst of them is now, to `left`. */
+/** Writes to `left` how far beyond a bound the worst of them is now, rad. */
 export function measureTurns({ joints: data, motion: q }: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints, left } = data;
   let i = joints[start]!.at;
@@ -270,7 +272,7 @@ export function measureTurns({ joints: data, motion: q }: SolverData, start: num
   left[0] = most;
 }
 
-/** Ends a sub-step: of corrections a share becomes momentum, and what the joint gave is added up. */
+/** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joints gave. */
 export function finishTurns(data: SolverData, start: number, end: number): void {
   const { records: r, bodies, joints, share } = data.joints;
   const { velocity: v } = data;
