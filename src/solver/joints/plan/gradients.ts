@@ -20,36 +20,45 @@ import {
 } from '../joint-layout.js';
 import { impulseAt, pushAt } from '../joint-numbers.js';
 
-// Joints that hang together, solved to their end: conjugate gradients, of which each is what a sweep changes (Hestenes and Stiefel 1952; Golub and Ye, "Inexact Preconditioned Conjugate Gradient Method", 1999). What the last sweep did
-// is taken out of it, and it is followed as far as leaves the least energy, so that the energy of the error never grows: ten sweeps do what hundreds would.
+// Solves joints that hang together to their end, by conjugate gradients, with sweeps as preconditioner: each gradient is what one sweep
+// changes (Hestenes and Stiefel 1952; Golub and Ye, "Inexact Preconditioned Conjugate Gradient Method", 1999). The direction of the last
+// sweep is taken out of it, and it is followed to the least energy, so the energy of the error never grows: ten sweeps do what hundreds
+// would.
 
 /** Offsets of the bodies of the group that can move, each once, … */
 let movers = /* @__PURE__ */ new Int32Array(0);
 /** … and their masses, kg, and inertias, kg·m². */
 let masses = /* @__PURE__ */ new Float64Array(0);
 let moverCount = 0;
-/** … by slot, in which call a body was found last. */
+/** … and by slot, the number of the call in which a body was found last. */
 let found = /* @__PURE__ */ new Int32Array(0);
 let call = 0;
-/** Where the impulses or pushes of all rows are, of points, which are in an array of their own, less than 0: −1 − index. */
+/** Where the impulses or pushes of all rows are: an index into the records or, for points, whose records are another array, −1 − index. */
 let places = /* @__PURE__ */ new Int32Array(0);
 let rowCount = 0;
-/** kg⁻¹, (kg·m²)⁻¹. What a unit of each changes by itself, if nothing else gives way, … */
+/** kg⁻¹, (kg·m²)⁻¹. What a unit of a row's impulse changes of the row's velocity, if it acts alone, … */
 let eases = /* @__PURE__ */ new Float64Array(0);
-/** … and whether it acts within bounds only: 1, else 0. */
+/** … and 1 if its impulse is limited by a bound, else 0. */
 let bounds = /* @__PURE__ */ new Uint8Array(0);
-/** Some row does; and one of them took hold or let go in the last sweep. */
+/** Some row is; and one such row took hold or let go in the last sweep. */
 let hasBounds = false;
 let hasSwitched = false;
-/** What rows are to meet besides velocities or motion; known after the first sweep. */
+/** The constant part of each row's equation, besides J·v: bias, or error; known after the first sweep. */
 let constants = /* @__PURE__ */ new Float64Array(0);
 let areKnown = false;
-/** Velocities or motions of what can move, three numbers each, then impulses or pushes: before a sweep, and the direction in which the last one went on. */
+/**
+ * Velocities or motions of the movers, three numbers each, then impulses or pushes of the rows: as they were before a sweep; and the
+ * direction that was followed after the last one.
+ */
 let start = /* @__PURE__ */ new Float64Array(0);
 let direction = /* @__PURE__ */ new Float64Array(0);
 let hasDirection = false;
 
-/** Scratch, as results would be boxed. Energies, twice: of the bodies as a sweep begins, of what it changed, the product of that with the direction, that of the direction, and how the energy of the error changes along it. Mass of them all. The energy of the direction if each row were alone. */
+/**
+ * Scratch, as results would be boxed. Energies, each twice: that of the bodies as a sweep begins, that of what the sweep changed, the
+ * product of that with the direction, and that of the direction; how the energy of the error changes along the direction; the mass of all
+ * movers; and the energy that the direction would have if each row acted alone.
+ */
 const sums = /* @__PURE__ */ new Float64Array(7);
 const KINETIC = 0;
 const CHANGED = 1;
@@ -59,7 +68,7 @@ const SLOPE = 4;
 const MASS = 5;
 const ALONE = 6;
 
-/** Before the first of several sweeps over velocities or, with `isPush`, positions. */
+/** Called before the first of several sweeps over velocities or, with `isPush`, positions. */
 export function beginGradients(data: SolverData, group: Group, isPush: boolean): void {
   const { joints } = data.joints;
   findMovers(data, group);
@@ -84,7 +93,7 @@ export function beginGradients(data: SolverData, group: Group, isPush: boolean):
   hasDirection = false;
 }
 
-/** K of a row by itself. */
+/** Notes K of a row by itself. */
 function noteEase({ joints: data, velocity: v, points: p }: SolverData, joint: Joint, row: number): void {
   const { bodies, records: r } = data;
   const { kernel, at, slot, first, layout } = joint;
@@ -107,7 +116,7 @@ function noteEase({ joints: data, velocity: v, points: p }: SolverData, joint: J
   eases[rowCount] = sum;
 }
 
-/** @returns how many bodies of the group can move. */
+/** Lists the bodies of a group that can move. @returns how many they are. */
 export function findMovers({ joints: data, bodyCount, velocity: v }: SolverData, group: Group): number {
   const { joints, bodies } = data;
   if (found.length < bodyCount) found = new Int32Array(grown(bodyCount));
@@ -145,12 +154,12 @@ function makeRoom(count: number): void {
   }
 }
 
-/** A mass; 0 of what does not move. */
+/** A mass or inertia; 0 if it is infinite. */
 function inverse(inverseMass: number): number {
   return inverseMass > 0 ? 1 / inverseMass : 0;
 }
 
-/** Before each sweep. */
+/** Called before each sweep: notes where it starts from. */
 export function noteStart({ velocity, motion, points, joints }: SolverData, isPush: boolean): void {
   const v = isPush ? motion : velocity;
   const { records } = joints;
@@ -167,7 +176,10 @@ export function noteStart({ velocity, motion, points, joints }: SolverData, isPu
   }
 }
 
-/** After a sweep that is not the last one. @returns whether it changed anything worth another one. */
+/**
+ * Called after a sweep that is not the last one: goes on along the conjugate direction. @returns whether the sweep changed enough to be
+ * worth another one.
+ */
 export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
   const v = isPush ? data.motion : data.velocity;
   measureChange(v);
@@ -178,7 +190,7 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
   if (!areKnown) findConstants(data, group, isPush);
   turn(data, v);
   const isClear = sums[SQUARE]! > Math.max(GRADIENT_LOST * changed, GRADIENT_SHARE * sums[ALONE]!);
-  // Where bounds hold it back it is none: the next sweep begins anew where this one ended.
+  // A direction that bounds would cut short is not followed: the next sweep begins anew where this one ended.
   hasDirection = sums[SLOPE]! < 0 && isClear && !(hasBounds && (hasSwitched || switches(data)));
   if (hasSwitched) {
     areKnown = false;
@@ -189,7 +201,7 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
   return true;
 }
 
-/** Of what the sweep changed its energy, and its product with the direction before. */
+/** Measures the energy of what the sweep changed, and its product with the direction before. */
 function measureChange(v: Float64Array): void {
   let kinetic = 0;
   let changed = 0;
@@ -222,7 +234,7 @@ function measureChange(v: Float64Array): void {
   sums[MASS] = total;
 }
 
-/** Angles within bounds have to meet the one that holds them. */
+/** Finds the constant part of each row. For an angle with bounds, it is that of the bound that holds it. */
 function findConstants({ joints: data, points }: SolverData, group: Group, isPush: boolean): void {
   const { joints, records: r } = data;
   let n = 0;
@@ -242,7 +254,10 @@ function findConstants({ joints: data, points }: SolverData, group: Group, isPus
   areKnown = true;
 }
 
-/** The direction: what the sweep changed, less what of it is along the direction before. Its energy, and how the energy of the error changes along it. */
+/**
+ * Finds the new direction: what the sweep changed, less the part of it that is along the direction before. Also its energy, and how the
+ * energy of the error changes along it.
+ */
 function turn({ points, joints }: SolverData, v: Float64Array): void {
   const { records } = joints;
   const share = hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0;

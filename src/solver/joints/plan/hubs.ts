@@ -6,14 +6,15 @@ import * as d from '../../layout.js';
 import type { Group, Joint, Run } from '../joint-data.js';
 import * as j from '../joint-layout.js';
 
-// A group is swept over from its first joint to its last, each sub-step starts with the impulses of the last one, and of corrections momentum is made. So what a sweep leaves of an
-// error comes back in the next sub-steps, and where it goes round among joints on one body, as among the spokes of a wheel, it grows with each turn, however many sweeps there are and
-// however short the sub-step. Sweeps to and fro leave errors that never turn: their iteration, symmetric Gauss–Seidel, has real eigenvalues from 0 to 1 (Young, "Iterative Solution of Large
-// Linear Systems", 1971). They take twice as long, and are only needed where one body gives way more easily than what hangs on it.
+// A group is swept over from its first joint to its last, each sub-step starts with the impulses of the last one, and corrections make
+// momentum. So what a sweep leaves of an error comes back in the next sub-steps. Where it goes round among joints on one body, as among the
+// spokes of a wheel, it grows with each turn, however many sweeps there are and however short the sub-step is. Sweeps to and fro leave
+// errors that never go round: their iteration, symmetric Gauss–Seidel, has real eigenvalues from 0 to 1 (Young, "Iterative Solution of
+// Large Linear Systems", 1971). They take twice as long, and are only needed where one body gives way more easily than what hangs on it.
 
 /**
- * How much of what a joint asks for is done by one of its bodies is S = M^−½·Jᵀ·K⁻¹·J·M^−½ of that body: 3 × 3, with eigenvalues from 0, the other does all, to 1. Of each body by its slot: how
- * many joints it has, and the sum of these matrices.
+ * How much of a joint's correction one of its bodies does is the matrix S = M^−½·Jᵀ·K⁻¹·J·M^−½ of that body: 3 × 3, with eigenvalues from
+ * 0, if the other body does all, to 1. For each body by its slot: how many joints it has, and the sum of these matrices.
  */
 const JOINTS = 0;
 const XX = 1;
@@ -25,10 +26,10 @@ const WW = 6;
 const SUM = 7;
 let sums = /* @__PURE__ */ new Float64Array(0);
 
-/** A column of J·M^−½, then of K⁻¹·J·M^−½: scratch. */
+/** Scratch: a column of J·M^−½, then of K⁻¹·J·M^−½. */
 let column = /* @__PURE__ */ new Float64Array(8);
 
-/** Whether a group has a body with so many joints, and gives way so easily, that it has to be swept over to and fro. */
+/** Whether a group has a hub: a body with so many joints that gives way so easily that the group has to be swept over to and fro. */
 export function hasHub(data: SolverData, group: Group): boolean {
   const { items, count } = group.bodies;
   if (sums.length < SUM * data.bodyCount) {
@@ -55,12 +56,12 @@ function clear(at: number): void {
   }
 }
 
-/** By the offset of its records; 0 for what cannot move. */
+/** Where the sum of a body begins, by the offset of its record; 0 for what cannot move. */
 function sumAt(body: number): number {
   return (body / d.BODY_STRIDE) * SUM;
 }
 
-/** Adds what the members of joints do. */
+/** Adds the matrices of all members of the joints of a run. */
 function addRun(data: SolverData, { kernel, start, end }: Run): void {
   const { joints } = data.joints;
   for (let k = start; k < end; k += 1) {
@@ -89,7 +90,7 @@ function addMembers(data: SolverData, joint: Joint): void {
   }
 }
 
-/** J of a point is (1, 0, −y) and (0, 1, x), with the arm (x, y). */
+/** Adds a point: its J has the rows (1, 0, −y) and (0, 1, x), with the arm (x, y). */
 function addPoint(
   { points: r, pointBodies, velocity: v }: SolverData,
   { slot }: Joint,
@@ -116,7 +117,7 @@ function addPoint(
   sums[at + WW] = sums[at + WW]! + w * (i11 * y * y - 2 * i12 * x * y + i22 * x * x);
 }
 
-/** One that may be held at a bound, but is not, does nothing. */
+/** Adds an angle or motor. One that could be held at a bound, but is not, does nothing. */
 function addTurn(
   { velocity: v, joints: { records: r, bodies } }: SolverData,
   joint: Joint,
@@ -148,7 +149,7 @@ function addBlock(
     column = new Float64Array(rows);
   }
   sums[at + JOINTS] = sums[at + JOINTS]! + 1;
-  // From XX to WW.
+  // Goes through the elements from XX to WW.
   let to = at + XX;
   for (let c = 0; c < 3; c += 1) {
     for (let n = 0; n < rows; n += 1) {
@@ -165,7 +166,10 @@ function addBlock(
   }
 }
 
-/** Whether the largest eigenvalue of the sum S is too large: if HUB_SHARE · 1 − S has leading minors that are not all positive (Sylvester's criterion). */
+/**
+ * Whether the largest eigenvalue of the sum S is too large: HUB_SHARE · 1 − S has leading minors that are not all positive (Sylvester's
+ * criterion).
+ */
 function isHub(at: number): boolean {
   const xx = HUB_SHARE - sums[at + XX]!;
   const xy = sums[at + XY]!;

@@ -51,9 +51,9 @@ import { isBlocked, steadyTouched } from '../touching/momentum.js';
 import { findMovers } from './gradients.js';
 import { hasHub } from './hubs.js';
 
-// What is done about the errors that joints which hang together have as a sub-step starts: how often they are swept over, and what momentum their corrections make.
+// The plan for the errors that a group has as a sub-step starts: how often it is swept over, and what momentum its corrections make.
 
-/** What drives a group, how hard its springs are, if it has any, and whether its joints may pull against each other. */
+/** Finds what drives a group, how hard its springs are, whether it may break, and whether its joints may pull against each other. */
 export function lookAtKinds(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   group.isDriven = false;
@@ -68,7 +68,10 @@ export function lookAtKinds(data: SolverData, group: Group): void {
   lookAtStress(data, group);
 }
 
-/** Before it is found which joints of a group are off; blocks and turns note it as they are warm started. */
+/**
+ * Resets what warm starting a group notes: which of its joints are off, and the lag of its motors. Blocks and turns are noted as they are
+ * warm started, points only after that.
+ */
 export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolerance, start, end }: Group): void {
   lag[0] = 0;
   asked[0] = tolerance * tolerance;
@@ -76,7 +79,7 @@ export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolera
   off[1] = start;
 }
 
-/** When its error is known. */
+/** Makes the plan for a group, once warm starting has found its error. */
 export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   const { asked, age } = data.joints;
   if (group.error > asked[0]!) {
@@ -105,7 +108,7 @@ function findPointsOff(data: SolverData, { runs }: Group): void {
   }
 }
 
-/** Finds what kind of group it is, once in a while, and whether it has a hub: in each step where joints are few. */
+/** Finds what kind of group it is, once in a while; and whether it has a hub, in each step if it has few joints. */
 function weigh(data: SolverData, group: Group): void {
   const isDue = data.joints.age % WEIGH_STEPS === 0 || group.isNew;
   if (isDue) {
@@ -119,7 +122,10 @@ function weigh(data: SolverData, group: Group): void {
   }
 }
 
-/** Whether it is a mechanism, where what is welded together counts as one body. Not where joints may break by force, as sweeps that try out impulses would break them. */
+/**
+ * Finds whether a group is a mechanism, where bodies that are welded together count as one, and whether it is held. It is neither if joints
+ * may break by force, as sweeps that try out impulses would break them.
+ */
 function weighFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
@@ -141,12 +147,15 @@ function weighFirmness(data: SolverData, group: Group): void {
   group.isHeld = may && isHeld;
 }
 
-/** What a kinematic body that turns carries is swept over: solved to its end it would be told of velocities that are a seventh off, or half of them, as it is always corrected the same way. */
+/**
+ * Whether a kinematic body turns. What it carries is swept over: solved to its end, it would be told velocities that are off by a seventh,
+ * or half, as it is always corrected the same way.
+ */
 function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
   return v[body + INV_MASS] === 0 && v[body + W] !== 0;
 }
 
-/** 1/kg. The heaviest and the lightest body of a group: scratch. */
+/** 1/kg. The inverse masses of the heaviest and the lightest body of a group: scratch. */
 const range = /* @__PURE__ */ new Float64Array(2);
 
 function isBurdened(data: SolverData, group: Group): boolean {
@@ -162,7 +171,10 @@ function weighAll(data: SolverData, { start, end }: Group): void {
   }
 }
 
-/** A function of its own, as one that is called for each joint is soon compiled, and what loops over them once in a while is not. */
+/**
+ * A function of its own, as one that is called for each joint is soon compiled, and a loop over all of them that runs only once in a while
+ * is not.
+ */
 function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, layout }: Joint): void {
   for (let n = first; n < first + layout.members; n += 1) {
     const inverse = v[bodies[n]! + INV_MASS]!;
@@ -174,8 +186,9 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
 }
 
 /**
- * Counts the steps in which joints between things that do not move had an error that no sweep removed: they cannot all be met. That is taken for true at once of what was changed, as long as it stays open from then on, and of what is torn: not of what
- * bears or is joined to something far heavier, which has to be held up, nor where force may break something.
+ * Counts the steps in which joints between things that do not move had an error that no sweep removed: such joints cannot all be met. For
+ * what was changed, as long as it stays open from then on, and for what is torn, that is assumed at once. What is torn is not taken for
+ * such if it bears or is joined to something far heavier, which has to be held up, or if force may break something of it.
  */
 function lookWhetherStuck(data: SolverData, group: Group): void {
   const { isBetween, error, fresh, touched, mayBreak, burdened } = group;
@@ -187,7 +200,7 @@ function lookWhetherStuck(data: SolverData, group: Group): void {
   group.isUnmet = group.isTorn || isLong || (isBetween && !isLarge && fresh);
 }
 
-/** In this step corrections of none of its joints make momentum. What is torn would get the more the longer it is. */
+/** In this step, no correction of a joint of the group makes momentum. That of what is torn would grow with the time it is torn. */
 function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void {
   for (let k = start; k < end; k += 1) {
     steady(data, data.joints.joints[k]!, snaps);
@@ -195,8 +208,8 @@ function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void
 }
 
 /**
- * Where a change left large errors, or what let go in the last step, all joints that hang together are corrected without momentum until they are small: the links of a chain that a cannon ball had torn open by metres flew off at 500 m/s once
- * it had let go of them.
+ * Where a change left large errors, or something that let go in the last step did, all joints of the group are corrected without momentum
+ * until errors are small: the links of a chain that a cannon ball had torn open by metres flew off at 500 m/s once it had let go of them.
  */
 function settle(data: SolverData, group: Group): void {
   const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
@@ -210,8 +223,9 @@ function settle(data: SolverData, group: Group): void {
 }
 
 /**
- * Where something is in the way, joints that cannot be met are corrected by no more at once than contacts can undo: else what is dragged along or hauled up would be pulled into a wall, deeper and deeper, and
- * through it. Not those that something heavy lies on, which has to be held up.
+ * Where something is in the way, joints that cannot be met are corrected by no more at once than contacts can undo: else what is dragged
+ * along or hauled up would be pulled into a wall, deeper and deeper, and through it. Joints on which something heavy lies are left out, as
+ * it has to be held up.
  */
 function reachLess(data: SolverData, { start, end }: Group): void {
   const { joints, records: r } = data.joints;
@@ -234,7 +248,7 @@ function reachLess(data: SolverData, { start, end }: Group): void {
   }
 }
 
-/** In this sub-step only a share of the error of a joint is corrected, unless it is so large that bodies are moved without turning them. */
+/** In this sub-step, corrects only a share of the error of a joint, unless it is so large that bodies are moved without turning them. */
 export function correctShare(data: SolverData, { kernel, at, slot, layout }: Joint, share: number): void {
   const { records: r } = data.joints;
   const { points: p } = data;
@@ -257,9 +271,10 @@ export function correctShare(data: SolverData, { kernel, at, slot, layout }: Joi
 }
 
 /**
- * Errors that longer sub-steps left make less momentum than they would in those: in a thousandth of the time it would be a thousand times as much, and as sweeps
- * hand errors on nobody can tell later whose they are. With the square of the ratio nothing grows either when steps become longer again. It ends after four times as
- * much time has passed, sooner if errors are small. Those of custom joints are not known when a step begins. Where impulses were dropped sweeps begin as for what is new.
+ * Errors that longer sub-steps left make less momentum than they would have made in those: corrected in a thousandth of the time, they
+ * would make a thousand times as much, and as sweeps hand errors on, nobody can tell later whose they are. With the square of the ratio,
+ * nothing grows either when steps become longer again. This ends after four times as much time has passed, or sooner if errors are small;
+ * those of custom joints are not known when a step begins. If impulses were dropped, the group has as many sweeps as a new one.
  */
 function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
   const { impulseScale } = data;
@@ -274,8 +289,9 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
 }
 
 /**
- * How often a group is swept over, and which of it: as its worst error asks for, but never much less than before where it touches something or bears something heavy, as sweeps that come and go
- * shake what hangs there, fling up what lies on it, and make a thin rope with a load whirl by itself.
+ * Sets how often a group is swept over, and which of its joints: as its worst error asks for, but never much less than before where it
+ * touches something or bears something heavy. There, sweeps that come and go shake what hangs on it, fling up what lies on it, and make a
+ * thin rope with a load whirl by itself.
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const { off, lag, h } = data.joints;
@@ -309,7 +325,10 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   }
 }
 
-/** Not where there are more joints than are needed: gradients would make them give ever more against each other, and corrections momentum of that. */
+/**
+ * Whether a group may be solved to its end. Not if it has more joints than are needed: gradients would make these give ever more against
+ * each other, and corrections momentum of that.
+ */
 function mayBeFirm({
   stuck,
   touched,
