@@ -10,13 +10,15 @@ import { angleBeside } from './pinned.js';
 import { addJoint, allot } from './runs.js';
 
 /**
- * Joints at the same distance from what cannot move are listed every third one, three times over: neighbours share a body, and the processor would wait for one before it can begin the next. If it were every second one nets would gape half as far again.
+ * Of joints at the same distance from what cannot move, every third one is listed, three times over. Neighbours share a body, so the
+ * processor would wait for one before it can begin the next. With every second one, nets would gape half as far again.
  */
 const RING_STEP = 3;
 
 /**
- * Lists the live constraints, those that hang together next to each other, breadth-first from what cannot move, equals as they were
- * added: so a sweep carries a load from where it hangs to where it ends. In any other order a chain under a heavy ball stretches twice as far.
+ * Lists the live constraints, group by group. Within a group they are listed breadth-first from what cannot move, and otherwise in the
+ * order they were added: so a sweep carries a load from where it hangs to where it ends. In any other order, a chain under a heavy ball
+ * stretches twice as far.
  */
 export function orderJoints(world: World): void {
   const acting: Constraint[] = [];
@@ -39,7 +41,7 @@ export function orderJoints(world: World): void {
       const group = new Group(joints.joints.length);
       const together = hangingTogether(constraint, left, met);
       group.anchors = countAnchors(together);
-      // What they are still open by makes no momentum either.
+      // The errors that are left make no momentum either.
       if (forgetUnmet(together, group.anchors)) group.settling = SETTLE_STEPS;
       joints.groups.push(group);
       addTurnsLast(joints, breadthFirst(together, unlisted, passed));
@@ -49,8 +51,9 @@ export function orderJoints(world: World): void {
 }
 
 /**
- * Joints that could not be met, and of what held them against each other something is gone, forget what they gave against it: a rope that a hand drew too far would be flung off as it lets go. What else leaves them, as a lamp does a taut rope, leaves
- * them what they bear. @returns whether they forget.
+ * Lets joints that could not be met forget their impulses if something that held them against each other is gone: else a rope that a hand
+ * drew too far would be flung off as it lets go. If something else leaves them, as a lamp leaves a taut rope, they keep what they bear.
+ * @returns whether they forget.
  */
 function forgetUnmet(together: readonly Constraint[], anchors: number): boolean {
   const unmet = together.reduce((most, constraint) => Math.max(most, constraint.unmetAnchors), 0);
@@ -61,12 +64,15 @@ function forgetUnmet(together: readonly Constraint[], anchors: number): boolean 
   return unmet > anchors;
 }
 
-/** How often joints hold on to something static or kinematic. */
+/** How many members of constraints are static or kinematic. */
 function countAnchors(constraints: readonly Constraint[]): number {
   return constraints.reduce((count, { members }) => count + members.filter(isImmovable).length, 0);
 }
 
-/** What breaks, or has a kinematic body that another world may move at any time, has a kernel that looks at everything in each sub-step. */
+/**
+ * The kernel for a constraint. One that breaks, or has a kinematic body that another world may move at any time, gets a kernel that reads
+ * everything anew in each sub-step.
+ */
 function kernelFor({ type, members, stiff, breakUnderForce, breakUnderError, owner }: Constraint): number {
   const isSpecial =
     breakUnderForce || breakUnderError || members.some((body) => body.kind === KINEMATIC && body.owner !== owner);
@@ -90,7 +96,7 @@ function kernelFor({ type, members, stiff, breakUnderForce, breakUnderError, own
   }
 }
 
-/** A constraint with a dynamic body that is not in the world does nothing, nor does one between a body and itself. */
+/** Whether a constraint acts in a world: not with a dynamic body that is not in it, nor between a body and itself, unless it is custom. */
 export function acts(world: World, { members, type }: Constraint): boolean {
   return (
     members.every((body) => body.kind !== DYNAMIC || body.owner === world) &&
@@ -98,7 +104,10 @@ export function acts(world: World, { members, type }: Constraint): boolean {
   );
 }
 
-/** All constraints that are reached from one by way of dynamic bodies that they share; they leave the set `left`, and the bodies join `met`. */
+/**
+ * All constraints that are reached from one by way of dynamic bodies that they share, in the order they were added. They are removed from
+ * `left`, and the bodies are added to `met`.
+ */
 function hangingTogether(start: Constraint, left: Set<Constraint>, met: Set<RigidBody>): Constraint[] {
   const found = [start];
   left.delete(start);
@@ -108,7 +117,10 @@ function hangingTogether(start: Constraint, left: Set<Constraint>, met: Set<Rigi
   return found.sort(byOrder);
 }
 
-/** Takes those that share a dynamic body with one out of a set, and lists them. Each body is looked at once, as all that it has is listed then: else a hub would be, with all its joints, for each of them. */
+/**
+ * Moves the constraints that share a dynamic body with one from `left` to `found`. Each body is looked at only once, as all its constraints
+ * are listed then: else a hub would be searched for each of its joints.
+ */
 function addNeighbours({ members }: Constraint, left: Set<Constraint>, met: Set<RigidBody>, found: Constraint[]): void {
   for (const body of members) {
     if (body.kind === DYNAMIC && !met.has(body)) {
@@ -125,8 +137,8 @@ function byOrder(a: Constraint, b: Constraint): number {
 }
 
 /**
- * In the order of how many constraints lie between each and the nearest that is tied to something immovable; of the same number every third, and again.
- * They leave the set `left`, and their dynamic bodies join `met`.
+ * Sorts constraints by how many of them lie between each and the nearest that is tied to something immovable; of those with the same
+ * number, every third is listed, then the next third, and so on. They are removed from `left`, and their dynamic bodies are added to `met`.
  */
 function breadthFirst(
   constraints: readonly Constraint[],
@@ -150,7 +162,7 @@ function breadthFirst(
     }
     ring = next.sort(byOrder);
   }
-  // What hangs together is reached from what is anchored, if anything of it is.
+  // Everything in a group is reached from what is anchored, if any of it is.
   return listed.length > 0 ? listed : constraints;
 }
 
@@ -162,7 +174,10 @@ function isImmovable({ kind }: RigidBody): boolean {
   return kind !== DYNAMIC;
 }
 
-/** What only turns bodies comes last, where bounds have the last word: between the others it would cut them into short runs, and ragdolls take a fifth longer. */
+/**
+ * Adds constraints, those that only turn bodies last, where bounds have the last word. Between the others they would cut these into short
+ * runs: ragdolls take a fifth longer.
+ */
 function addTurnsLast(joints: JointData, constraints: readonly Constraint[]): void {
   const turns: [Constraint, angle: number][] = [];
   const points = new Set<Constraint>();
@@ -171,7 +186,7 @@ function addTurnsLast(joints: JointData, constraints: readonly Constraint[]): vo
     const angle = kernel === POINT ? angleBeside(constraint as PointConstraint, points) : Number.NaN;
     const keepsAngle = !Number.isNaN(angle);
     if (constraint.keepsAngle !== keepsAngle) {
-      // What it gave it gave by other rows.
+      // Its impulses belong to other rows.
       constraint.forget();
       constraint.keepsAngle = keepsAngle;
     }

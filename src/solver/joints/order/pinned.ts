@@ -3,10 +3,15 @@ import type { Constraint } from '../../../constraint/constraint.js';
 import { holdsBoth, type PointConstraint } from '../../../constraint/point.js';
 import { atan2 } from '../../../math/trig.js';
 
-// Two bodies that two rigid points hold together cannot move against each other, as if they were welded. Solved as two points both would ask for the same along the line between them, and the closer they lie the more sweeps they
-// would take across it: a door on two hinges 4 cm apart sprang by 5 mm, and stayed turned the wrong way round. So the first one is a point, and the other one keeps the angle at which both meet.
+// Two bodies that are held together by two rigid points cannot move relative to each other, as if they were welded. Solved as two points,
+// both would ask for the same along the line between them, and across it would take the more sweeps the closer they lie: a door on two
+// hinges 4 cm apart sprang by 5 mm, and stayed turned the wrong way round. So the first one is solved as a point, and the other one as the
+// angle at which both are met.
 
-/** rad. How far `bodyB` is turned against `bodyA` where this point and one of the others between the same two bodies are both met; NaN if there is no such other. */
+/**
+ * rad. The angle of `bodyB` relative to `bodyA` at which this point and one of the others between the same two bodies are both met; NaN if
+ * there is no such other.
+ */
 export function angleBeside(point: PointConstraint, others: ReadonlySet<Constraint>): number {
   const { bodyA, bodyB } = point;
   const { constraints } = bodyA.constraints.length < bodyB.constraints.length ? bodyA : bodyB;
@@ -19,7 +24,10 @@ export function angleBeside(point: PointConstraint, others: ReadonlySet<Constrai
   return Number.NaN;
 }
 
-/** Of the ways from one point to another on both bodies; NaN where they are not as long, as then not both can meet, or very short. */
+/**
+ * The angle between the ways from one point to the other on both bodies; NaN if these differ in length, as then both points cannot be met,
+ * or are very short.
+ */
 function angleBetween(
   { anchors, bodyA }: PointConstraint,
   { anchors: others, bodyA: otherA }: PointConstraint,

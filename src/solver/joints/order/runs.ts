@@ -7,16 +7,19 @@ import { WINDOW } from '../../layout.js';
 import { type Group, type Joint, type JointData, keepsNumbers, type Run } from '../joint-data.js';
 import { type BlockLayout, CUSTOM, KEPT_STRIDE, POINT, TURN, TURN_STRIDE } from '../joint-layout.js';
 
-// Lists joints: which lie side by side in runs, and where each has its numbers. What a world without constraints does without.
+// Lists joints: which lie side by side in runs, and where each has its numbers. A bundle without constraints has none of this.
 
-/** So many rigid point joints are solved two at a time, if that takes no more records than so many for each: ragdolls and single chains are as fast one by one. */
+/**
+ * From this many rigid point joints on, they are solved two at a time, if that takes no more than this many records for each: ragdolls and
+ * single chains are as fast one by one.
+ */
 const FEWEST_PAIRED = 24;
 const MOST_RECORDS = 1.5;
 
-/** From so many rigid point joints on, two groups of as many and nothing else lie side by side. */
+/** From this many rigid point joints on, two groups of as many and of nothing else are laid side by side. */
 const FEWEST_BESIDE = 4;
 
-/** Appends a constraint to the last group, a point that keeps an angle with that. */
+/** Appends a constraint to the last group; a point that keeps an angle with that angle. */
 export function addJoint(
   data: JointData,
   constraint: Constraint,
@@ -51,8 +54,8 @@ export function addJoint(
 }
 
 /**
- * Ends the list: makes room for it. More sweeps make impulses of a sudden load larger: where joints may break by them they are kept few, else chains
- * break as they are built.
+ * Ends the list: allots records, and sets how often new groups are swept over. More sweeps make the impulses of a sudden load larger: where
+ * joints may break by them, sweeps are kept few, else chains break as they are built.
  */
 export function allot(data: JointData): void {
   for (const group of data.groups) {
@@ -70,7 +73,7 @@ export function allot(data: JointData): void {
   }
 }
 
-/** Some body that can move has three joints or more. Few have so many constraints at all: only of those they are counted. */
+/** Whether some dynamic body has three joints or more. Only bodies with as many constraints are counted, as few have them. */
 function branches({ joints }: JointData, { start, end }: Group): boolean {
   const counts = new Map<RigidBody, number>();
   let most = 0;
@@ -88,7 +91,10 @@ function branches({ joints }: JointData, { start, end }: Group): boolean {
   return most > 2;
 }
 
-/** Gives rigid point joints their records for a step. Where they are solved two at a time, no two that lie side by side share a body: the second is missing there. */
+/**
+ * Gives rigid point joints their records for a step. Where they are solved two at a time, no two side by side share a body: the second
+ * record is left empty there.
+ */
 function allotSlots(data: JointData): void {
   const { runs, groups } = data;
   data.slots = 0;
@@ -107,7 +113,10 @@ function allotSlots(data: JointData): void {
   }
 }
 
-/** Within a run, where two would share a body, the second is missing. Where most would be, as in a chain, joints are solved one by one. */
+/**
+ * Allots the records of a run. Where two side by side would share a body, the second is left empty. Where most would be, as in a chain,
+ * joints are solved one by one.
+ */
 function allotRun(data: JointData, { start, end }: Run): void {
   const joints = data.joints.slice(start, end);
   let offset = 0;
@@ -125,13 +134,13 @@ function allotRun(data: JointData, { start, end }: Run): void {
   data.slots += data.slots & 1;
 }
 
-/** One run of rigid point joints, solved one by one, without branches. */
+/** Whether a group is one run of rigid point joints, solved one by one, without branches. */
 function isChain({ joints }: JointData, { start, end, runs, branches }: Group): boolean {
   const isOneRun = runs.length === 1 && runs[0]!.kernel === POINT;
   return end - start >= FEWEST_BESIDE && isOneRun && !branches && !joints[start]!.isPaired;
 }
 
-/** Of as many joints, and no kinematic body hangs on two that would lie side by side. */
+/** Whether two groups have as many joints, and no kinematic body is in both of two joints that would lie side by side. */
 function mayLieBeside({ joints }: JointData, { start, end }: Group, next: Group): boolean {
   return (
     next.end - next.start === end - start &&
@@ -142,7 +151,7 @@ function mayLieBeside({ joints }: JointData, { start, end }: Group, next: Group)
   );
 }
 
-/** Two chains: the first one gets the even slots of both, the other one the odd ones. */
+/** Lays two chains side by side: the first one gets the even slots of both, the other one the odd ones. */
 function layBeside({ joints }: JointData, group: Group, next: Group): void {
   const { start, end } = group;
   const { slot } = joints[start]!;
@@ -157,7 +166,7 @@ function layBeside({ joints }: JointData, group: Group, next: Group): void {
   }
 }
 
-/** Most of its joints carried nothing yet. */
+/** Whether most of the joints of a group carried nothing yet. */
 function carriesNothing({ joints }: JointData, { start, end }: Group): boolean {
   let count = 0;
   for (let k = start; k < end; k += 1) {
@@ -168,7 +177,7 @@ function carriesNothing({ joints }: JointData, { start, end }: Group): boolean {
   return 2 * count > end - start;
 }
 
-/** Of so many joints that hang together. */
+/** The tolerance of a group of so many joints. */
 function toleranceOf(count: number): number {
   const tolerance = (JOINT_SWEEP_ERROR_OF_FEW * count) / FEW_JOINTS;
   return Math.min(JOINT_SWEEP_ERROR, Math.max(JOINT_SWEEP_ERROR_OF_FEW, tolerance));
@@ -180,7 +189,7 @@ function sharesBody({ members }: Constraint, other: Constraint): boolean {
 
 const NO_TWINS: Joint['twins'] = [];
 
-/** Each member that was listed before, with the first place it was listed at. */
+/** Each member that is the same body as an earlier one, with the first index of that body. */
 function twinsOf(members: Constraint['members']): Joint['twins'] {
   if (members.length === 2 && members[0] !== members[1]) {
     return NO_TWINS;
