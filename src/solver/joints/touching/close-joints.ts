@@ -14,14 +14,14 @@ import { lineariseBlock, measureBlock, pushBlock } from '../kernels/blocks.js';
 import { measurePoints, pushPoints } from '../kernels/points.js';
 import { measureTurns, pushTurns } from '../kernels/turns.js';
 
-/** x, y and turn of the members of a joint in the sub-step, before it is closed; pulleys have four. */
+/** Scratch: x, y and turn of a joint's members in the sub-step, before it is closed; pulleys have four members. */
 const before = /* @__PURE__ */ new Float64Array(12);
-/** How one of them was moved, and how far at least that has to be into a wall. */
+/** Scratch: x and y by which a member was moved, and how much of that at least has to be into a wall. */
 const way = /* @__PURE__ */ new Float64Array(3);
 
 /**
- * Ends a sub-step, when what joints gave has been added up: what is torn forgets part of that, and those that contacts hold open have the last word. As contacts are solved last in a position iteration,
- * they would keep a joint open for ever that has something on its wrong side.
+ * Ends a sub-step, after impulses have been added up: groups that are torn forget part of these, and joints that contacts hold open are
+ * closed. As contacts are solved last in a position iteration, they would keep a joint open for ever that has something on its wrong side.
  */
 export function closeOpen(data: SolverData, group: Group): void {
   if (group.isTorn || (group.touched && group.error > JOINT_TORN * JOINT_TORN)) {
@@ -33,14 +33,14 @@ export function closeOpen(data: SolverData, group: Group): void {
   }
 }
 
-/** All but a share of what joints gave is forgotten by the next sub-step. */
+/** Scales the impulses of all joints of a group by TORN_KEEP, for the next sub-step. */
 function forgetPart(data: SolverData, { start, end }: Group): void {
   for (let k = start; k < end; k += 1) {
     forgetImpulse(data, data.joints.joints[k]!, TORN_KEEP);
   }
 }
 
-/** @returns whether there was something to close. */
+/** Closes the open joints of a group once. @returns whether there were any. */
 function closeOnce(data: SolverData, { runs }: Group): boolean {
   const { joints, left } = data.joints;
   let found = false;
@@ -59,7 +59,7 @@ function closeOnce(data: SolverData, { runs }: Group): boolean {
   return found;
 }
 
-/** The largest error of a part of a run, to `left`; of custom ones none. */
+/** Writes to `left` the largest error in a part of a run; 0 for custom constraints. */
 function measure(data: SolverData, kernel: number, start: number, end: number): void {
   if (kernel === POINT) {
     measurePoints(data, start, end);
@@ -73,7 +73,9 @@ function measure(data: SolverData, kernel: number, start: number, end: number): 
   }
 }
 
-/** Only what is more than JOINT_OPEN: what is at that would else be closed in one sub-step and opened in the next. */
+/**
+ * Corrects only the part of the error beyond JOINT_OPEN: else a joint at that limit would be closed in one sub-step and opened in the next.
+ */
 function closePart(data: SolverData, index: number): void {
   const { joints, bodies, left } = data.joints;
   const { motion: q } = data;
@@ -104,8 +106,9 @@ function closePart(data: SolverData, index: number): void {
 }
 
 /**
- * Whether all that was just moved went on into something immovable that it is in already: two things on either side of a wall would be pulled into it, and through. Where one of them is not in front of
- * a wall it is the one that moves in the end, such as the links of a track that goes over a stone.
+ * Whether each body that was just moved went deeper into something immovable that it is in already: two bodies on either side of a wall
+ * would be pulled into it, and through. If one of them is not in front of a wall, it is the one that moves in the end, as do the links of a
+ * track that goes over a stone.
  */
 function goesIntoWalls({ motion: q, joints: { bodies } }: SolverData, { constraint, first }: Joint): boolean {
   const { members } = constraint;
@@ -123,7 +126,7 @@ function goesIntoWalls({ motion: q, joints: { bodies } }: SolverData, { constrai
   return true;
 }
 
-/** Whether that way goes deeper into a wall that it is in already. */
+/** Whether a shape went along `way` deeper into a wall that it is in already. */
 function isGoneInto(shape: Shape): boolean {
   for (let i = 0; i < shape.arbiters.length; i += 1) {
     const pair = shape.arbiters[i]!;
@@ -141,7 +144,7 @@ function goesInto({ numbers: n, at: o }: Arbiter, sign: number): boolean {
   return leastSeparation[0]! < -JOINT_OPEN && sign * (n[o + g.NX]! * way[0]! + n[o + g.NY]! * way[1]!) > way[2]!;
 }
 
-/** Joints with something immovable are left as they are, as these would drag bodies through a wall at once. */
+/** Whether a joint may be closed. Not if it has something immovable, which would drag bodies through a wall at once. */
 function mayClose({ constraint }: Joint): boolean {
   return constraint.members.every(canBeMoved);
 }

@@ -4,8 +4,10 @@ import * as d from '../../layout.js';
 import { markBodies } from '../joint-numbers.js';
 
 /**
- * Contacts of what joints hold to what does not move at two places or more, as the planks of a bridge: that gives way little, so that what lies on it is not hooked into it, but carried. Pushed no farther than what is hooked, wheels
- * sank through it, and all that has several shapes or hangs together. Not of what hangs at one place: heaps around puppets on a rope would shake.
+ * Pushes contacts of groups that are held at two places or more, such as the planks of a bridge, like those of single bodies. Such a group
+ * gives way little, so what lies on it is not hooked into it, but carried: pushed only as far as what is hooked, wheels sank through it,
+ * and so did everything that has several shapes or hangs together. Not done for groups that are held at one place: heaps around puppets on
+ * a rope would shake.
  */
 export function pushHeld(data: SolverData): void {
   const { hooked, traits, velocity: v, joints } = data;

@@ -7,9 +7,12 @@ import { startAgain } from '../joint-numbers.js';
 import type { JointSolver } from '../joints.js';
 import { steadyFrame } from './momentum.js';
 
-// What joints have to do with `contacts/shocks.ts`.
+// The part of joints in shocks, see `contacts/shocks.ts`.
 
-/** Tells of each body which group of joints it hangs on. Custom constraints hold whatever they like: by themselves they do not count. */
+/**
+ * Notes for each body the number of its group of joints, or that it cannot be solved, if custom constraints are in the group. Groups of
+ * these alone are left out, as they may hold whatever they like.
+ */
 export function linkShocks(data: SolverData): void {
   const { groupOf } = data.shocks;
   const { groups } = data.joints;
@@ -25,7 +28,10 @@ export function linkShocks(data: SolverData): void {
   }
 }
 
-/** When what joints gave in a sub-step has been added up: what was struck forgets it, but for what it gave as the step began: without that bridges drop for a moment, and kick. */
+/**
+ * Called after the impulses of a sub-step have been added up: joints of what was struck forget theirs, but not those with which the step
+ * began: without these, bridges drop for a moment, and kick.
+ */
 export function forgetShocks(data: SolverData): void {
   const { struckGroups } = data.shocks;
   const { groups, joints } = data.joints;
@@ -38,7 +44,10 @@ export function forgetShocks(data: SolverData): void {
   struckGroups.clear();
 }
 
-/** Those that were found with what was struck are solved already; and those that bear each other are not, as few sweeps are enough for so many joints, and towers of frames would fall. */
+/**
+ * Solves frames together with their contacts, see `momentum.ts`. Those that were found with something struck are solved already. Those that
+ * bear each other are not solved, as so many joints would take too many sweeps, and towers of frames would fall.
+ */
 export function solveFrames(data: SolverData, jointSolver: JointSolver): void {
   const { shocks } = data;
   const { groups } = data.joints;
@@ -55,7 +64,7 @@ export function solveFrames(data: SolverData, jointSolver: JointSolver): void {
   }
 }
 
-/** The offset of one that can be pushed; 0 if none can, or it is no frame that is to be solved. */
+/** The offset of the record of a body of a frame that can be pushed; 0 if none can, or the group is no frame that has to be solved. */
 function someBodyOfFrame(data: SolverData, group: Group): number {
   if (!(group.isBent && group.touched)) {
     return 0;
@@ -67,7 +76,10 @@ function someBodyOfFrame(data: SolverData, group: Group): number {
   return 0;
 }
 
-/** What the contacts that were just solved bear is no shock in the sub-steps that follow: else it would be forgotten in every second one, for ever. */
+/**
+ * Keeps the impulses of the contacts that were just solved as those with which the step began, so that they are no shock in the sub-steps
+ * that follow: else they would be forgotten in every second one, for ever.
+ */
 function goOn(data: SolverData): void {
   const { shocks, impulseScale } = data;
   for (let i = 0; i < shocks.contacts.count && impulseScale > 0; i += 1) {

@@ -20,19 +20,23 @@ import type { Group, Joint } from '../joint-data.js';
 import { CUSTOM, TURN } from '../joint-layout.js';
 import { carryAt, impulseAt, markBodies, numbersOf, steady, visit } from '../joint-numbers.js';
 
-// What joints keep of the momentum of their corrections.
+// How much momentum the corrections of joints make where something is touched.
 
-/** What the bodies of a group touch, see `findTouching`. */
+/** Bits for what the bodies of a group touch, see `findTouching`. */
 const OTHERS = 1;
 const HEAVIER = 2;
 const ITSELF = 4;
 const ALIKE = 8;
 
 /**
- * Of a group that touches something; also finds whether it stands on that. Contacts push without momentum: there joints make none of their corrections either, as it would be made of what contacts undo
- * again and again. Heaps of ragdolls would tremble for ever; and if only the joints of what touches made none, those next to them would. Those that hold an angle and those that bear much under a weight, unless what hangs together overlaps
- * itself, and those of ropes that bear something heavy and lie on nothing that is as light as they are, still make the most of theirs, see TOUCHED_MOMENTUM; the first not while they are few and solved together with their contacts, see `isBent`. And where errors are as small as those of what swings freely,
- * contacts undo nothing: there joints make all of theirs that have a body which touches nothing; and so do those of what touches nothing but itself, as welded blocks and coiled chains.
+ * Sets what momentum the corrections of a group make that touches something; also finds whether it stands on that. Contacts push without
+ * momentum, so such a group makes none either: it would be made of what contacts undo again and again. Heaps of ragdolls would tremble for
+ * ever; and if only the joints of bodies that touch something made none, those next to them would make it.
+ * Three kinds of joints still make most of theirs, see TOUCHED_MOMENTUM. Those that hold an angle, and those that bear much under a weight,
+ * unless the group overlaps itself; and those of ropes that bear something heavy, and lie on nothing that is as light as they are. Joints
+ * that hold an angle lose it again while they are few and solved together with their contacts, see `isBent`.
+ * If errors are as small as those of what swings freely, contacts undo nothing: then joints with a body that touches nothing make all of
+ * theirs. So do all joints of a group that touches nothing but itself, such as welded blocks and coiled chains.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
@@ -66,7 +70,7 @@ export function steadyTouched(data: SolverData, group: Group): void {
   }
 }
 
-/** Of a frame that was solved with its contacts: those that hold an angle need none, but for what swings. */
+/** After a frame was solved with its contacts: its joints that hold an angle need no momentum, but for those of what swings. */
 export function steadyFrame(data: SolverData, group: Group): void {
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   for (let k = group.start; k < group.end; k += 1) {
@@ -75,7 +79,7 @@ export function steadyFrame(data: SolverData, group: Group): void {
   }
 }
 
-/** Whether one of its bodies that can move is in no contact. */
+/** Whether one of the bodies of a joint can move and is in no contact. */
 function reachesOut({ drive, joints: { bodies } }: SolverData, { first, layout }: Joint): boolean {
   for (let n = first; n < first + layout.members; n += 1) {
     const i = bodies[n]!;
@@ -95,7 +99,7 @@ function hasMuchToBear(data: SolverData, { start, end }: Group): boolean {
   return false;
 }
 
-/** Whether it keeps its bodies at one angle to each other: what such joints make of many bodies bends and bears like a beam. */
+/** Whether a joint keeps its bodies at one angle to each other: many bodies with such joints bend and bear like a beam. */
 function holdsAngle({ constraint }: Joint): boolean {
   return (
     constraint.type === 'WELD' ||
@@ -121,15 +125,19 @@ function isAngle({ constraint }: Joint): boolean {
   return constraint.type === 'ANGLE';
 }
 
-/** Whether they are the joints of a hammer: the handle of a heavy one stands on its limit as firmly as on a weld. */
+/**
+ * Whether a group is like a hammer: few joints, some of them angles, and a heavy body, so that the handle stands on its limit as firmly as
+ * on a weld.
+ */
 function limitsFew(joints: readonly Joint[], group: Group): boolean {
   const { burdened, start, end } = group;
   return burdened && end - start <= FIRM_FEW && hasSome(joints, group, isAngle);
 }
 
 /**
- * Whether joints are few and rigid, some hold an angle, and none may break, which sweeps that try out impulses would do. Where a body is far heavier than another very few may limit an angle instead: more, as of cranes and
- * chains, would take ten times as long, and some would rest later.
+ * Whether a group is a frame: few and rigid joints, some of which hold an angle, and none of which may break, as sweeps that try out
+ * impulses would break them. Where a body is far heavier than another, very few joints may limit an angle instead. More, as in cranes and
+ * chains, would take ten times as long, and some would come to rest later.
  */
 function isFrame(joints: readonly Joint[], group: Group): boolean {
   const isFew = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS;
@@ -140,7 +148,10 @@ function isFrame(joints: readonly Joint[], group: Group): boolean {
   return isFirm;
 }
 
-/** Whether it bears as much as a contact that is strained: about a hundred times what its bodies weigh. What turns bears nothing. */
+/**
+ * Whether a joint bears as much as a contact that is strained: about a hundred times the weight of its bodies. Joints that only turn bear
+ * nothing.
+ */
 function bearsMuch(data: SolverData, joint: Joint): boolean {
   const { kernel, first, layout } = joint;
   const { bodies } = data.joints;
@@ -155,12 +166,15 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
   return kernel !== TURN && kernel !== CUSTOM && square * ease * ease > STRAIN_SPEED * STRAIN_SPEED;
 }
 
-/** Whether something is in its way that is none of its bodies, and nothing far heavier lies on one: a wrecking ball that its last link reaches into does not lie on that. */
+/**
+ * Whether something that is not part of a group is in its way, and nothing far heavier lies on one of its bodies. A wrecking ball into
+ * which its last link reaches does not lie on that.
+ */
 export function isBlocked(data: SolverData, group: Group): boolean {
   return (findTouching(data, group, true) & (OTHERS | HEAVIER)) === OTHERS;
 }
 
-/** How many of the bodies of a group are in contact: three at most. */
+/** Counts the bodies of a group that are in contact, up to three. */
 function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start, end }: Group): number {
   let one = 0;
   let two = 0;
@@ -178,7 +192,10 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
   return two > 0 ? 2 : one > 0 ? 1 : 0;
 }
 
-/** What the bodies of a group touch, as bits: some other one, something far heavier that is dynamic, something dynamic of about its own mass, or each other, so deeply that they are pushed apart; if not all are asked for, only whether there are some. */
+/**
+ * What the bodies of a group touch, as bits: something else, something dynamic that is far heavier, something dynamic of about their own
+ * mass, or each other, so deeply that they are pushed apart. If not all bits are asked for, the search ends with the first that is found.
+ */
 function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
   const { joints } = data.joints;
   let found = 0;
