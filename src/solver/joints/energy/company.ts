@@ -7,23 +7,24 @@ import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
 import { markBodies } from '../joint-numbers.js';
 
-// With what joints that hang together exchange energy: all bodies that touch theirs or are tied to these, and so on.
+// A company is all bodies that exchange energy: those that touch or are tied to each other, directly or by way of others. The guests of a
+// group are the bodies of its company that are not its own.
 
 // Scratch, by slot, for all worlds.
 
-/** Sets of `math/sets.ts`: a company each. */
+/** Disjoint sets of `math/sets.ts`, one for each company. */
 let parent = /* @__PURE__ */ new Int32Array(0);
-/** The next body of the same company. */
+/** The next body of the same company; 0 at its end. */
 let next = /* @__PURE__ */ new Int32Array(0);
-/** Of one that stands for a company: the first body of that, and how many there are. */
+/** For the body that stands for a company: the first body of that, and how many there are. */
 let first = /* @__PURE__ */ new Int32Array(0);
 let size = /* @__PURE__ */ new Int32Array(0);
-/** Something drives it. */
+/** 1 if something drives it. */
 let driven = /* @__PURE__ */ new Uint8Array(0);
-/** It is held by something that is not dynamic. */
+/** 1 if it touches or is tied to something that is not dynamic. */
 let held = /* @__PURE__ */ new Uint8Array(0);
 
-/** Finds which awake bodies are with which, as contacts and joints of this step are. */
+/** Finds the companies of all awake bodies, from the contacts and joints of this step. */
 export function findCompanies({ solver, liveDynamics }: World): void {
   const count = solver.bodyCount;
   if (parent.length < count) {
@@ -55,7 +56,10 @@ export function findCompanies({ solver, liveDynamics }: World): void {
   }
 }
 
-/** Lists who is with the bodies of a group, that is with the first of them that can be pushed, and not of them. @returns whether nothing drives any of them, and they are not too many. */
+/**
+ * Lists the guests of a group: those of the company of its first body that can be pushed. @returns whether nothing drives any of the
+ * company, and it is not too large.
+ */
 export function findGuests(data: SolverData, group: Group): boolean {
   const { traits, velocity } = data;
   const { guests, bodies } = group;
@@ -76,7 +80,7 @@ export function findGuests(data: SolverData, group: Group): boolean {
   return true;
 }
 
-/** Two bodies are with each other if both are dynamic; else one holds the other, and may drive it. */
+/** Joins the companies of two bodies if both are dynamic; else one of them holds the other, and may drive it. */
 function join(a: number, b: number, dynamics: number): void {
   if (a > 0 && b > 0 && a <= dynamics && b <= dynamics) {
     unite(parent, a, b);

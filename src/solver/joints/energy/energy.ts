@@ -15,43 +15,47 @@ import type { Group, Joint } from '../joint-data.js';
 import { ARM_AX, ARM_BX, POINT, POINT_STRIDE, TURN } from '../joint-layout.js';
 import { goAsMoved } from './motion.js';
 
-// Rigid joints do no work. Where they do all the same, as sub-steps are too long for how fast light things swing and turn on them, it is taken back: so nothing that hangs
-// together whirls by itself, whatever it is made of.
+// Rigid joints do no work. If they do all the same, because sub-steps are too long for how fast light bodies swing and turn on them, the
+// energy is taken back: so no group whirls by itself, whatever it is made of.
 
-/** Sums over the bodies of a group: scratch. J, kg, N·s. */
+/** Scratch: sums over the bodies of a group. J, kg, N·s. */
 const sums = /* @__PURE__ */ new Float64Array(12);
-/** Kinetic energy, and by how much that of a sub-step is ahead of the true one … */
+/** Kinetic energy, and its correction for velocities that are half a sub-step ahead of the place, see `add` … */
 const KINETIC = 0;
 const AHEAD = 1;
-/** … the work of gravity and forces in the step so far, and what they add in one sub-step from rest. */
+/**
+ * … the work of gravity, forces and springs in the step so far, and the energy that gravity and forces give to bodies at rest in one
+ * sub-step …
+ */
 const WORK = 2;
 const LEAST = 3;
-/** … their mass, if nothing holds them, else infinite, and momentum. */
+/** … the mass of the bodies, infinite if something holds them, and their momentum … */
 const MASS = 4;
 const PX = 5;
 const PY = 6;
 /** 1/kg. … and the inverse mass of the lightest. */
 const LIGHTEST = 7;
-/** kg. Their mass without that of who is with them. */
+/** kg. The mass of the group alone, without its guests. */
 const OWN_MASS = 8;
-/** J. Twice the energy of the light ones. */
+/** J. Twice the kinetic energy of the light bodies. */
 const LIGHT_TWICE = 9;
-/** N·s. What the light ones lose of momentum. */
+/** N·s. The momentum that the light bodies lose. */
 const LOST_X = 10;
 const LOST_Y = 11;
 
 /**
- * Bodies are summed up so many at a time, in a function that is soon compiled, as it is called often. A loop that begins long and runs once a step may never be, but in its middle, where V8 boxes what it sums up: of 10,000 bodies half a megabyte in
- * each step. Nor one body at a time, as the sums would be fetched and put back for each, which is a tenth of a step of a net.
+ * Bodies are summed up so many at a time, by a function that is called often and so is soon compiled. A long loop that runs once a step may
+ * never be compiled but in its middle, where V8 boxes its sums: half a megabyte in each step for 10,000 bodies. Refused: one body at a
+ * time, as the sums would be loaded and stored for each, which takes a tenth of a step of a net.
  */
 const BATCH = 64;
 
-/** One of them is moved by something else. */
+/** One of the bodies is moved by something else. */
 let isCarried = false;
 
 /**
- * Whether the joints of a group may make energy: if they close rings, as between two banks, a body is far heavier than another, or turned easily by a point joint, as thin links are. Other joints
- * may in any case, but for those that only turn.
+ * Whether the joints of a group may make energy: if they close rings, as between two banks; if a body is far heavier than another; or if
+ * one is turned easily by a point joint, as thin links are. Joints of other kinds may in any case, but for those that only turn.
  */
 export function mayMakeEnergy(data: SolverData, group: Group): boolean {
   const { joints } = data.joints;
@@ -65,7 +69,7 @@ export function mayMakeEnergy(data: SolverData, group: Group): boolean {
   return isFound;
 }
 
-/** Whether what a point joint gives one of its bodies turns it far more than it moves it. */
+/** Whether the impulse of a point joint turns one of its bodies far more than it moves it. */
 function turnsEasily(
   { velocity: v, points: p, joints: { bodies } }: SolverData,
   joint: Joint,
@@ -77,13 +81,13 @@ function turnsEasily(
   return b > 0 && v[b + d.INV_INERTIA]! * square > EASY_TURN * v[b + d.INV_MASS]!;
 }
 
-/** As a step begins. */
+/** Called as a step begins. */
 export function noteEnergy(data: SolverData, group: Group): void {
   measure(data, group);
   group.energy = sums[KINETIC]! + sums[AHEAD]!;
 }
 
-/** As it ends. */
+/** Called as the step ends. */
 export function takeExcesses(data: SolverData): void {
   const { groups } = data.joints;
   for (let k = 0; k < groups.length; k += 1) {
@@ -99,7 +103,10 @@ export function takeExcesses(data: SolverData): void {
   }
 }
 
-/** Tells the joints of a group, which are told alike, whether they could not be met in this step, and how many anchors held them against each other. */
+/**
+ * Notes in the constraints of a group how many anchors held them against each other, if they could not be met in this step, else 0. It is
+ * the same number in all of them.
+ */
 function noteUnmet({ joints: { joints } }: SolverData, { isUnmet, error, anchors, start, end }: Group): void {
   const unmet = isUnmet && error > STUCK_ERROR * STUCK_ERROR ? anchors : 0;
   if (joints[start]!.constraint.unmetAnchors !== unmet) {
@@ -110,8 +117,9 @@ function noteUnmet({ joints: { joints } }: SolverData, { isUnmet, error, anchors
 }
 
 /**
- * Of a group of which no joint was changed, and none had to be closed: takes from the velocities of the light bodies what the joints made of energy beyond a share of what there is, bit by bit, so that nothing halts in the air. Where nothing holds the bodies
- * they go on together as they did.
+ * Takes back the energy that the joints of a group made beyond a share of all there is, from the velocities of the light bodies, and bit by
+ * bit, so that nothing halts in the air. Only for groups of which no joint was changed or had to be closed. Bodies that nothing holds keep
+ * their common velocity.
  */
 function takeExcess(data: SolverData, group: Group): void {
   measure(data, group);
@@ -129,7 +137,7 @@ function takeExcess(data: SolverData, group: Group): void {
   const right = Math.max(0, kinetic - excess);
   let removed = isCalm ? 0 : slowDown(data, group, excess - share * right, made, x, y);
   if (!isCalm && group.mayBreak && !group.touched) {
-    // From here on all of them count as light.
+    // From here on, all bodies count as light.
     sums[LIGHTEST] = 0;
     removed += slowDown(data, group, excess - removed - EXCESS_WILD * right, made, x, y);
   }
@@ -138,12 +146,12 @@ function takeExcess(data: SolverData, group: Group): void {
   }
 }
 
-/** It is the light bodies that whirl: of a ball on a thin chain the links, not the ball. */
+/** Whether a body counts as light. These are the ones that whirl: of a ball on a thin chain the links, not the ball. */
 function isLight({ velocity: v }: SolverData, offset: number): boolean {
   return v[offset + d.INV_MASS]! * HEAVY >= sums[LIGHTEST]!;
 }
 
-/** J. Kinetic energy of the light bodies against a common velocity. */
+/** J. The kinetic energy of the light bodies relative to a common velocity. */
 function energyOfLight(data: SolverData, { bodies }: Group, x: number, y: number): number {
   sums[LIGHT_TWICE] = 0;
   for (let n = 0; n < bodies.count; n += 1) {
@@ -165,7 +173,11 @@ function addEnergyOfLight(data: SolverData, i: number, x: number, y: number): vo
   }
 }
 
-/** Takes as much energy from the light bodies, against a common velocity, but no more than some of what they have and all that was made in this step. What nothing holds keeps its momentum: all bodies get back what these lose. @returns how much. */
+/**
+ * Takes the energy `over` from the light bodies, relative to a common velocity, but at most a share of what they have and all that was made
+ * in this step. What nothing holds keeps its momentum: what the light bodies lose is given back to all.
+ * @returns how much energy was taken, J.
+ */
 function slowDown(data: SolverData, group: Group, over: number, made: number, x: number, y: number): number {
   const own = over > 0 ? energyOfLight(data, group, x, y) : 0;
   const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
@@ -224,7 +236,8 @@ function measure(data: SolverData, group: Group): void {
 }
 
 /**
- * A velocity is that which a sub-step ends with, half a sub-step ahead of the place: ½·m·v² + ½·h·m·a·v − m·a·x is what the scheme keeps of the energy (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, IX).
+ * Adds bodies to the sums. A velocity is that at the end of a sub-step, half a sub-step ahead of the place: ½·m·v² + ½·h·m·a·v − m·a·x is
+ * what the scheme keeps of the energy (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, IX).
  */
 function add(data: SolverData, { items, count }: List<number>): void {
   for (let from = 0; from < count; from += BATCH) {

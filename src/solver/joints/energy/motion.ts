@@ -3,17 +3,19 @@ import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
 
-// Whether what hangs together moves as its velocities tell.
+// Compares the velocities of a group with how it moved.
 
-/** Of a group: scratch. J, each twice. */
+/** Scratch, for a group. J, each twice: the energy of its velocities, of its motion, and of the difference. */
 const motion = /* @__PURE__ */ new Float64Array(3);
 const TOLD = 0;
 const MOVED = 1;
 const APART = 2;
 
 /**
- * Gives the bodies of a group the velocities by which they moved in the step, where they are told of others. Each sub-step corrects the same errors once more, and what that makes of momentum contacts or other joints undo: of a group whose joints cannot all be met
- * as soon as motion has less energy than velocities, by a share; of what touches something, such as a belt or a track around wheels, where it has hardly any for some steps on end.
+ * Gives the bodies of a group the velocities with which they moved in the step, if theirs are wrong. Each sub-step corrects the same errors
+ * once more, and contacts or other joints undo the momentum that this makes. A group whose joints cannot all be met gets them as soon as
+ * its motion differs from its velocities by a share of their energy, and has less energy; one that touches something, such as a belt or a
+ * track around wheels, if its motion has hardly any energy for some steps in a row.
  */
 export function goAsMoved(data: SolverData, group: Group): void {
   weighMotion(data, group);
@@ -27,7 +29,7 @@ export function goAsMoved(data: SolverData, group: Group): void {
   }
 }
 
-/** Twice the energy that velocities tell of, that of the motion in the step, and that of the difference. */
+/** Finds twice the energy of the velocities, of the motion in the step, and of the difference. */
 function weighMotion(data: SolverData, { bodies }: Group): void {
   motion.fill(0);
   for (let n = 0; n < bodies.count; n += 1) {
@@ -64,7 +66,7 @@ function takeMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverD
   }
 }
 
-/** rad. Without full turns that its velocity did not tell of: corrections of straight chains make some. */
+/** rad. The turn of a body in the step, without full turns that do not fit its velocity: corrections of straight chains make some. */
 function turnOf(angle: number, told: number): number {
   if (Math.abs(angle) < Math.PI) {
     return angle;

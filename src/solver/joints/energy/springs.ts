@@ -7,13 +7,14 @@ import { BLOCK, ROW, TURN, TURN_RATIO } from '../joint-layout.js';
 import { impulseAt } from '../joint-numbers.js';
 import { weighError } from '../kernels/blocks.js';
 
-// The books of springs. One that has its frequency whatever the masses is harder in one pose of its bodies than in another, and bodies that hang on each other could draw energy from it in
-// every turn. So a spring gives what it was given: beyond that it only damps. And what it gives no rigid joint has made.
+// Accounts of the energy of springs. A spring that has the same frequency whatever the masses is harder in one pose of its bodies than in
+// another, and bodies that hang on each other could draw energy from it in every turn. So a spring gives only as much as it was given;
+// after that it only damps. And its work is not counted as made by rigid joints.
 
-/** What was found: results would be boxed. */
+/** The result of `findGiven` and `findHeld`; an array, so that it is not boxed. */
 const found = /* @__PURE__ */ new Float64Array(1);
 
-/** As a step begins: whether there are any. */
+/** Called as a step begins: finds whether there are springs. */
 export function beginSprings({ joints: data, bodyCount }: SolverData): void {
   const { groups } = data;
   data.hasSprings = false;
@@ -27,7 +28,7 @@ export function beginSprings({ joints: data, bodyCount }: SolverData): void {
   if (data.hasSprings) data.work.fill(0, 0, bodyCount);
 }
 
-/** As a sub-step begins, after forces and drag: the velocities, less what these added. */
+/** Called as a sub-step begins, after forces and drag: notes the velocities without what these added. */
 export function noteVelocities({ joints: { hasSprings, begun }, velocity: v, drive: f, bodyCount }: SolverData): void {
   for (let slot = 1; slot < bodyCount && hasSprings; slot += 1) {
     const i = slot * d.BODY_STRIDE;
@@ -38,7 +39,7 @@ export function noteVelocities({ joints: { hasSprings, begun }, velocity: v, dri
   }
 }
 
-/** As it ends: enters what each gave. */
+/** Called as it ends: enters the work of each spring. */
 export function enterSprings(data: SolverData): void {
   const { joints, hasSprings, work } = data.joints;
   for (let k = 0; k < joints.length && hasSprings; k += 1) {
@@ -52,17 +53,24 @@ export function enterSprings(data: SolverData): void {
   }
 }
 
-/** Angles are as hard in any pose: they do not owe. Of custom constraints nobody knows. */
+/**
+ * Enters the work of a spring in what it has stored. Angles are left out, as they are as hard in any pose, and custom constraints, as their
+ * energy is not known.
+ */
 function enter(data: SolverData, joint: Joint, given: number): void {
   const { constraint } = joint;
   findHeld(data, joint);
-  // Within a sub-step it is ahead or behind by half of what it gives. More debt than some times that is forgotten: it would be slack for long.
+  // Within a sub-step, the account is ahead or behind by half of the work. Debt beyond SPRING_DEBT times that is forgotten: else the spring
+  // would be slack for long.
   const most = SPRING_GAIN * found[0]! + Math.abs(given);
-  // Where numbers run wild nothing is entered.
+  // If numbers have run wild, nothing is entered.
   if (most < Infinity) constraint.stored = Math.max(-SPRING_DEBT * most, Math.min(constraint.stored, most) - given);
 }
 
-/** J, to `found`: λ · J · v of the mean of the velocities before and after the sub-step is what an impulse adds to the kinetic energy. @returns the slot of the first member that can move. */
+/**
+ * Writes to `found` the work of a spring in the sub-step, J: λ · J · v, with the mean of the velocities before and after, is exactly what
+ * an impulse adds to the kinetic energy. @returns the slot of the first member that can move.
+ */
 function findGiven(data: SolverData, joint: Joint): number {
   const { velocity: v } = data;
   const { records: r, bodies, begun } = data.joints;
@@ -88,7 +96,10 @@ function findGiven(data: SolverData, joint: Joint): number {
   return slot;
 }
 
-/** J, to `found`: what a spring as hard as it is now holds at the error with which the sub-step began, ½ · (2π · frequency)² · C · K⁻¹ · C. */
+/**
+ * Writes to `found` the energy, J, that a spring as hard as it is now holds at the error with which the sub-step began: ½ · (2π ·
+ * frequency)² · C · K⁻¹ · C.
+ */
 function findHeld(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout, constraint } = joint;

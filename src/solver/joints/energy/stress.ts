@@ -8,12 +8,14 @@ import * as d from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
 import { heldRows, impulseAt, markBodies, numbersOf, visit } from '../joint-numbers.js';
 
-// Where there are more welds or points than hold the bodies together, as in frames and wheels, in nets, and between two bodies that are hinged twice, they may pull against each other, which moves nothing: no sweep sees such a
-// stress, and it stays. As the bodies turn what joints give would pull the old way, and be put right by more stress, until the whole stops turning, or tears itself apart. So it is turned with them, and fades as it turns.
+// Where there are more welds or points than it takes to hold bodies together, as in frames, wheels and nets, and between two bodies that
+// are hinged twice, joints may pull against each other. That moves nothing, so no sweep sees such a stress, and it stays. As the bodies
+// turn, the impulses would go on pulling the old way, and that would be corrected by more stress, until the whole stops turning, or tears
+// itself apart. So the impulses are turned with the bodies, and fade as these turn.
 
 /**
- * Finds whether there are more rigid joints in a group than are needed: they have more rows than their bodies can move, or those between two bodies have. What they give may then be against each other. That of points alone may with as
- * many rows, too: a net of 3 × 3 folds all the same.
+ * Finds whether a group has more rigid joints than are needed: they have more rows than their bodies have degrees of freedom, or those
+ * between two bodies do. Then they may pull against each other. Points alone may with as many rows, too: a net of 3 × 3 folds all the same.
  */
 export function lookAtStress(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
@@ -80,8 +82,10 @@ function isRigid({ isElastic, drives }: Constraint): boolean {
 }
 
 /**
- * Ends a sub-step: turns what welds and points of a group gave in it as their bodies have turned, and lets all fade alike: where bars are pinned twice, so that one of the pins keeps their angle, and that did not fade, frames would lose all their spin. By velocities, which corrections have a part in, a truss of bars that is at rest would turn it to and fro, and
- * correct what that makes, for ever.
+ * Ends a sub-step: turns the impulses of welds and points of a group as their bodies turned in it, and lets all of them fade alike. Where
+ * bars are pinned twice, so that one of the pins keeps their angle, frames would lose all their spin if that did not fade. Refused: turning
+ * by the velocities, which corrections have a part in: a truss of bars that is at rest would turn the impulses to and fro, and correct what
+ * that makes, for ever.
  */
 export function turnStress(data: SolverData, group: Group): void {
   if (!turns(data, group)) {
@@ -94,14 +98,14 @@ export function turnStress(data: SolverData, group: Group): void {
   }
 }
 
-/** Whether it holds what it holds wherever that turns; gears do not. */
+/** Whether a joint holds the same relation of its bodies however they turn together; gears do not. */
 function isFixed(constraint: Constraint): boolean {
   const { type, lower, upper } = constraint;
   const isOfOneValue = lower === upper && (type === 'DISTANCE' || (type === 'ANGLE' && constraint.ratio === 1));
   return type === 'WELD' || type === 'POINT' || isOfOneValue;
 }
 
-/** Whether some body turns so much that it matters. */
+/** Whether some body of a group turned so much that it matters. */
 function turns(data: SolverData, group: Group): boolean {
   const { motion: q, joints } = data;
   const { bodies } = group;
@@ -112,7 +116,7 @@ function turns(data: SolverData, group: Group): boolean {
   return false;
 }
 
-/** By the mean of its bodies; for this the sine of an angle need not be exact. */
+/** Turns the impulse of a joint by the mean turn of its bodies. The sine of the angle need not be exact for this. */
 function turnImpulse(data: SolverData, joint: Joint): void {
   const { motion: q, joints } = data;
   const { bodies } = joints;
