@@ -1,6 +1,6 @@
 const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
 
-/** RFC 4648, by hand, as not every engine has a function for it. */
+/** Base64 by RFC 4648. Written by hand, as not every engine has a function for it. */
 export function toBase64(buffer: ArrayBuffer): string {
   const bytes = new Uint8Array(buffer);
   const parts: string[] = [];
@@ -17,7 +17,7 @@ export function toBase64(buffer: ArrayBuffer): string {
   return parts.join('');
 }
 
-/** @returns `null` if the text is no base64. */
+/** The bytes of a base64 text. @returns `null` if it is no base64. */
 export function fromBase64(text: string): ArrayBuffer | null {
   if (text.length % 4 !== 0 || !/^[A-Za-z0-9+/]*={0,2}$/.test(text)) {
     return null;
@@ -29,7 +29,7 @@ export function fromBase64(text: string): ArrayBuffer | null {
     for (let k = 0; k < 4; k += 1) {
       word = (word << 6) | Math.max(0, DIGITS.indexOf(text[i + k]!));
     }
-    // What lies beyond the end of the array is not written.
+    // Writes beyond the end of the array have no effect.
     bytes[at] = word >> 16;
     bytes[at + 1] = (word >> 8) & 255;
     bytes[at + 2] = word & 255;

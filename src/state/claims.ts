@@ -3,17 +3,17 @@ import { DEAD } from '../contact/bits.js';
 import { isBefore, NOT_REPORTED, type Pairs } from '../contact/pairs.js';
 import type { Shape } from '../shape/shape.js';
 
-// The pairs of a world that is restored: those that are there are brought back, what is missing is made, and what is left over goes.
+// The pairs of a world that is being restored. Pairs that are still there are claimed, missing ones are made, and the rest is dropped.
 
-/** In place of a step in which the broadphase reported a pair: it was brought back. */
+/** Stands for the step in which the broadphase reported a pair: the pair was claimed. */
 const CLAIMED = -2;
 
-/** Where among the awake pairs that there were the next one is looked for, as both are in the order of their shapes' ids. */
+/** Index at which the next pair is looked for among the pairs that were awake, as both lists are in the order of their shapes' ids. */
 let next = 0;
-/** How many are left in the table that were not brought back. */
+/** How many pairs in the table are not claimed yet. */
 let unclaimed = 0;
 
-/** Takes all pairs out of the lists; those in the table may be brought back. */
+/** Takes all pairs out of the lists. Those in the table can be claimed. */
 export function beginClaims(pairs: Pairs): void {
   const { sorted, earlier } = pairs;
   for (let i = 0; i < sorted.count; i += 1) {
@@ -27,7 +27,7 @@ export function beginClaims(pairs: Pairs): void {
   pairs.arriving.clear();
 }
 
-/** A pair that is in no list yet, made unless there is one. Where a step sets all, nothing of it is set here. */
+/** Claims the pair of two shapes, or makes one. It is in no list yet, and what a step sets anyway is not set here. */
 export function claim(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
   let pair = find(pairs, shapeA, shapeB);
   if (pair !== null && pairs.sightings[pair.number] === NOT_REPORTED) {
@@ -41,7 +41,7 @@ export function claim(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
   return pair;
 }
 
-/** Mostly it is the one after the last. */
+/** Finds the pair of two shapes; mostly it is the one after the last that was found. */
 function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
   const { items, count } = pairs.earlier;
   for (; next < count; next += 1) {
@@ -57,7 +57,7 @@ function find(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter | null {
   return pairs.find(shapeA, shapeB);
 }
 
-/** A pair that was cut off, and is named by an `end` event. */
+/** Makes a pair that was cut off, and that an `end` event names. */
 export function claimCut(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
   const pair = pairs.make(shapeA, shapeB);
   pair.mark(DEAD);
@@ -65,10 +65,10 @@ export function claimCut(pairs: Pairs, shapeA: Shape, shapeB: Shape): Arbiter {
   return pair;
 }
 
-/** Drops the pairs that were not brought back. What is moved up in the table has been looked at, or will be. */
+/** Drops the pairs that were not claimed. What moves up in the table has been looked at, or will be. */
 export function endClaims(pairs: Pairs): void {
   const { earlier, table, sightings } = pairs;
-  // Mostly those that were awake, which lie in memory as they are walked through.
+  // Mostly these are pairs that were awake, which lie in memory in this order.
   for (let i = 0; i < earlier.count && unclaimed > 0; i += 1) {
     const pair = earlier.items[i]!;
     if (!pair.is(DEAD) && sightings[pair.number] === NOT_REPORTED) {

@@ -21,7 +21,7 @@ import {
 const WHERE = 'deserialize';
 
 /**
- * Makes a world of what `serialize` returned, by the factories of a device; it goes on to the bit as the first one does.
+ * Makes a world from what `serialize` returned, by the factories of a device; it goes on as the first one does, to the bit.
  *
  * @throws TypeError, RangeError or Error for data that `serialize` cannot have made; the message names the place.
  */
@@ -66,7 +66,7 @@ export function deserialize(phys2D: Physics2DDevice, data: PlainWorld, options: 
   return world;
 }
 
-/** What the world goes on from is its state: data that say something else were edited, in vain. */
+/** Checks that data say the same as the state, which is all that the world goes on from: data that do not were edited, in vain. */
 function checkUnchanged(name: string, stated: unknown, plain: unknown): void {
   if (typeof stated !== 'object' || stated === null) {
     if (stated !== plain) {
@@ -133,7 +133,7 @@ class Maker {
     return this.options.userData === undefined ? plain : this.options.userData(plain);
   }
 
-  /** Errors of factories tell what they were about. */
+  /** Calls a factory; its errors name the place in the data. */
   private at<T>(name: string, make: () => T): T {
     try {
       return make();
@@ -152,7 +152,7 @@ class Maker {
     return this.at(name, () => this.phys2D.createMaterial({ ...params, userData: this.userData(plain.userData) }));
   }
 
-  /** Shapes are created in the order in which they once were. */
+  /** Makes the bodies. Their shapes are created in the order in which they once were. */
   bodies(plains: PlainBody[], materials: Material[]): RigidBody[] {
     const shapes = plains.flatMap((plain, i) => {
       const name = `data.bodies[${i}].shapes`;

@@ -1,4 +1,4 @@
-/** A digest of 64 bits of words of 32; mixed as by MurmurHash3 (Appleby 2011). */
+/** A digest of 64 bits, of words of 32 bits; mixed as by MurmurHash3 (Appleby 2011). */
 export class Digest {
   private a = 0;
   private b = 0;
@@ -15,8 +15,8 @@ export class Digest {
   }
 
   /**
-   * Words from one index up to another, four at a time: in lanes that do not wait for each other. Each step can be undone, so one wrong word is sure to be
-   * noticed.
+   * Adds words from one index up to another, four at a time, in lanes that do not wait for each other. Each step can be undone, so a single
+   * wrong word is always noticed.
    */
   add(words: Int32Array, from: number, to: number): void {
     let { a, b, c, d } = this;
@@ -49,7 +49,7 @@ function finish(word: number): number {
   return h ^ (h >>> 16);
 }
 
-/** Eight hexadecimal digits. */
+/** A word as eight hexadecimal digits. */
 export function hex(word: number): string {
   return (word >>> 0).toString(16).padStart(8, '0');
 }

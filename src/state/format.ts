@@ -1,8 +1,8 @@
 import { Digest } from './digest.js';
 
-// A snapshot: a header, then numbers of 64 bits, then words of 32.
+// The format of a snapshot: a header, then numbers of 64 bits, then words of 32.
 
-/** Words of the header. */
+/** How many words the header has. */
 const HEADER = 8;
 const MAGIC = 0x32643270;
 export const VERSION = 23;
@@ -11,12 +11,12 @@ const NUMBERS = 3;
 const WORDS = 4;
 const CHECKSUM = 6;
 
-/** Bytes of a snapshot of so many numbers and words: a multiple of 16, as a digest takes four words at a time. */
+/** The size of a snapshot of so many numbers and words, bytes: a multiple of 16, as a digest takes four words at a time. */
 function lengthOf(numbers: number, words: number): number {
   return 4 * HEADER + 16 * Math.ceil((2 * numbers + words) / 4);
 }
 
-/** A snapshot, in `target` if that is large enough, else in a new buffer. */
+/** Makes a snapshot, in `target` if that is large enough, else in a new buffer. */
 export function packed(
   numbers: Float64Array,
   words: Int32Array,
@@ -42,7 +42,7 @@ export function packed(
   return buffer;
 }
 
-/** What is in a snapshot. `where` is the function to name in errors. @throws unless it is whole and of this version. */
+/** The two tracks of a snapshot. `where` is the function to name in errors. @throws unless it is complete and of this version. */
 export function opened(
   where: string,
   buffer: ArrayBuffer,
@@ -79,7 +79,7 @@ export function seal(buffer: ArrayBuffer, digest: Digest = new Digest()): void {
   header[CHECKSUM + 1] = digest.high;
 }
 
-/** The checksum of a snapshot: of all but itself, and the first two words, which have to be as they are. */
+/** Computes the checksum of a snapshot: of everything but itself and the first two words, which can have only one value. */
 function sum(buffer: ArrayBuffer, length: number, digest: Digest): void {
   const all = new Int32Array(buffer, 0, length >> 2);
   digest.begin();

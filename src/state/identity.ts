@@ -11,16 +11,17 @@ import type { World } from '../world.js';
 import { copyObjects, emptyScene, type Objects, type Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
-/** Why a snapshot is not of these objects. */
+/** Why a snapshot does not fit these objects. */
 export const OTHER_BODIES = 'a constraint of it has other bodies';
 
-/** How many integers come first. */
+/** How many integers come before those of single objects. */
 export const HEAD = 6;
 
 /**
- * Writes which objects a snapshot is of, as integers: how many, then `nextOrder`; how many bodies, bodies outside, shapes, shapes that only an event names,
- * constraints; then `order` and number of shapes of each body; `order` of each shape, and kind plus twice its rank among their ids, of a sensor all bits turned; `order` of each constraint;
- * and for each body outside a constraint and which of its members it is.
+ * Writes which objects a snapshot is of, as integers. First how many integers follow, then `nextOrder`, and the numbers of bodies in the
+ * world, bodies outside, shapes, shapes that only an event names, and constraints. Then for each body in the world its `order` and number
+ * of shapes; for each shape its `order`, and its kind plus twice the rank of its id, with all bits inverted for a sensor; for each
+ * constraint its `order`; and for each body outside the index of a constraint, and of the body among its members.
  */
 export function describe(tape: Tape, world: World, scene: Scene): void {
   const { bodies, inside, shapes, attached, counts, constraints } = scene;
@@ -41,7 +42,7 @@ export function describe(tape: Tape, world: World, scene: Scene): void {
   for (const { order } of constraints) {
     tape.word(order);
   }
-  // They are listed as the constraints come to them.
+  // They are listed in the order in which constraints name them first.
   let which = 0;
   for (const body of bodies.slice(inside)) {
     while (!constraints[which]!.members.includes(body)) which += 1;
@@ -50,17 +51,17 @@ export function describe(tape: Tape, world: World, scene: Scene): void {
   }
 }
 
-/** All bits of a word of a sensor are turned, and back. */
+/** Inverts all bits of a word if it is of a sensor; also back. */
 export function turned(word: number, isSensor: boolean): number {
   return isSensor ? ~word : word;
 }
 
-/** How many integers tell of so many objects. */
+/** How many integers describe so many objects. */
 function lengthOf(bodies: number, shapes: number, constraints: number): number {
   return HEAD + 2 * bodies + 2 * shapes + constraints;
 }
 
-/** The place of each shape if they were sorted by their ids, as which decides in what order pairs are solved. */
+/** The rank of each shape by its id, which decides the order in which pairs are solved. */
 export function ranksOf(shapes: readonly { readonly id: number }[]): number[] {
   const ranks: number[] = [];
   let isSorted = true;
@@ -79,7 +80,10 @@ export function ranksOf(shapes: readonly { readonly id: number }[]): number[] {
   return ranks;
 }
 
-/** Puts into `scene` the objects that `ids` describe: those that are known to be meant or, of a copy of a snapshot, those of the same `order` in the world or in `held`. */
+/**
+ * Fills `scene` with the objects that `ids` describes: the known ones or, for a copy of a snapshot, those with the same `order` in the
+ * world or in `held`.
+ */
 export function resolve(
   tape: Tape,
   world: World,
@@ -143,7 +147,7 @@ function find(tape: Tape, ids: Int32Array, scene: Scene, finder: Finder): void {
   demand(tape, areAscending(ranked, attached), 'its shapes were created in another order');
 }
 
-/** What is in another world cannot come back; a shape that only an event names need not. */
+/** Refuses objects that are in another world now, as they cannot come back. A shape that only an event names need not. */
 function refuseOthers(tape: Tape, world: World, { bodies, shapes, constraints, attached }: Scene): void {
   const isForeign = ({ owner }: RigidBody | Constraint) => isOther(world, owner);
   let isRefused = constraints.some(isForeign) || bodies.some(isForeign);
@@ -153,14 +157,14 @@ function refuseOthers(tape: Tape, world: World, { bodies, shapes, constraints, a
   demand(tape, !isRefused, 'an object of it is in another world now');
 }
 
-/** A right snapshot may be of another world than this. */
+/** Refuses a snapshot that is not damaged, but is of another world. */
 function demand(tape: Tape, holds: boolean, otherwise: string): void {
   if (!holds) {
     throw tape.refusal(otherwise);
   }
 }
 
-/** Its body is in another world. */
+/** Whether the body of a shape is in another world. */
 export function isElsewhere(world: World, { owner }: Shape): boolean {
   return isOther(world, owner?.owner);
 }
@@ -169,7 +173,10 @@ function isOther(world: World, owner: World | null | undefined): boolean {
   return owner !== undefined && owner !== null && owner !== world;
 }
 
-/** For a shape that was gone when a snapshot was taken, whose bytes cannot name it: so that other shapes may still be told that they parted from it. */
+/**
+ * A shape in place of one that was gone when a snapshot was taken, and that its bytes cannot name: so that other shapes can still be told
+ * that they parted from it.
+ */
 export function standIn(kind: number): Shape {
   const vertices = createBoxVertices(1, 1);
   bringPolygons(polygonWorks);
@@ -179,7 +186,7 @@ export function standIn(kind: number): Shape {
   return shape;
 }
 
-/** No shape is missing, and each has a higher id than the one before. */
+/** Whether no shape is missing, and each has a higher id than the one before. */
 function areAscending(ranked: Shape[], count: number): boolean {
   const shapes = Object.values(ranked);
   return shapes.length === count && shapes.every(({ id }, i) => i === 0 || id > shapes[i - 1]!.id);
@@ -194,7 +201,7 @@ class Finder {
     world: World,
     held: Iterable<unknown>,
   ) {
-    // Of what has the same order, as after a restore it may have, what is held is meant.
+    // After a restore, several objects may have the same `order`: then the one that is held is meant.
     for (const list of [world.rigidBodies, world.constraints, held]) {
       for (const object of list) {
         this.add(object);
@@ -211,7 +218,7 @@ class Finder {
     }
   }
 
-  /** A shape that was gone when the snapshot was taken, if it is held. */
+  /** A shape that was gone when the snapshot was taken, if it is held; else `null`. */
   loose(order: number, kind: number): Shape | null {
     const object = this.found.get(order);
     return object instanceof Shape && object.kind === kind ? object : null;

@@ -1,6 +1,6 @@
 import { widened } from '../math/doubles.js';
 
-/** Whether things that are each at a place of one of several lists have the places 0, 1, 2 … of each. Used again and again. */
+/** Checks that things in several lists have the places 0, 1, 2 … of each list. Reused for each check. */
 export class Order {
   private entries = new Int32Array(128);
   private count = 0;
@@ -19,7 +19,7 @@ export class Order {
     this.count += 1;
   }
 
-  /** Of so many lists. */
+  /** Whether the places are right, of `listCount` lists. */
   isRight(listCount: number): boolean {
     const { entries, count } = this;
     const starts = new Int32Array(listCount + 1);

@@ -1,27 +1,31 @@
 import type { RigidBody } from '../body.js';
 import { integer, options, typeError } from '../validate.js';
 
-/** Numbers of a body in a pose buffer. */
+/** How many numbers a body has in a pose buffer. */
 export const POSE_STRIDE = 4;
 
 /** Options of `PoseBuffer.create`. */
 export interface PoseBufferParams {
-  /** How many bodies there is room for, integer from 1 to 1e9. Default 1024. */
+  /** How many bodies there is room for, an integer from 1 to 1e9. Default 1024. */
   capacity?: number | undefined;
-  /** What to write to, with room for `capacity` bodies: on a `SharedArrayBuffer`, another thread can read it. Default: a new one. */
+  /**
+   * The array to write to, with room for `capacity` bodies. On a `SharedArrayBuffer`, another thread can read it. Default: a new
+   * `Float32Array`.
+   */
   poses?: Float32Array | Float64Array | undefined;
 }
 
 /**
- * Where bodies are, as one list of numbers for a renderer: x, y, cosine and sine of the rotation of each, at four times its index. A body keeps its index
- * as long as it is tracked, also when it was removed from its world: `untrack` it then. A free one has four zeros. Given to `world.poses`, it is brought up to date at the end of every step, before events.
+ * The poses of bodies as one array of numbers, for a renderer: x, y, cosine and sine of the rotation of each body, at four times its index.
+ * A body keeps its index as long as it is tracked, even when it is removed from its world: `untrack` it then. A free index has four zeros.
+ * If it is set as `world.poses`, it is updated at the end of every step, before events.
  *
- * A thread that reads while another steps may see some bodies one step ahead of others; each number is whole.
+ * A thread that reads while another one steps may see some bodies one step ahead of others; each number is whole.
  */
 export class PoseBuffer {
   /** How many bodies there is room for. */
   readonly capacity: number;
-  /** x and y in m, cosine and sine of the rotation, of the body with index i from `poses[4 * i]` on. */
+  /** x and y in m, cosine and sine of the rotation: those of the body with index i begin at `poses[4 * i]`. */
   readonly poses: Float32Array | Float64Array;
   private readonly bodies: (RigidBody | null)[] = [];
   private readonly indices = new Map<RigidBody, number>();
@@ -44,7 +48,9 @@ export class PoseBuffer {
     return new PoseBuffer(params);
   }
 
-  /** Tracks a body, in a world or not. @returns its index; the same one if it is tracked already. @throws RangeError if there is no room. */
+  /**
+   * Tracks a body, in a world or not. @returns its index, the same one if it is tracked already. @throws RangeError if there is no room.
+   */
   track(body: RigidBody): number {
     const where = 'PoseBuffer.track';
     checkBody(where, body);
@@ -76,13 +82,13 @@ export class PoseBuffer {
     return true;
   }
 
-  /** The index of a body, −1 if it is not tracked. */
+  /** The index of a body; −1 if it is not tracked. */
   indexOf(body: RigidBody): number {
     checkBody('PoseBuffer.indexOf', body);
     return this.indices.get(body) ?? -1;
   }
 
-  /** Writes where all tracked bodies are: `world.poses` is, at the end of each step; call it after `restore` or a teleport. */
+  /** Writes the poses of all tracked bodies. `world.poses` is updated at the end of each step; call this after `restore` or a teleport. */
   update(): void {
     for (let i = 0; i < this.bodies.length; i += 1) {
       const body = this.bodies[i]!;
@@ -102,7 +108,7 @@ export class PoseBuffer {
   }
 }
 
-/** By what it can do, as the class is that of the engine's bundle. */
+/** Checks a body by its methods, as its class is in the bundle of the engine, which may be another. */
 function checkBody(where: string, body: RigidBody): void {
   if (typeof body?.getRotation !== 'function') {
     throw typeError(where, 'body', 'a RigidBody', body);

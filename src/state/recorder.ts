@@ -7,17 +7,20 @@ import type { World } from '../world.js';
 /** What can be called through a recorder: the world, a body, a shape, a constraint. */
 type Recorded = World | RigidBody | Shape | Constraint;
 
-/** A call, with the object and those among its arguments by reference: a recording is for the program that made it. */
+/**
+ * A recorded call. It refers to the object and to objects among the arguments themselves, so a recording is only for the program that made
+ * it.
+ */
 export interface RecordedCall {
-  /** What it was made on. */
+  /** The object that it was made on. */
   readonly object: Recorded;
-  /** Which of its methods; or which setting was given the only argument. */
+  /** The name of a method; or of a setting that was set to the only argument. */
   readonly method: string;
-  /** As given; arrays and plain objects, and those in them, are copies. */
+  /** The arguments. Arrays and plain objects, and those in them, are copies. */
   readonly args: readonly unknown[];
 }
 
-/** What `Recorder.set` sets: of worlds and, the last two, of bodies. */
+/** The settings that `Recorder.set` sets: of a world and, the last two, of a body. */
 export type RecordedSetting = 'substeps' | 'velocityIterations' | 'positionIterations' | 'allowSleeping' | 'bullet';
 
 const SETTINGS: readonly RecordedSetting[] = [
@@ -28,43 +31,47 @@ const SETTINGS: readonly RecordedSetting[] = [
   'bullet',
 ];
 
-/** Of a method with two signatures; one with one has it twice. */
+/** A method with two signatures; one with a single signature has it twice. */
 type Overloads<A extends unknown[], B extends unknown[], R, S> = { (...args: A): R; (...args: B): S };
 
-/** A snapshot, and what was called from then on, step by step. */
+/** A snapshot, and the calls that were made after it, step by step. */
 export interface Recording {
   /** The world as it was when the recording began. */
   readonly snapshot: ArrayBuffer;
-  /** One for each step, in turn. */
+  /** One frame for each step, in order. */
   readonly frames: readonly RecordedStep[];
 }
 
-/** What a game did before a step, and the step. */
+/** The calls that a game made before a step, and the step. */
 export interface RecordedStep {
   /** In the order in which they were made. */
   readonly calls: readonly RecordedCall[];
   /**
-   * If one of them added something, which may be in another state by now, or changed shapes of a body that is in no world; else `null`. From that one on a replay does not make them again, but takes
-   * the world to where it was after them.
+   * Not `null` if one of the calls added something, which may be in another state by now, or changed shapes of a body that is in no world.
+   * A replay does not make that call and those after it, but restores the world as it was after them.
    */
   readonly added: {
-    /** Which was the first that did. */
+    /** Index of the first such call. */
     readonly first: number;
-    /** Hash before that. */
+    /** Hash of the world before it. */
     readonly before: string;
-    /** Snapshot after all of them. */
+    /** Snapshot after all calls. */
     readonly after: ArrayBuffer;
   } | null;
-  /** Of the step, s. */
+  /** Length of the step, s. */
   readonly deltaTime: number;
   /** `world.hash()` after the step. */
   readonly hash: string;
 }
 
 /**
- * Records what a game does to a world: make its calls through `call`, `set` and `step`, and `replay` makes them again, from the same snapshot, and compares the
- * hashes. What handlers do is not recorded, also through `call` and `set`, as they are called again: listeners are to be the same all the time, and what one
- * adds it has to make anew, and find in the world later, rather than keep: with what is added through the recorder a replay takes the bodies of the recording. A step before which something is added, or shapes of a body that is in no world are changed, keeps a snapshot of the world.
+ * Records what a game does to a world. Make its calls through `call`, `set` and `step`; `replay` makes them again, from the same snapshot,
+ * and compares the hashes.
+ *
+ * What handlers do is not recorded, not even through `call` and `set`, as handlers are called again in a replay. So the listeners have to
+ * be the same all the time. What a handler adds, it has to create anew each time, and to find in the world later, rather than keep: where
+ * something is added through the recorder, a replay goes on with the bodies of the recording. If something is added before a step, or
+ * shapes of a body that is in no world are changed, the recording keeps a snapshot of the world for that step.
  */
 export class Recorder {
   /** The world as it was when the recording began. */
@@ -73,7 +80,7 @@ export class Recorder {
   readonly world: World;
   private readonly frames: RecordedStep[] = [];
   private calls: RecordedCall[] = [];
-  /** The first call since the last step that was to add something, and the hash before it; the snapshot comes with the step. */
+  /** The first call since the last step that adds something, and the hash before it; the snapshot is set by the step. */
   private adding: { first: number; before: string; after: ArrayBuffer } | null = null;
 
   /** @internal use `create` */
@@ -91,8 +98,9 @@ export class Recorder {
   }
 
   /**
-   * Calls a method of the world or of one of its bodies, shapes or constraints, and notes it: `recorder.call(body, 'applyImpulse', [0, -5])`. Arrays and plain
-   * objects among the arguments are copied, typed ones and those in others, too. @returns what the method returns.
+   * Calls a method of the world or of one of its bodies, shapes or constraints, and records it: `recorder.call(body, 'applyImpulse', [0,
+   * -5])`. Arrays and plain objects among the arguments are copied, also typed arrays, and those inside others. @returns what the method
+   * returns.
    */
   call<T extends Recorded, K extends keyof T>(
     object: T,
@@ -102,7 +110,8 @@ export class Recorder {
     const where = 'Recorder.call';
     const made = methodOf(where, object, method);
     const kept = args.map(copyOf);
-    // What is added, a body, a shape or a constraint, may be another by the time of a replay, as it is in no snapshot; nor are shapes of a body that is in no world.
+    // A body, shape or constraint that is added may be in another state by the time of a replay, as it is in no snapshot; nor are shapes of
+    // a body that is in no world.
     if ((method.startsWith('add') || changesOutside(this.world, object, method)) && !this.world.busy) {
       this.adding ??= { first: this.calls.length, before: this.world.hash(), after: this.snapshot };
     }
@@ -111,7 +120,7 @@ export class Recorder {
     return result as never;
   }
 
-  /** Sets what is a property, not a method, of the world or of one of its bodies, and notes it: `recorder.set(world, 'substeps', 2)`. */
+  /** Sets a property of the world or of one of its bodies, and records it: `recorder.set(world, 'substeps', 2)`. */
   set(object: World | RigidBody, setting: RecordedSetting, value: number | boolean): void {
     Object.assign(object, { [setting]: checkedValue('Recorder.set', object, setting, value) });
     this.note({ object, method: setting, args: [value] });
@@ -123,7 +132,7 @@ export class Recorder {
     }
   }
 
-  /** Steps the world, and notes its hash; also if a handler throws, which does not keep the step from being done. */
+  /** Steps the world, and records its hash; also if a handler throws, as the step is done all the same. */
   step(deltaTime: number): void {
     const { world, adding } = this;
     const { timeStamp } = world;
@@ -146,12 +155,12 @@ export class Recorder {
 }
 
 /**
- * Brings a world back to where a recording began, and does again what was done. What handlers throw in a step, which is done all the same, is not
- * passed on.
+ * Restores a world to where a recording began, and makes the recorded calls and steps again. What handlers throw in a step is not passed
+ * on, as the step is done all the same.
  *
- * @returns the first step whose hash is another than it was, counted from 0, or −1 if there is none.
- * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot, or a setting that is out
- * of range. Nothing has changed then, unless it is the snapshot of a step that is damaged.
+ * @returns the index of the first step whose hash differs from the recorded one, from 0; −1 if there is none.
+ * @throws TypeError for what is no recording, or names what is no method or setting of the object; RangeError for a damaged snapshot, or a
+ * setting that is out of range. Nothing has changed then, unless it is the snapshot of a step that is damaged.
  */
 export function replay(world: World, recording: Recording): number {
   if (typeof world?.restore !== 'function') {
@@ -201,7 +210,7 @@ function stepAgain(world: World, deltaTime: number): void {
   }
 }
 
-/** Whether shapes change of a body that is not in the world. */
+/** Whether a call may change shapes of a body that is not in the world. */
 function changesOutside(world: World, object: Recorded, method: string): boolean {
   if ('shapes' in object) {
     return object.world !== world && (method === 'removeShape' || method === 'alignWithOrigin');
@@ -209,7 +218,7 @@ function changesOutside(world: World, object: Recorded, method: string): boolean
   return 'body' in object && object.body?.world !== world && !/^(?:get|is|compute)/.test(method);
 }
 
-/** Arrays and options, which callers may use again, with those that are in them. */
+/** A copy of an argument that callers may change and use again: arrays and plain objects, with those that are in them. */
 function copyOf(argument: unknown): unknown {
   if (Array.isArray(argument)) {
     return argument.map(copyOf);
@@ -220,7 +229,7 @@ function copyOf(argument: unknown): unknown {
   return ArrayBuffer.isView(argument) && 'slice' in argument ? (argument as Float64Array).slice() : argument;
 }
 
-/** A method that can be recorded; not what every object has. */
+/** A method of an object that can be recorded; not one that every object has. */
 function methodOf(where: string, object: Recorded, method: string): (...args: unknown[]) => unknown {
   const isName = typeof method === 'string' && !(method in Object.prototype);
   const made = isName ? object?.[method as keyof Recorded] : undefined;
@@ -235,7 +244,7 @@ function methodOf(where: string, object: Recorded, method: string): (...args: un
   return made as unknown as (...args: unknown[]) => unknown;
 }
 
-/** What a setting is to be, if it is one of those that `Recorder.set` sets. */
+/** The value for a setting, if it is one of those that `Recorder.set` sets. */
 function checkedValue(where: string, object: Recorded, setting: string, value: unknown): unknown {
   if (!isSetting(setting)) {
     throw typeError(where, 'setting', `one of ${SETTINGS.join(', ')}`, setting);
@@ -252,7 +261,7 @@ function isSetting(name: string): name is RecordedSetting {
   return (SETTINGS as readonly string[]).includes(name);
 }
 
-/** What makes a call again, if it can be made. */
+/** A function that makes a call again. @throws if it cannot be made. */
 function again({ object, method, args }: RecordedCall): () => unknown {
   const where = 'replay';
   if (isSetting(method)) {

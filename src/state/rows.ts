@@ -26,20 +26,24 @@ import type { World } from '../world.js';
 import { AGAIN, COUNT, FACE, FLAGS_END, HELD, ROLLED, SOLVED, USUAL } from './layout.js';
 import { areSame, Row, type Tape } from './tape.js';
 
-// What of each object influences the future, field by field. What can be worked out from other fields is not there, nor are listeners and user data.
+// The fields of each object that influence the future. Fields that can be derived from others are left out, and so are listeners and user
+// data.
 
 const MOST = 0x3fffffff;
-/** Numbers that name features of shapes. */
+/** The largest number of a feature: a corner, edge or axis. */
 const FEATURES = 0xffffff;
 
 const bodyRow = /* @__PURE__ */ new Row(1, 12);
 const appliedRow = /* @__PURE__ */ new Row(1, 6);
 const shapeRow = /* @__PURE__ */ new Row(1, 6);
 
-/** All there are, for a tape. */
+/** All rows, for a tape. */
 export const ROWS: readonly Row[] = [bodyRow, appliedRow, shapeRow];
 
-/** What the last pair had that most have in common, see `takeUsual`; and of those that have not met yet, without a material, which are like others of that kind. */
+/**
+ * The numbers of the last pair that most pairs have in common, see `takeUsual`; and those of the last pair whose shapes have not met yet,
+ * without a material.
+ */
 const usual = /* @__PURE__ */ new Float64Array(10);
 const usualNear = /* @__PURE__ */ new Float64Array(6);
 
@@ -49,7 +53,7 @@ export function materialNumbers(material: Material): Float64Array {
   return Float64Array.of(elasticity, staticFriction, dynamicFriction, rollingFriction, density);
 }
 
-/** Settings and counters of a world. */
+/** Passes the settings and counters of a world. */
 export function keepWorld(tape: Tape, world: World): void {
   const { solver } = world;
   world.gravityX = tape.number(world.gravityX);
@@ -65,7 +69,7 @@ export function keepWorld(tape: Tape, world: World): void {
   solver.spans = tape.number(solver.spans);
 }
 
-/** @returns whether its mass has to be worked out anew. */
+/** Passes a body. @returns whether its mass has to be computed anew. */
 export function keepBody(tape: Tape, b: RigidBody): boolean {
   const { fixedMass, fixedInertia, numbers, at } = b;
   tape.block(numbers, at, at + MOTION);
@@ -122,7 +126,7 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
   return fixedMass !== b.fixedMass || fixedInertia !== b.fixedInertia;
 }
 
-/** What pushes a body for one step: most are pushed by nothing. */
+/** Passes what pushes a body for one step. Most bodies have nothing like that. */
 function keepApplied(tape: Tape, b: RigidBody, isSome: boolean): void {
   if (!isSome) {
     if (tape.takes) b.applied?.clear();
@@ -156,7 +160,10 @@ function keepApplied(tape: Tape, b: RigidBody, isSome: boolean): void {
   }
 }
 
-/** x, y, angle, cosine, sine and the three of the velocity were passed last: the place is within bounds, and cosine and sine are those of an angle. */
+/**
+ * Checks the numbers that passed last, which are x, y, angle, cosine, sine and the three of the velocity: the place is within bounds, and
+ * cosine and sine are those of an angle.
+ */
 function checkPlace(tape: Tape): void {
   const [cos, sin] = [tape.latest(4), tape.latest(3)];
   for (let i = 5; i < MOTION; i += 1) {
@@ -165,7 +172,7 @@ function checkPlace(tape: Tape): void {
   tape.require(Math.abs(cos * cos + sin * sin - 1) <= 1e-9);
 }
 
-/** @returns whether it is another shape now. */
+/** Passes a shape. @returns whether its geometry is another now. */
 export function keepShape(tape: Tape, shape: Shape): boolean {
   const { numbers: n, integers } = shapeRow;
   const circle = shape.kind === CIRCLE ? shape : null;
@@ -207,7 +214,7 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   tape.require(stored.length >= 6 && stored.length % 2 === 0);
   const isOther = stored !== vertices;
   if (isOther && !tape.takes) {
-    // Not convexity, which stretching may lose to rounding.
+    // Convexity is not required, as stretching may lose it to rounding.
     tape.require(polygonArea(stored) > 0 && repeatedVertex(stored) < 0);
   }
   if (tape.takes) {
@@ -217,13 +224,15 @@ function keepVertices(tape: Tape, polygon: Polygon, stamp: number): boolean {
   return isOther && tape.takes;
 }
 
-/** Before the first pair. */
+/** Called before the first pair. */
 export function beginPairs(): void {
   usual.fill(NaN);
   usualNear.fill(NaN);
 }
 
-/** What the solver and whoever asks know of two shapes. The numbers of points that are not there mean nothing. */
+/**
+ * Passes a pair: what the solver keeps of two shapes, and what can be asked. The numbers of contact points beyond the count mean nothing.
+ */
 export function keepPair(tape: Tape, pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   const flags = tape.word(tape.writes ? flagsOf(pair) : 0);
@@ -294,7 +303,7 @@ function takeFlags(pair: Arbiter, flags: number): void {
   n[o + g.FACE] = ((flags >> FACE) & 3) - 1;
 }
 
-/** Spelled out, as of most pairs all of them have to be looked at. */
+/** Whether some impulse is not 0. Written out, as for most pairs all of them have to be read. */
 function hasImpulse(n: Float64Array, o: number): boolean {
   return (
     n[o + c.NORMAL] !== 0 ||
@@ -313,7 +322,10 @@ function hasRoll(n: Float64Array, o: number): boolean {
   return n[o + c.ROLL] !== 0 || n[o + c.STEP_ROLL] !== 0;
 }
 
-/** Corners, edges and axis, each −1 or more: in one word if they are below 63, as those of shapes of few corners are, else in words of their own after −1. */
+/**
+ * Passes corners, edges and axis, each −1 or more: in one word if all are below 63, as for shapes with few corners, else −1 and a word for
+ * each.
+ */
 function keepFeatures(tape: Tape, n: Float64Array, o: number): void {
   const word = tape.word(tape.writes ? smallFeatures(n, o) : 0);
   if (word < 0) {
@@ -358,7 +370,10 @@ function isUsual(
   );
 }
 
-/** In what steps the shapes met, for which shapes the edges were chosen and, if they did meet, the combined material. */
+/**
+ * Passes the usual numbers of a pair: in what steps the shapes met, for which shapes the reference face was chosen and, if they have met,
+ * the combined material.
+ */
 function passUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   const { numbers: n, at: o } = pair;
   if (tape.writes) {
@@ -375,7 +390,10 @@ function passUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   tape.block(as, 0, as.length);
 }
 
-/** Steps are integers: unless an engine is told so, each becomes a fraction in a box of its own here, and all steps that follow take 6 % longer. */
+/**
+ * Takes over the usual numbers. Steps are made integers by `| 0`: else each becomes a boxed double here, and all steps that follow take 6 %
+ * longer.
+ */
 function takeUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   const { numbers: n, at: o } = pair;
   tape.require(as[4]! >= 0 && as[4]! <= MOST && as[5]! >= 0 && as[5]! <= MOST);
@@ -390,7 +408,7 @@ function takeUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   }
 }
 
-/** What was given in the latest step before the points became others. */
+/** Passes the impulses that were given in the latest step before the contact points changed. */
 function keepMetAgain(tape: Tape, pair: Arbiter): void {
   const { before } = pair;
   const x = tape.number(before?.x ?? 0);
@@ -402,7 +420,7 @@ function keepMetAgain(tape: Tape, pair: Arbiter): void {
   }
 }
 
-/** What joints that hang together carry over from step to step. */
+/** Passes what a group of joints carries over from step to step. */
 export function keepGroup(tape: Tape, group: Group): void {
   tape.begins();
   group.fresh = tape.flag(group.fresh);

@@ -8,29 +8,32 @@ import type { Shape } from '../shape/shape.js';
 import type { Island } from '../solver/sleep.js';
 import type { World } from '../world.js';
 
-/** The objects that a state is about, in the order in which a tape has them. */
+/** The objects of a state, in the order in which they pass over a tape. */
 export interface Objects {
-  /** Those of the world, then those of its constraints that are in no world. */
+  /** The bodies of the world, then those of its constraints that are in no world. */
   readonly bodies: RigidBody[];
-  /** How many are in the world. */
+  /** How many bodies are in the world. */
   inside: number;
-  /** Those of the bodies in the world, body after body, then those that only an event names. */
+  /** The shapes of the bodies in the world, body by body, then those that only an event names. */
   readonly shapes: Shape[];
-  /** How many each body in the world has. */
+  /** How many shapes each body in the world has. */
   readonly counts: number[];
   readonly constraints: Constraint[];
   readonly materials: Material[];
 }
 
-/** … and what is made of them. */
+/** … and what is derived from them. */
 export interface Scene extends Objects {
   /** How many shapes are in the world. */
   attached: number;
-  /** The objects were found by what the bytes of a snapshot say of them. */
+  /** The objects were found from the bytes of a snapshot alone, not known from when it was taken. */
   isCopy: boolean;
-  /** Without those of shapes that left, which the next step drops. Awake ones in the order of their shapes' ids, then sleeping ones, then those that were cut off and are named by an event. */
+  /**
+   * All pairs, without those of shapes that left, which the next step drops: awake ones in the order of their shapes' ids, sleeping ones,
+   * then those that were cut off and that an event names.
+   */
   readonly pairs: Arbiter[];
-  /** How many of them are awake. */
+  /** How many of the pairs are awake. */
   awake: number;
   readonly islands: Island[];
 }
@@ -51,7 +54,7 @@ export function emptyScene(): Scene {
   };
 }
 
-/** Lists what there is in a world between two steps. */
+/** Lists everything in a world between two steps. */
 export function gather(world: World, scene: Scene): void {
   const { bodies, shapes, counts, constraints, materials, islands } = scene;
   for (const list of [constraints, materials, islands]) {
@@ -85,14 +88,14 @@ export function gather(world: World, scene: Scene): void {
   gatherPairs(world, scene);
 }
 
-/** Lets go of all of them. */
+/** Empties the lists, so that nothing is kept alive by them. */
 export function releaseScene({ bodies, shapes, constraints, materials, pairs, islands }: Scene): void {
   for (const list of [bodies, shapes, constraints, materials, pairs, islands]) {
     release(list, 0);
   }
 }
 
-/** Lists the same objects elsewhere. */
+/** Copies the lists of objects. */
 export function copyObjects(from: Objects, to: Objects): void {
   replace(to.bodies, from.bodies);
   replace(to.shapes, from.shapes);
@@ -100,7 +103,7 @@ export function copyObjects(from: Objects, to: Objects): void {
   replace(to.materials, from.materials);
 }
 
-/** In place: emptied and filled again, a list of thousands takes three times as long. */
+/** Replaces the entries of a list in place: to empty and refill a list of thousands takes three times as long. */
 function replace<T>(list: T[], by: readonly T[]): void {
   for (let i = 0; i < by.length; i += 1) {
     list[i] = by[i]!;

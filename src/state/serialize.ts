@@ -9,7 +9,7 @@ import { callable, options as checkedOptions, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import { toBase64 } from './base64.js';
 
-/** A number as JSON can hold it: infinite ones as their names. */
+/** A number as JSON can hold it: infinite ones by their names. */
 export type PlainNumber = number | 'Infinity' | '-Infinity';
 
 /** A material of a {@link PlainWorld}. */
@@ -30,19 +30,19 @@ export interface PlainMaterial {
 
 /** A shape of a {@link PlainBody}. */
 export interface PlainShape {
-  /** When it was added; the first of two is the first of their arbiter. */
+  /** When it was added. Of two shapes, the one added first is the first of their arbiter. */
   order: number;
-  /** Place among all shapes by when they were created. */
+  /** Rank among all shapes by when they were created. */
   rank: number;
-  /** Which of the options below it has. */
+  /** Its kind, which decides which of the optional properties it has. */
   type: 'CIRCLE' | 'POLYGON';
   /** Collides with nothing. */
   sensor: boolean;
   /** Index in `materials`. */
   material: number;
-  /** Bits that say what it is. */
+  /** Bits of the groups that it is in. */
   group: number;
-  /** Bits of the groups that it meets. */
+  /** Bits of the groups that it interacts with. */
   mask: number;
   /** Of a circle, m. */
   radius?: number;
@@ -58,7 +58,7 @@ export interface PlainShape {
 export interface PlainBody {
   /** When it was added. */
   order: number;
-  /** `false` for what is only an anchor of constraints. */
+  /** `false` for a body that is not in the world, but an anchor of constraints. */
   inWorld: boolean;
   /** What moves it. */
   type: BodyType;
@@ -80,13 +80,13 @@ export interface PlainBody {
 export interface PlainConstraint {
   /** When it was added. */
   order: number;
-  /** Which kind it is, and so which of the options below it has. */
+  /** Its kind, which decides which of the optional properties it has. */
   type: Constraint['type'];
   /** Indices in `bodies`. */
   bodies: number[];
-  /** One for each body. */
+  /** Anchors in body coordinates, `[x, y]`, m: one for each body. */
   anchors?: number[][];
-  /** Of a line: its direction in coordinates of body A, length 1. */
+  /** Of a line: its direction in coordinates of body A, `[x, y]`, length 1. */
   axis?: number[];
   /** Of a weld: the angle that it keeps, rad. */
   phase?: number;
@@ -102,35 +102,42 @@ export interface PlainConstraint {
   userData: unknown;
 }
 
-/** A world as data that JSON can hold. To be read: `state` is what the world goes on from, and `deserialize` refuses data that were edited, but for shapes of bodies that are in no world, which are made as told. To change something, change the world that it makes. */
+/**
+ * A world as data that JSON can hold. It is for reading only: the world goes on from `state`, and `deserialize` refuses data that were
+ * edited, but for shapes of bodies that are in no world, which are made as the data say. To change something, change the world that
+ * `deserialize` makes.
+ */
 export interface PlainWorld {
-  /** Tells it from other data. */
+  /** Distinguishes it from other data. */
   format: 'phys2d world';
-  /** Of the format. */
+  /** Version of the format. */
   version: 1;
-  /** Those of the shapes, each once. */
+  /** The materials of the shapes, each once. */
   materials: PlainMaterial[];
-  /** Those of the world, and anchors of its constraints that are in none. */
+  /** The bodies of the world, and those that are only anchors of its constraints, in no world. */
   bodies: PlainBody[];
-  /** Those of the world. */
+  /** The constraints of the world. */
   constraints: PlainConstraint[];
-  /** A snapshot, base64. */
+  /** A snapshot of the world, base64. */
   state: string;
 }
 
 /** Options of {@link serialize}. */
 export interface SerializeOptions {
-  /** Turns the user data of a material, shape, body or constraint into what JSON can hold. Default: it is left out. */
+  /** Turns the user data of a material, shape, body or constraint into something that JSON can hold. Default: user data are left out. */
   userData?: ((userData: unknown) => unknown) | undefined;
 }
 
 /** Options of {@link deserialize}. */
 export interface DeserializeOptions {
-  /** The reverse of `SerializeOptions.userData`. Default: it is taken as it is. */
+  /** The reverse of `SerializeOptions.userData`. Default: user data are taken as they are. */
   userData?: ((plain: unknown) => unknown) | undefined;
-  /** Makes a custom constraint anew, of as many rows, with these bodies and as much `state`, as its callbacks are code. Without it, data with custom constraints is refused. */
+  /**
+   * Makes a custom constraint anew, as its callbacks are code: with as many rows, these bodies, and as much `state`. Without it, data with
+   * custom constraints are refused.
+   */
   custom?: ((plain: PlainConstraint, bodies: RigidBody[]) => CustomConstraint) | undefined;
-  /** For the new world. Default: a box tree, as in `createWorld`. */
+  /** The broadphase of the new world. Default: a box tree, as in `createWorld`. */
   broadphase?: Broadphase | undefined;
 }
 
@@ -139,8 +146,8 @@ function plain(value: number): PlainNumber {
 }
 
 /**
- * A whole world as plain data: `JSON.stringify` it, and `deserialize` makes an equal world of it, that goes on to the bit. Listeners are not in it, nor
- * the callbacks of custom constraints, nor events of what was removed since the last step.
+ * A whole world as plain data. Save it with `JSON.stringify`; `deserialize` makes an equal world of it, which goes on the same to the bit.
+ * Listeners are not included, nor the callbacks of custom constraints, nor events of what was removed since the last step.
  *
  * @throws Error when called from a handler or callback of the world.
  */
@@ -156,7 +163,7 @@ export function serialize(world: World, options: SerializeOptions = {}): PlainWo
   return { format: 'phys2d world', version: 1, ...plainObjects(world, (value) => convert?.(value) ?? null), state };
 }
 
-/** All of it that can be read. */
+/** All of the data that can be read, without the state. */
 export function plainObjects(
   world: World,
   userData: UserData,

@@ -22,18 +22,21 @@ import { walk } from './walk.js';
 const tape = /* @__PURE__ */ new Tape(ROWS);
 const scene = /* @__PURE__ */ emptyScene();
 
-/** The objects that a snapshot was taken of, as long as it is there, and its checksum: while that is the same they are the ones that are meant, whatever became of them. */
+/**
+ * The objects that a snapshot was taken of, as long as its buffer exists, and its checksum. While that is the same, these objects are the
+ * ones that are meant, whatever became of them.
+ */
 interface Known extends Objects {
   checksum: string;
 }
 
 const known = /* @__PURE__ */ new WeakMap<ArrayBuffer, Known>();
 
-/** A digest of everything that influences the future, 16 hexadecimal digits. */
+/** A digest of everything that influences the future, as 16 hexadecimal digits. */
 function hashOf(world: World): string {
   gather(world, scene);
   tape.hash();
-  // Of shapes that only an event names the others are just told.
+  // Shapes that only an event names have no influence: other shapes are just told of them.
   const attached = scene.shapes.slice(0, scene.attached);
   const ofShapes = ranksOf(attached).map((rank, i) => turned(rank, attached[i]!.sensor));
   for (const ranks of [ofShapes, ranksOf(scene.constraints.map(({ order }) => ({ id: order })))]) {
@@ -48,7 +51,7 @@ function hashOf(world: World): string {
   return tape.hashed();
 }
 
-/** The state of a world, in `target` if that is large enough. */
+/** The snapshot of a world, in `target` if that is large enough. */
 function snapshotOf(where: string, world: World, target: ArrayBuffer | undefined): ArrayBuffer {
   if (target !== undefined) {
     instance(where, 'target', target, ArrayBuffer, 'an ArrayBuffer');
@@ -71,7 +74,7 @@ function remember(buffer: ArrayBuffer): void {
   known.set(buffer, found);
 }
 
-/** Brings a world back to a state; nothing changes unless all is right. */
+/** Restores a world from a snapshot; nothing changes unless the snapshot is right. */
 function restoreTo(
   where: string,
   world: World,
@@ -106,7 +109,7 @@ function restoreTo(
   tape.unload();
 }
 
-/** A copy, in a buffer of its own. */
+/** A copy of a view, in a buffer of its own. */
 function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): ArrayBuffer {
   return new Uint8Array(buffer, byteOffset, byteLength).slice().buffer;
 }
@@ -124,7 +127,7 @@ function checkedHeld(where: string, held: unknown): (RigidBody | Shape | Constra
   return list as (RigidBody | Shape | Constraint)[];
 }
 
-/** What joints that hang together remember, unless they are about to be listed anew. */
+/** Passes what groups of joints carry over, unless they will be listed anew in the next step. */
 function walkGroups(on: Tape, world: World): void {
   const { joints } = world.solver;
   const { groups } = joints;
@@ -133,7 +136,8 @@ function walkGroups(on: Tape, world: World): void {
   const isListed = on.flag(!world.jointsStale);
   const count = on.count(isListed ? groups.length : 0);
   if (on.reads) {
-    // Ordering them forgets what those gave that do nothing any more: that comes with the next step, as it would have.
+    // Ordering them resets the impulses of constraints that do not act any more. If they are stale, that is left to the next step, as it
+    // would have been.
     if (isListed) {
       orderJoints(world);
     } else {
@@ -149,7 +153,7 @@ function walkGroups(on: Tape, world: World): void {
   if (count > 0) joints.age = on.integer(joints.age, 0, EASE_STEPS);
 }
 
-/** Takes everything out of the world that is not to stay, and all that is between objects. */
+/** Takes everything out of the world that is not to stay, and all relations between objects. */
 function empty(world: World, { bodies, inside }: Scene): void {
   for (const constraint of world.constraints) {
     leaveWorld(constraint);
@@ -162,7 +166,7 @@ function empty(world: World, { bodies, inside }: Scene): void {
   }
 }
 
-/** Takes out of the world the bodies that are not to stay; mostly all are, in this order. */
+/** Takes out of the world the bodies that are not to stay. Mostly all stay, in this order. */
 function takeOutOthers(world: World, bodies: readonly RigidBody[], inside: number): void {
   const { rigidBodies } = world;
   let areSame = rigidBodies.length === inside;
@@ -227,7 +231,7 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
     constraint.index = i;
     world.constraints.push(constraint);
     for (const body of constraint.members) {
-      // Of those that the snapshot is of, the order of the list is passed, too. Others were in another world, wherever they are now.
+      // For bodies of the snapshot, the order of this list passes over the tape. Other bodies were in another world, wherever they are now.
       if (!known.has(body) && !body.constraints.includes(constraint)) {
         body.constraints.push(constraint);
       }
@@ -235,7 +239,7 @@ function assemble(world: World, { bodies, inside, shapes, counts, constraints }:
   }
 }
 
-/** Gives a body the shapes it had, if it has others now. */
+/** Gives a body back the shapes it had, if it has others now. */
 function takeShapes(world: World, body: RigidBody, shapes: readonly Shape[], first: number, count: number): void {
   let isSame = count === body.shapes.length;
   for (let i = 0; i < count && isSame; i += 1) {
@@ -270,7 +274,7 @@ function detach(world: World, shape: Shape): void {
   }
 }
 
-/** Shapes that are new to the broadphase go there; what moved is noted, for whoever asks next where it is. */
+/** Adds new shapes to the broadphase, and notes which bodies moved, for whoever asks next where they are. */
 function place(world: World, { bodies, inside }: Scene): void {
   world.stale.clear();
   world.pushed.clear();
@@ -291,7 +295,7 @@ function place(world: World, { bodies, inside }: Scene): void {
   }
 }
 
-/** For `createWorld({ state: worldState })`: the world can be saved, restored and hashed. Those that `phys2D` makes always can. */
+/** For `createWorld({ state: worldState })`: lets the world be saved, restored and hashed. Worlds that `phys2D` makes always can be. */
 export const worldState: WorldSaving = {
   version: VERSION,
   bodyClass: RigidBody,

@@ -3,10 +3,13 @@ import { Digest, hex } from './digest.js';
 import { opened, packed } from './format.js';
 import { CHECK, HASH, READ, WRITE } from './layout.js';
 
-/** There is always room for so many more of either. */
+/** There is always room for so many more numbers, and as many words. */
 const ROOM = 64;
 
-/** The fields of objects of one kind, 32 of them at most; one that is the same as in the last row takes one bit. */
+/**
+ * The fields of one object, 32 of them at most; all objects of a kind pass through the same row. A field with the same value as in the last
+ * object takes one bit.
+ */
 export class Row {
   readonly numbers: Float64Array;
   readonly integers: Int32Array;
@@ -34,32 +37,33 @@ export class Row {
 }
 
 /**
- * The state of a world passes over a tape, field by field: each is replaced by what the tape makes of it. So one list of the fields of a class,
- * `b.x = tape.number(b.x)` and so on, serves to write a snapshot, to read one, to check one before it is read, and for a digest.
+ * The state of a world passes over a tape, field by field: each field is replaced by what the tape returns for it. So one list of the
+ * fields of a class, `b.x = tape.number(b.x)` and so on, serves to write a snapshot, to read one, to check one before it is read, and for a
+ * digest.
  *
- * A tape has two tracks: numbers of 64 bits, and words of 32. What there are thousands of goes in rows: all fields are put into one, it passes, and all are
- * taken out of it again.
+ * A tape has two tracks: numbers of 64 bits, and words of 32. Objects of which there are thousands pass in rows: all their fields are put
+ * into a row, it passes, and all are taken out of it again.
  */
 export class Tape {
   private mode = WRITE;
-  /** Fields are stored, or go into a digest. */
+  /** Whether fields are stored, or go into a digest. */
   writes = true;
-  /** Fields are replaced by what is stored. */
+  /** Whether fields are replaced by the stored values. */
   takes = false;
   private where = '';
-  /** What is written, as long as it is. */
+  /** The tracks for writing. */
   private ownNumbers: Float64Array = new Float64Array(1024);
   private halves = new Int32Array(this.ownNumbers.buffer);
   private ownWords: Int32Array = new Int32Array(1024);
-  /** The tracks: those, or what is in a snapshot that was loaded. */
+  /** The tracks: those for writing, or those of a snapshot that was loaded. */
   private numbers = this.ownNumbers;
   private words = this.ownWords;
-  /** Where the next ones are, and on reading where they end. */
+  /** Where the next number and word are; when reading, where the tracks end. */
   private atNumber = 0;
   private atWord = 0;
   private endNumber = 0;
   private endWord = 0;
-  /** The word of flags, and its next bit. */
+  /** The index of the current word of flags, and its next bit. */
   private flags = 0;
   private bit = 0;
   private place = 0;
@@ -68,12 +72,12 @@ export class Tape {
 
   constructor(private readonly rows: readonly Row[]) {}
 
-  /** The stored values are to be taken over. */
+  /** Whether the stored values are taken over. */
   get reads(): boolean {
     return this.mode === READ;
   }
 
-  /** There are stored values: they are read or checked. */
+  /** Whether there are stored values, to be read or checked. */
   get holds(): boolean {
     return !this.writes;
   }
@@ -118,7 +122,7 @@ export class Tape {
   /** Ends a digest. @returns 16 hexadecimal digits. */
   hashed(): string {
     this.word(this.atNumber);
-    // After that, which may make the tracks longer.
+    // Only now, as the call above may have replaced the tracks by longer ones.
     const { digest, halves, words, atNumber, atWord } = this;
     halves.fill(0, 2 * atNumber, 2 * atNumber + 4);
     words.fill(0, atWord, atWord + 4);
@@ -129,18 +133,18 @@ export class Tape {
     return this.checksum;
   }
 
-  /** What was written, in `target` if that is large enough, else in a new buffer. */
+  /** The snapshot that was written, in `target` if that is large enough, else in a new buffer. */
   written(target: ArrayBuffer | undefined): ArrayBuffer {
     const { numbers, words, atNumber, atWord, digest } = this;
     return packed(numbers.subarray(0, atNumber), words.subarray(0, atWord), target, digest);
   }
 
-  /** Of the snapshot that was written or loaded. */
+  /** The checksum of the snapshot that was written or loaded. */
   get checksum(): string {
     return hex(this.digest.high) + hex(this.digest.low);
   }
 
-  /** Takes a snapshot in, to be checked. `where` is the function to name in errors. @throws unless it is whole and of this version. */
+  /** Loads a snapshot, to be checked. `where` is the function to name in errors. @throws unless it is complete and of this version. */
   load(where: string, buffer: ArrayBuffer): void {
     this.where = where;
     const { numbers, words } = opened(where, buffer, this.digest);
@@ -151,23 +155,23 @@ export class Tape {
     this.endWord = words.length;
   }
 
-  /** Ends a check. */
+  /** Ends a check: all of the tracks has to be used. */
   finish(): void {
     this.require(this.atNumber === this.endNumber && this.atWord === this.endWord);
   }
 
-  /** How many words were passed. */
+  /** How many words have passed. */
   get passed(): number {
     return this.atWord;
   }
 
-  /** Begins to read what is right, behind so many words. */
+  /** Begins to read a checked snapshot, after its first `from` words. */
   read(from: number): void {
     this.begin(READ);
     this.atWord = from;
   }
 
-  /** Within a check: something has to be so. What comes here has the right checksum, so it was forged. */
+  /** When checking: @throws unless `holds`. The checksum is right by then, so the snapshot was forged. */
   require(holds: boolean): void {
     if (!holds && this.mode === CHECK) {
       throw this.contradiction();
@@ -178,12 +182,12 @@ export class Tape {
     return new RangeError(`${this.where}: the snapshot is damaged: it contradicts itself`);
   }
 
-  /** An error that tells why a snapshot, though right, cannot be restored. */
+  /** An error that tells why a snapshot that is not damaged cannot be restored. */
   refusal(why: string): Error {
     return new Error(`${this.where}: the snapshot cannot be restored here: ${why}`);
   }
 
-  /** Whether on a check fields are replaced as well: those of objects that are there for that. */
+  /** Sets whether checking replaces fields as well, as it does for scratch objects. */
   checksOnto(isScratch: boolean): void {
     this.takes = this.mode === READ || (this.mode === CHECK && isScratch);
   }
@@ -258,7 +262,7 @@ export class Tape {
     this.atNumber = at;
   }
 
-  /** Numbers of a record from one index up to another, none NaN. */
+  /** Passes the numbers of a record from one index up to another; none may be NaN. */
   block(values: Float64Array, from: number, to: number): void {
     const first = this.atNumber;
     const end = first + to - from;
@@ -282,7 +286,7 @@ export class Tape {
     }
   }
 
-  /** Starts a group of flags, 32 bits at most. */
+  /** Starts a group of at most 32 flags. */
   begins(): void {
     this.flags = this.atWord;
     this.bit = 0;
@@ -299,7 +303,7 @@ export class Tape {
     return this.takes ? ((words[flags]! >>> bit) & 1) !== 0 : value;
   }
 
-  /** A number, not NaN. */
+  /** Passes a number, not NaN. */
   number(value: number): number {
     const at = this.atNumber;
     this.atNumber = at + 1;
@@ -313,19 +317,19 @@ export class Tape {
     return this.takes ? stored : value;
   }
 
-  /** What is stored as the number that was passed last, to be checked; or so many before that. */
+  /** The stored value of the number that passed last, or `before` numbers earlier, to be checked. */
   latest(before = 0): number {
     return this.numbers[this.atNumber - 1 - before]!;
   }
 
-  /** An integer of at most 32 bits, within bounds. */
+  /** Passes an integer of at most 32 bits, within bounds. */
   integer(value: number, least: number, most: number): number {
     const stored = this.word(value);
     this.require(stored >= least && stored <= most);
     return this.takes ? stored : value;
   }
 
-  /** All numbers of an array; zeros take one bit. */
+  /** Passes all numbers of an array; zeros take one bit each. */
   list(values: Float64Array): void {
     for (let first = 0; first < values.length; first += 32) {
       const last = Math.min(first + 32, values.length);
@@ -341,8 +345,8 @@ export class Tape {
   }
 
   /**
-   * Numbers within ±`most` of which there may have been another count, and which the last such array may have in common with this one. @returns this one,
-   * or one with what is stored if that differs, also on a check.
+   * Passes numbers within ±`most`. There may be another count of them in the snapshot; and the array takes no room if it is equal to the
+   * last one that passed here. @returns `values`, or a new array with what is stored if that differs, also when checking.
    */
   shared(values: Float64Array, most: number): Float64Array {
     const { before } = this;
@@ -368,21 +372,24 @@ export class Tape {
     return isSame ? values : stored.slice();
   }
 
-  /** How many there are of something. @returns what is stored, also on a check. */
+  /** Passes how many there are of something. @returns what is stored, also when checking. */
   count(value: number, most: number = this.endWord + this.endNumber): number {
     const stored = this.word(value);
     this.require(stored >= 0 && stored <= most);
     return stored;
   }
 
-  /** How large something is that a restore cannot make larger or smaller: it has to be the same. */
+  /** Passes the size of something that a restore cannot change. @throws if it is not the same. */
   size(value: number, otherwise: string): void {
     if (this.word(value) !== value) {
       throw this.refusal(otherwise);
     }
   }
 
-  /** Which of `count` things; stored is how far it is from the last one, so that one wrong word spoils all that follow. @returns what is stored, also on a check. */
+  /**
+   * Passes an index below `count`. It is stored as the difference to the last one, so that one wrong word spoils all that follow. @returns
+   * what is stored, also when checking.
+   */
   index(value: number, count: number): number {
     const stored = (this.place + this.word(value - this.place)) | 0;
     this.place = stored;
@@ -390,7 +397,7 @@ export class Tape {
     return stored;
   }
 
-  /** A word of 32 bits. @returns what is stored, also on a check. */
+  /** Passes a word of 32 bits. @returns what is stored, also when checking. */
   word(value: number): number {
     const at = this.atWord;
     this.atWord = at + 1;
@@ -402,7 +409,7 @@ export class Tape {
     return this.words[at]!;
   }
 
-  /** What is stored as words, after how many they are: part of the snapshot itself. */
+  /** Passes a list of words that is stored after its length. @returns a view into the snapshot itself. */
   integers(): Int32Array {
     const length = this.count(0);
     const first = this.atWord;
@@ -410,7 +417,10 @@ export class Tape {
     return this.words.subarray(first, this.atWord);
   }
 
-  /** Makes sure that there is room up to here, and for a row. Short, as is all that is called for each field: engines put into a caller what is. */
+  /**
+   * Makes sure that there is room up to an index, and for a row after it. Short, like all functions that are called for each field, so that
+   * engines inline it.
+   */
   private roomForNumbers(end: number): void {
     if (end + ROOM > this.numbers.length) {
       this.widenNumbers();
@@ -443,7 +453,7 @@ function copy(values: Float64Array, from: number, into: Float64Array, start: num
   }
 }
 
-/** To the bit. */
+/** Whether two arrays are equal to the bit. */
 function areEqual(a: Float64Array, b: Float64Array): boolean {
   if (a === b) {
     return true;
@@ -455,7 +465,10 @@ function areEqual(a: Float64Array, b: Float64Array): boolean {
   return isSame;
 }
 
-/** Zeros have signs; none is NaN. Not by `Object.is`, which is a call for each. */
+/**
+ * Whether two numbers, neither NaN, are the same, and have the same sign if they are 0. Refused: `Object.is`, which is a call for each
+ * number.
+ */
 export function areSame(a: number, b: number): boolean {
   return a === b && (a !== 0 || 1 / a === 1 / b);
 }

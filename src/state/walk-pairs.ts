@@ -10,7 +10,7 @@ import { beginPairs, keepPair } from './rows.js';
 import type { Scene } from './scene.js';
 import type { Tape } from './tape.js';
 
-/** Where the pairs are: in the lists of their shapes, and in those of the world. */
+/** The places of pairs in lists: in those of their shapes, and in those of the world. */
 interface Places {
   readonly ofShapes: Order;
   readonly ofWorld: Order;
@@ -19,7 +19,7 @@ interface Places {
 /** Scratch. */
 const places: Places = { ofShapes: /* @__PURE__ */ new Order(), ofWorld: /* @__PURE__ */ new Order() };
 
-/** All pairs: awake ones in order, sleeping ones, then those that only events name. */
+/** Passes all pairs: awake ones in order, sleeping ones, then those that only events name. */
 export function walkPairs(tape: Tape, world: World, scene: Scene): void {
   const { pairs, shapes, attached } = scene;
   const awake = tape.count(scene.awake);
@@ -61,7 +61,8 @@ export function walkPairs(tape: Tape, world: World, scene: Scene): void {
 }
 
 /**
- * Where a pair is in the lists of its shapes `a` and `b`, of which the order has a say in which wakes first, and in the world's, whose order has none: the dynamic one is 0, the static one 1; place −1: in none.
+ * Passes the places of a pair. In the lists of its shapes `a` and `b`, as their order influences what wakes first; and in those of the
+ * world, whose order has no influence: list 0 has the dynamic pairs, 1 the static ones, and place −1 means neither.
  */
 function keepPlaces(tape: Tape, world: World, pair: Arbiter, a: number, b: number): void {
   const { listIndex } = pair;
@@ -93,7 +94,10 @@ function keepPlaces(tape: Tape, world: World, pair: Arbiter, a: number, b: numbe
   }
 }
 
-/** Puts a pair at its place in a list that has a pair at each of its places in the end. Until then others stand there, as a list with holes is slow for good. */
+/**
+ * Puts a pair at its place in a list that has no holes in the end. Until then others stand in for what is missing, as engines make a list
+ * with holes slow for good.
+ */
 function put(list: Arbiter[], place: number, pair: Arbiter): void {
   while (list.length <= place) {
     list.push(pair);

@@ -10,7 +10,10 @@ import type { Scene } from './scene.js';
 import type { Tape } from './tape.js';
 import { walkPairs } from './walk-pairs.js';
 
-/** Passes all that influences the future of a world over a tape, except which objects there are and what the solver keeps of joints. */
+/**
+ * Passes everything that influences the future of a world over a tape, except which objects there are, and what the solver keeps for groups
+ * of joints.
+ */
 export function walk(tape: Tape, world: World, scene: Scene): void {
   tape.begins();
   rows.keepWorld(tape, world);
@@ -47,7 +50,10 @@ export function walk(tape: Tape, world: World, scene: Scene): void {
   walkWoken(tape, world, scene);
 }
 
-/** Bodies of other worlds are no part of this one, but where they are and how they move has an influence. */
+/**
+ * Passes the bodies of other worlds that a constraint has. They are no part of the state, but where they are and how they move has an
+ * influence.
+ */
 function walkStrangers(tape: Tape, world: World, { members }: Constraint): void {
   for (const { owner, kind, numbers, at } of members) {
     if (owner !== null && owner !== world) {
@@ -73,7 +79,7 @@ function walkMaterials(tape: Tape, { materials, shapes }: Scene): void {
   tape.checksOnto(false);
 }
 
-/** The materials of shapes by their numbers, of those with the same ones the first. */
+/** The materials of shapes by their numbers; of those with the same numbers, the first. */
 function byNumbers(shapes: readonly Shape[]): Map<string, Material> {
   const known = new Map<string, Material>();
   for (const { material } of shapes) {
@@ -92,7 +98,7 @@ function makeMaterial(numbers: Float64Array): Material {
   return new Material({ elasticity, staticFriction, dynamicFriction, rollingFriction, density });
 }
 
-/** A body in the world, and its shapes from `first` on; of one that is in none its shapes do not matter. */
+/** Passes a body, and its `shapeCount` shapes from index `first` on. The shapes of a body outside the world do not matter. */
 function walkBody(tape: Tape, world: World, scene: Scene, i: number, first: number, shapeCount: number): void {
   const body = scene.bodies[i]!;
   const { x, y, cos, sin } = body;
@@ -112,7 +118,7 @@ function walkBody(tape: Tape, world: World, scene: Scene, i: number, first: numb
   }
 }
 
-/** @returns whether it is another shape now, or of another material. */
+/** Passes a shape. @returns whether its geometry or material is another now. */
 function walkShape(tape: Tape, { materials, isCopy }: Scene, shape: Shape): boolean {
   const { material } = shape;
   if (tape.hashes) {
@@ -120,7 +126,7 @@ function walkShape(tape: Tape, { materials, isCopy }: Scene, shape: Shape): bool
     return rows.keepShape(tape, shape);
   }
   const which = tape.index(tape.holds ? 0 : material.stateIndex, materials.length);
-  // Materials of the same numbers are told apart by a copy only in so far as the shapes have them already.
+  // A copy of a snapshot cannot tell materials with the same numbers apart: shapes keep theirs if it has the right numbers.
   if (tape.reads && !(isCopy && isMadeOf(material, rows.materialNumbers(materials[which]!)))) {
     shape.material = materials[which]!;
   }
@@ -129,7 +135,7 @@ function walkShape(tape: Tape, { materials, isCopy }: Scene, shape: Shape): bool
 
 const NONE: readonly Constraint[] = [];
 
-/** In what order a body has its constraints, and which of their bodies it is; those of other worlds come first. */
+/** Passes in what order a body has its constraints, and which of their bodies it is. Constraints of other worlds come first. */
 function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constraint[]): void {
   const list = body.constraints;
   const own = tape.holds || list.length === 0 ? NONE : list.filter(({ owner }) => owner === world);
@@ -150,7 +156,7 @@ function walkTies(tape: Tape, world: World, body: RigidBody, constraints: Constr
   }
 }
 
-/** Which of the bodies of a constraint it is, 0 if none; of a custom one it may be several. */
+/** A number for which of a constraint's bodies it is; 0 if none. In a custom constraint, it may be several. */
 function roleOf({ members }: Constraint, body: RigidBody): number {
   let role = 0;
   for (let i = 0; i < members.length; i += 1) {
@@ -159,7 +165,7 @@ function roleOf({ members }: Constraint, body: RigidBody): number {
   return role;
 }
 
-/** Which are awake, in the order in which the solver has them. */
+/** Passes which objects are awake, in the order of the solver. */
 function walkAwake<T extends RigidBody | Constraint>(tape: Tape, list: T[], all: T[], allCount: number): void {
   const count = tape.count(list.length, allCount);
   const found = new Uint8Array(allCount);
@@ -204,7 +210,7 @@ function walkMembers<T extends RigidBody | Constraint>(
   }
 }
 
-/** What woke since the last step, and has not been told. */
+/** Passes what woke since the last step, and was not reported yet. */
 function walkWoken(tape: Tape, world: World, { bodies, constraints, inside }: Scene): void {
   const { woken } = world.events;
   const own = tape.holds ? [] : [...woken].filter((object) => object.woken && object.owner === world);
