@@ -4,24 +4,28 @@ import { Grid } from './grid.js';
 import { orient } from './orient.js';
 import { bend, isOn, LEFT, RIGHT, type Ring, segmentsTouch } from './ring.js';
 
-// A corner that bends inwards, a notch in Chazelle and Dobkin, "Optimal Convex Decompositions", 1985, needs a cut from there to another corner; a short one from notch to notch may serve both. What crosses
-// what is decided by exact signs, so there is always one, but beside needles that are as thin as rounding.
+// A corner that bends inwards, a notch (Chazelle and Dobkin, "Optimal Convex Decompositions", 1985), needs a cut from there to another
+// corner; a short one from notch to notch may serve both. Which lines cross is decided by exact signs, so there is always such a cut, but
+// beside needles that are as thin as rounding errors.
 
-/** The numbers of the corners at its ends. */
+/** The indices of the corners at its ends. */
 type Line = readonly [number, number];
 
 /** The inside of an outline with holes, and cuts through it from corner to corner. */
 export class Cuts {
   private readonly x: number[];
   private readonly y: number[];
-  /** By corner, where edges and cuts from there go to: first along the outline, then in the order of their angles, to the side of the y-axis of an edge along the x-axis, and back along the outline at last. */
+  /**
+   * For each corner, the corners to which edges and cuts lead from there: first along the outline, then in the order of their angles, to
+   * the side of the y-axis for an edge along the x-axis, and last back along the outline.
+   */
   private readonly ways: number[][] = [];
   private readonly cuts: Line[] = [];
   private readonly corners: Grid<number>;
   /** Edges and cuts. */
   private readonly lines: Grid<Line>;
 
-  /** An outline that goes around from the x- to the y-axis, and holes that go around the other way. */
+  /** Takes an outline that goes around from the x- to the y-axis, and holes that go around the other way. */
   constructor(outline: Ring, holes: readonly Ring[]) {
     const rings = [outline, ...holes];
     this.x = rings.flatMap(({ x }) => x);
@@ -42,10 +46,10 @@ export class Cuts {
     });
   }
 
-  /** Cuts until nothing bends inwards, and takes back what is not needed. */
+  /** Cuts until nothing bends inwards, and removes cuts that are not needed. */
   cut(): void {
     const inward = this.ways.map((_, v) => v).filter((v) => this.gapOf(v) >= 0);
-    // Those far from each other are looked at when the others are cut: few corners still bend inwards by then.
+    // Pairs far from each other come last: by then, few corners still bend inwards.
     for (const ring of this.corners.rings) {
       const bends = this.ways.map((_, v) => this.gapOf(v) >= 0);
       const pairs = inward
@@ -72,7 +76,7 @@ export class Cuts {
     }
   }
 
-  /** The nearest corner to cut to from one that bends inwards: such that it does not any more, if there is one, else one that leaves it less. */
+  /** The nearest corner for a cut from a notch after which it bends inwards no more; if there is none, one that leaves it bending less. */
   private next(v: number): number {
     const ways = this.ways[v]!;
     const gap = this.gapOf(v);
@@ -86,7 +90,7 @@ export class Cuts {
     const firstSeen = (parts: boolean) =>
       within
         .filter((w) => parts !== this.isNotch(w, v, ways[gap]!))
-        // What leaves the least; of what is on one line the nearest.
+        // The one that leaves the least bend; of those on one line the nearest.
         .sort((a, b) => this.side(v, a, b))
         .find((w) => this.sees(v, w));
     const found = firstSeen(true) ?? firstSeen(false);
@@ -98,7 +102,7 @@ export class Cuts {
     return found;
   }
 
-  /** The corners between two distances from one that are wanted, the nearest first. */
+  /** The wanted corners between two distances from a corner, the nearest first. */
   private around(v: number, [from, to]: readonly [number, number], isWanted: (w: number) => boolean): number[] {
     const x = this.x[v]!;
     const y = this.y[v]!;
@@ -112,7 +116,7 @@ export class Cuts {
     return found.sort((a, b) => this.square(v, a) - this.square(v, b) || a - b);
   }
 
-  /** The first of two ways from a corner, beside each other, between which the inside bends inwards there; −1 if it does nowhere. */
+  /** The index of the first of two neighbouring ways from a corner between which the inside bends inwards; −1 if there are none. */
   private gapOf(v: number): number {
     const ways = this.ways[v]!;
     for (let k = 0; k + 1 < ways.length; k += 1) {
@@ -123,7 +127,7 @@ export class Cuts {
     return -1;
   }
 
-  /** Where a way to another corner is, or would be, among those from a corner. */
+  /** The index that a way to another corner has, or would have, among those from a corner. */
   private placeOf(v: number, w: number): number {
     const ways = this.ways[v]!;
     let place = 1;
@@ -139,21 +143,21 @@ export class Cuts {
     return isLateA === isLateB ? this.side(v, a, b) > 0 : isLateB;
   }
 
-  /** Whether a way is half a turn or more from that along the outline. */
+  /** Whether a way is half a turn or more away from the one along the outline. */
   private isLate(v: number, w: number): boolean {
     const first = this.ways[v]![0]!;
     const side = this.side(v, first, w);
     return side < 0 || (side === 0 && this.dot(v, first, w) < 0);
   }
 
-  /** Whether a cut to another corner would leave nothing that bends inwards beside it. */
+  /** Whether a cut from one corner to another would leave nothing beside it there that bends inwards. */
   private serves(v: number, w: number): boolean {
     const ways = this.ways[v]!;
     const place = this.placeOf(v, w);
     return !this.isNotch(ways[place]!, v, w) && !this.isNotch(w, v, ways[place - 1]!);
   }
 
-  /** Whether a cut is not needed at one of its ends. */
+  /** Whether a cut is not needed at its first end. */
   private isSpare(v: number, w: number): boolean {
     const ways = this.ways[v]!;
     const place = ways.indexOf(w);
@@ -171,12 +175,12 @@ export class Cuts {
     this.along(line, (cell) => void cell.push(line));
   }
 
-  /** Visits edges and cuts near a line, by cells. */
+  /** Visits the edges and cuts near a line, cell by cell. */
   private along([v, w]: Line, visit: (cell: Line[]) => unknown): boolean {
     return this.lines.along(this.x[v]!, this.y[v]!, this.x[w]!, this.y[w]!, visit);
   }
 
-  /** Whether the straight way between two corners goes through the inside alone. */
+  /** Whether the straight line between two corners goes through the inside alone. */
   private sees(v: number, w: number): boolean {
     return (
       this.opensTo(v, w) &&
@@ -185,7 +189,7 @@ export class Cuts {
     );
   }
 
-  /** Whether the inside is on the way from a corner to a point. */
+  /** Whether the line from a corner to another begins in the inside. */
   private opensTo(v: number, w: number): boolean {
     const ways = this.ways[v]!;
     const after = ways[0]!;
@@ -195,7 +199,7 @@ export class Cuts {
       : !(this.side(v, before, w) >= 0 && this.side(v, w, after) >= 0);
   }
 
-  /** Whether an edge touches the way between two corners, other than by having an end in common with it. */
+  /** Whether an edge touches the line between two corners, other than by a common end. */
   private isBetween(v: number, w: number, a: number, b: number): boolean {
     const { x, y } = this;
     const isEnd = a === v || a === w;
@@ -206,12 +210,12 @@ export class Cuts {
     return segmentsTouch(x[v]!, y[v]!, x[w]!, y[w]!, x[a]!, y[a]!, x[b]!, y[b]!);
   }
 
-  /** The parts that edges and cuts go around. */
+  /** The parts that edges and cuts enclose. */
   parts(): Vec2[][] {
     const isDone = this.ways.map((ways) => ways.map(() => false));
     const parts: Vec2[][] = [];
     for (let start = 0; start < this.ways.length; start += 1) {
-      // Of the ways from a corner the last one goes back: beside it is the outside.
+      // The last way from a corner goes back along the outline: beside it is the outside.
       for (let k = 0; k + 1 < this.ways[start]!.length; k += 1) {
         const part: number[] = [];
         let v = start;
@@ -229,7 +233,10 @@ export class Cuts {
     return parts;
   }
 
-  /** Without corners that no polygon may have: that are where one beside them is, of which the same one stays in all parts, and tips of needles. */
+  /**
+   * A part without corners that no polygon may have: those at the place of a neighbour, of which the same one is kept in all parts, and
+   * tips of needles.
+   */
   private distinct(part: readonly number[]): readonly number[] {
     const { length } = part;
     const isRepeat = (v: number, i: number) =>
@@ -256,7 +263,10 @@ export class Cuts {
     return orient(x[a]!, y[a]!, x[b]!, y[b]!, x[c]!, y[c]!);
   }
 
-  /** Whether the inside bends inwards at the second of three corners. A needle does not, however thin it is: a cut to an edge that is nearly straight may leave one. */
+  /**
+   * Whether the inside bends inwards at the second of three corners. A needle does not count, however thin it is: a cut to an edge that is
+   * nearly straight may leave one.
+   */
   private isNotch(a: number, b: number, c: number): boolean {
     return this.bendAt(a, b, c) === LEFT && !(this.dot(b, a, c) > 0 && this.side(a, b, c) > 0);
   }

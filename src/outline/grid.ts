@@ -1,16 +1,19 @@
-/** Cells by which a way may miss one through rounding; far more than that is. */
+/** How far, in cells, a segment may miss a cell through rounding; rounding errors are far smaller. */
 const SLACK = 1e-9;
 
-/** Cells over some points, about as many as there are points, in which things are listed: who looks for what is near asks a few cells, and not all things. */
+/**
+ * A grid of cells over some points, about as many as there are points, in which things are listed: a search for what is near looks at a few
+ * cells, not at all things.
+ */
 export class Grid<T> {
   private readonly left: number;
   private readonly top: number;
   private readonly width: number;
   private readonly height: number;
-  /** How many rows there are, and columns. */
+  /** The number of rows, and of columns. */
   private readonly size: number;
   private readonly cells: T[][];
-  /** Distances from and to, m: up to about the size of a cell, from there to twice as far, and so on. */
+  /** Ranges of distances, m: from 0 to about the size of a cell, from there to twice as far, and so on. */
   readonly rings: (readonly [number, number])[] = [];
 
   constructor(x: readonly number[], y: readonly number[]) {
@@ -36,7 +39,7 @@ export class Grid<T> {
     return this.cells[this.cellAt(this.rowAt(y)) * this.size + this.cellAt(this.columnAt(x))]!;
   }
 
-  /** Visits the cells of a box until a visit answers `true`. @returns whether one did. */
+  /** Visits the cells of a box until a visit returns `true`. @returns whether one did. */
   within(minX: number, minY: number, maxX: number, maxY: number, visit: (cell: T[]) => unknown): boolean {
     const last = this.cellAt(this.rowAt(maxY));
     for (let row = this.cellAt(this.rowAt(minY)); row <= last; row += 1) {
@@ -47,13 +50,13 @@ export class Grid<T> {
     return false;
   }
 
-  /** Visits the cells that a segment goes through, and perhaps some beside it, likewise. */
+  /** Visits the cells that a segment goes through, and perhaps some beside them, likewise. */
   along(ax: number, ay: number, bx: number, by: number, visit: (cell: T[]) => unknown): boolean {
     const column = this.columnAt(ax);
     const row = this.rowAt(ay);
     const columns = this.columnAt(bx) - column;
     const rows = this.rowAt(by) - row;
-    // Where the segment comes to a row, or has its end before.
+    // The column where the segment reaches a row, or ends before.
     const columnIn = (to: number) => column + Math.max(0, Math.min(1, (to - row) / rows)) * columns;
     const last = this.cellAt(Math.max(row, row + rows) + SLACK);
     for (let r = this.cellAt(Math.min(row, row + rows) - SLACK); r <= last; r += 1) {

@@ -11,14 +11,18 @@ import { areaOf, listed, type Ring, readRing, refuseCrossings, reversed, surroun
 import { simplified } from './simplify.js';
 
 /**
- * Cuts the inside of an outline into convex parts, each for a polygon of its own: `createPolygonShape({ vertices })`. They meet exactly, and all their corners are vertices of the outline. There
- * are about as many as corners that bend inwards, never more than four times as many as needed; what lies upon several of them does not notice where they meet.
+ * Cuts the inside of an outline into convex parts, each for a polygon of its own: `createPolygonShape({ vertices })`. The parts meet
+ * exactly, and all their corners are vertices of the outline. There are about as many as there are corners that bend inwards, and never
+ * more than four times as many as needed. What lies across several of them does not notice where they meet.
  *
- * Either way round; vertices within an edge or twice in a row are dropped, and of corners of a part that are within 1e-9 m of each other all but one. Takes about ten milliseconds for 100 vertices and some tenths of a second for 1,000 of which most bend in or out: `simplifyOutline` leaves out what need not be.
+ * The vertices may go either way round. Vertices within an edge, or twice in a row, are dropped; of corners of a part within 1e-9 m of each
+ * other, only one is kept. Takes about ten milliseconds for 100 vertices, and some tenths of a second for 1,000 of which most bend in or
+ * out: `simplifyOutline` leaves out those that are not needed.
  *
  * @param outline Vertices `[x, y]` in order, m, at least three; edges must neither cross nor touch.
  * @param holes Outlines of what is not inside. Default none.
- * @throws TypeError for anything but lists of points; RangeError, which names the vertices, where edges meet, an outline has less than three corners, a hole is not inside, or a needle is thinner than can be cut.
+ * @throws TypeError for anything but lists of points; RangeError, which names the vertices, if edges meet, an outline has less than three
+ * corners, a hole is not inside, or a needle is thinner than can be cut.
  */
 export function decomposeOutline(outline: ArrayLike<Vec2Like>, holes: ArrayLike<ArrayLike<Vec2Like>> = []): Vec2[][] {
   const where = 'decomposeOutline';
@@ -53,8 +57,9 @@ function refuseOutside(where: string, outer: Ring, holes: readonly Ring[]): void
 }
 
 /**
- * Leaves out vertices of an outline, as one that was traced from a picture has many: those that are missed the least first, as long as no vertex is farther from the new outline than
- * `tolerance`. It never crosses itself. Takes some tenths of a second for 10,000 vertices.
+ * Leaves out vertices of an outline, such as one traced from a picture, which has many: first those that matter the least, as long as no
+ * vertex is farther from the new outline than `tolerance`. The new outline never crosses itself. Takes some tenths of a second for 10,000
+ * vertices.
  *
  * @param outline Vertices `[x, y]` in order, m, at least three; edges must neither cross nor touch.
  * @param tolerance m, >= 0.

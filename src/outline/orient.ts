@@ -1,13 +1,13 @@
 // After Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
 
-/** Of the sum of the absolute products: beyond it the sign of the difference is right. */
+/** Share of the sum of the absolute products: if the difference exceeds it, its sign is right. */
 const ROUNDING = 3.3306690738754716e-16;
 /** 2²⁷ + 1: cuts a number into two halves whose products are exact. */
 const SPLIT = 134217729;
 
 /**
- * On which side of the way from a to b the point c lies: twice the area of the triangle a b c, positive where it turns from the x- to the y-axis. The sign, and whether it is 0, are
- * exact.
+ * On which side of the line from a to b the point c lies: twice the area of the triangle a b c, positive if it turns from the x- to the
+ * y-axis. The sign is exact, and so is whether it is 0.
  */
 export function orient(ax: number, ay: number, bx: number, by: number, cx: number, cy: number): number {
   const left = (ax - cx) * (by - cy);
@@ -27,7 +27,7 @@ export function orient(ax: number, ay: number, bx: number, by: number, cx: numbe
   return sum.at(-1) ?? 0;
 }
 
-/** Adds the exact product to a sum of parts that do not overlap. */
+/** Adds the exact product of two numbers to a sum of parts that do not overlap. */
 function addProduct(sum: number[], a: number, b: number): void {
   const product = a * b;
   const highA = high(a);
@@ -43,7 +43,7 @@ function high(a: number): number {
   return large - (large - a);
 }
 
-/** Adds a number to a sum of parts, the smallest first, and leaves out those that are 0. */
+/** Adds a number to a sum of parts, which are sorted from the smallest on, and leaves out parts that are 0. */
 function add(sum: number[], value: number): void {
   let rest = value;
   let count = 0;

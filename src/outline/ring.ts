@@ -4,7 +4,7 @@ import { typeError, vector } from '../validate.js';
 import { Grid } from './grid.js';
 import { orient } from './orient.js';
 
-/** A closed outline, and which of the given vertices are in it. */
+/** A closed outline, and the indices of its vertices in the given list. */
 export interface Ring {
   readonly name: string;
   readonly x: number[];
@@ -12,7 +12,7 @@ export interface Ring {
   readonly given: number[];
 }
 
-/** A list, or what is like one. */
+/** A value as a list. @throws TypeError if it has no length. */
 export function listed<T>(where: string, name: string, value: unknown, what: string): ArrayLike<T> {
   const list = value as ArrayLike<T> | null | undefined;
   if (typeof list !== 'object' || list === null || typeof list.length !== 'number') {
@@ -21,7 +21,7 @@ export function listed<T>(where: string, name: string, value: unknown, what: str
   return list;
 }
 
-/** The vertices of an outline, without those that are where the one before them is, nor those within an edge. */
+/** The vertices of an outline, without those at the place of the one before, and those within an edge. */
 export function readRing(where: string, name: string, value: unknown): Ring {
   const vertices = listed<Vec2Like>(where, name, value, 'an array of vertices [x, y]');
   const all: Ring = { name, x: [], y: [], given: [] };
@@ -61,12 +61,12 @@ function isCorner({ x, y }: Ring, i: number): boolean {
   return bend(x[before]!, y[before]!, x[i]!, y[i]!, x[after]!, y[after]!) !== STRAIGHT;
 }
 
-/** How a way goes on at the second of three points; straight on as far as a convex polygon may. */
+/** How a path bends at the second of three points; straight on within the tolerance of a convex polygon. */
 const STRAIGHT = 0;
 export const LEFT = -1;
 export const RIGHT = 1;
 
-/** A way that goes back is a turn to the left: no convex polygon has it. */
+/** How a path bends at its second point. One that goes straight back bends to the left, as no convex polygon has that. */
 export function bend(ax: number, ay: number, bx: number, by: number, cx: number, cy: number): number {
   const ux = bx - ax;
   const uy = by - ay;
@@ -110,11 +110,11 @@ interface Edge {
   readonly ring: Ring;
   readonly from: number;
   readonly to: number;
-  /** Where it is among the edges of all rings. */
+  /** Its index among the edges of all rings. */
   readonly place: number;
 }
 
-/** @throws RangeError if two edges cross or touch each other, but at the corner that they share. */
+/** @throws RangeError if two edges cross or touch each other elsewhere than at a corner that they share. */
 export function refuseCrossings(where: string, rings: readonly Ring[]): void {
   const edges = rings
     .flatMap((ring) => ring.x.map((_, from) => ({ ring, from, to: (from + 1) % ring.x.length })))
@@ -166,7 +166,7 @@ function meets(one: Edge, other: Edge): boolean {
   );
 }
 
-/** Whether of two neighbours one lies on the other. */
+/** Whether one of two neighbouring edges goes back along the other. */
 function goesBack({ x, y }: Ring, i: number, k: number): boolean {
   const count = x.length;
   const [first, corner] = (i + 1) % count === k ? [i, k] : [k, i];
@@ -195,7 +195,7 @@ export function segmentsTouch(
   ) {
     return false;
   }
-  // Their bounds overlap: on one line that is enough.
+  // Their bounds overlap: that is enough if they are on one line.
   const c = orient(ax, ay, bx, by, cx, cy);
   const d = orient(ax, ay, bx, by, dx, dy);
   const a = orient(cx, cy, dx, dy, ax, ay);

@@ -2,9 +2,11 @@ import { Grid } from './grid.js';
 import { orient } from './orient.js';
 import type { Ring } from './ring.js';
 
-/** Numbers of which the least is known: of each two the lesser, of each two of those, and so on, as in a tournament. */
+/**
+ * A list of numbers whose least is always known, as in a tournament: of each two the lesser, of each two of those the lesser, and so on.
+ */
 class Least {
-  /** The places of the lesser ones, from 1 on, as a binary heap lies: what is above `i` is at `i / 2`. */
+  /** The places of the lesser numbers, from index 1 on, laid out as a binary heap: the parent of `i` is at `i / 2`. */
   private readonly places: number[];
 
   constructor(private readonly values: number[]) {
@@ -15,7 +17,7 @@ class Least {
     }
   }
 
-  /** The place of the least number, the first of several, if it is no more than `most`; else −1. */
+  /** The place of the least number, the first of several, if it is at most `most`; else −1. */
   find(most: number): number {
     return this.values[this.places[1]!]! <= most ? this.places[1]! : -1;
   }
@@ -39,10 +41,10 @@ class Least {
 class Left {
   private readonly next: number[];
   private readonly before: number[];
-  /** How far the outline would be off without a vertex; infinite for those that are gone. */
+  /** How far the outline would be off without a vertex; infinite for vertices that are gone. */
   private readonly cost: number[];
   private readonly least: Least;
-  /** Where vertices are, those that are gone included. */
+  /** The places of all vertices, those that are gone included. */
   private readonly grid: Grid<number>;
   count: number;
 
@@ -57,7 +59,7 @@ class Left {
     x.forEach((_, i) => void this.grid.at(x[i]!, y[i]!).push(i));
   }
 
-  /** The vertex that is missed the least, if that is by no more than `most`; else −1. */
+  /** The vertex without which the outline is off the least, if that is at most `most`; else −1. */
   find(most: number): number {
     const refused: number[] = [];
     let found = this.least.find(most);
@@ -92,7 +94,10 @@ class Left {
     return this.cost.map((_, i) => i).filter((i) => this.cost[i] !== Infinity);
   }
 
-  /** How far vertices, those that are gone included, are from the edge that would be there without this one. */
+  /**
+   * How far the outline would be off without a vertex: the largest distance of it, and of those already gone beside it, from the edge in
+   * their place.
+   */
   private costOf(i: number): number {
     const from = this.before[i]!;
     const to = this.next[i]!;
@@ -103,7 +108,7 @@ class Left {
     return most;
   }
 
-  /** From a vertex to the edge between two others. */
+  /** The distance of a vertex from the edge between two others. */
   private distance(i: number, from: number, to: number): number {
     const { x, y } = this.ring;
     const dx = x[to]! - x[from]!;
@@ -117,7 +122,7 @@ class Left {
     return Math.sqrt(offX * offX + offY * offY);
   }
 
-  /** Whether no other vertex that is left is within the triangle that is cut off: else the outline would cross itself. */
+  /** Whether a vertex may go: no other vertex that is left is within the triangle that is cut off, else the outline would cross itself. */
   private isFree(i: number): boolean {
     const a = this.before[i]!;
     const c = this.next[i]!;
@@ -142,7 +147,7 @@ class Left {
   }
 }
 
-/** The numbers of the vertices that are left of a ring if it may be off by `tolerance`. */
+/** The indices of the vertices of a ring that are left, if it may be off by `tolerance`. */
 export function simplified(ring: Ring, tolerance: number): number[] {
   const left = new Left(ring);
   for (let i = left.find(tolerance); i >= 0 && left.count > 3; i = left.find(tolerance)) {
