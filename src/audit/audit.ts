@@ -6,11 +6,11 @@ import type { World } from '../world.js';
 
 type Subject = World | RigidBody | Shape | Arbiter | Constraint;
 
-/** Says what is wrong where. Looks names up only then, so that what is right costs little. */
+/** Throws errors that say what is wrong where. Names are looked up only then, so that checks that hold cost little. */
 export class Audit {
   constructor(readonly world: World) {}
 
-  /** @throws Error that names the thing and the rule unless that holds. */
+  /** @throws Error that names the object and the rule, unless it holds. */
   demand(holds: boolean, subject: Subject, rule: string): void {
     if (!holds) {
       throw new Error(`validate: ${this.nameOf(subject)}: ${rule}`);
@@ -30,7 +30,7 @@ export class Audit {
     }
   }
 
-  /** The things of a list are different ones. */
+  /** Demands that no entry of a list is there twice. */
   distinct(list: readonly unknown[], subject: Subject, name: string): void {
     this.demand(new Set(list).size === list.length, subject, `${name} must have each entry once`);
   }

@@ -9,7 +9,7 @@ import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import type { Audit } from './audit.js';
 
-/** How far from 1 the length of a unit vector may be that was computed from finite numbers of any size. */
+/** How far the length of a unit vector may be from 1, if it was computed from finite numbers of any size. */
 export const UNIT_TOLERANCE = 1e-9;
 
 /** The handles of our own broadphases. */
@@ -20,7 +20,7 @@ interface Bounded extends BroadphaseHandle {
   readonly maxY: number;
 }
 
-/** Bodies and their shapes: lists, sleeping, numbers, bounds. */
+/** Checks bodies and their shapes: lists, sleeping, numbers, bounds. */
 export function auditBodies(audit: Audit): void {
   const { world } = audit;
   const { rigidBodies, liveDynamics, liveKinematics } = world;
@@ -66,7 +66,7 @@ function auditSleeping(audit: Audit, body: RigidBody): void {
   audit.demand(isNoted, body, 'waits for a wake event that is not noted');
 }
 
-/** What fell asleep together sleeps together. */
+/** Checks that what fell asleep together sleeps together. */
 function auditIslands(audit: Audit): void {
   const { rigidBodies, constraints } = audit.world;
   const members = [...rigidBodies, ...constraints].filter(({ island }) => island !== null);
@@ -128,7 +128,7 @@ function auditShape(audit: Audit, body: RigidBody, shape: Shape): void {
 
 function auditBounds(audit: Audit, body: RigidBody, shape: Shape): void {
   const { numbers: n, at, handle } = shape;
-  // As `broadphaseBounds`, so that not a bit may differ.
+  // Computed as `broadphaseBounds` does, so that not a bit may differ.
   const half = SPECULATIVE_MARGIN / 2;
   const [minX, minY, maxX, maxY] = placedBounds(body, shape);
   const isPlaced = n[at] === minX && n[at + 1] === minY && n[at + 2] === maxX && n[at + 3] === maxY;

@@ -1,7 +1,7 @@
 import type { Constraint } from '../constraint/constraint.js';
 import type { Audit } from './audit.js';
 
-/** Constraints: lists, sleeping, what they keep apart, numbers. */
+/** Checks constraints: lists, sleeping, interactions that they switch off, numbers. */
 export function auditConstraints(audit: Audit): void {
   const { world } = audit;
   const { constraints, liveConstraints } = world;

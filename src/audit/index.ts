@@ -14,11 +14,12 @@ import { auditPairs } from './pairs.js';
 const EVERYWHERE = [-Infinity, -Infinity, Infinity, Infinity];
 
 /**
- * Checks that a world is consistent: its lists and what is told in several places, islands and what sleeps, arbiters and the table of pairs, the
- * handles in the broadphase, constraints, what waits for its next use; all numbers are finite, and contacts only push. A world always is,
- * whatever it is told to do: that it is not is a defect of the engine (or of a broadphase of your own), worth a report with this error.
+ * Checks that a world is consistent: its lists, and what is stored in several places; islands and what sleeps; arbiters and the table of
+ * pairs; the handles in the broadphase; constraints; and pools. All numbers must be finite, and contacts may only push. A world is always
+ * consistent, whatever calls are made: if it is not, that is a defect of the engine (or of a broadphase of your own), worth a report with
+ * this error.
  *
- * Changes nothing. Takes about as long as a step. To be called between steps and in event handlers. The world has to come from the bundle of the
+ * Changes nothing. Takes about as long as a step. Call it between steps or in event handlers. The world has to come from a bundle of the
  * same kind: `validate.min.js` goes with `phys2d.min.js` alone.
  *
  * @throws Error that says what is wrong where, such as `validate: world.rigidBodies[3]: velocity x must be a finite number, got NaN`.
@@ -43,7 +44,7 @@ export function validate(world: World): void {
   auditPairs(audit);
 }
 
-/** The broadphase holds the handles of the shapes, and no others. */
+/** Checks that the broadphase holds the handles of the shapes, and no others. */
 function auditHandles(audit: Audit): void {
   const { world } = audit;
   const found = new Set<BroadphaseHandle>();

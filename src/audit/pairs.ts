@@ -7,7 +7,7 @@ import type { Shape } from '../shape/shape.js';
 import type { Audit } from './audit.js';
 import { UNIT_TOLERANCE } from './bodies.js';
 
-/** Arbiters, the table of pairs, the list of awake ones, and the pools. */
+/** Checks arbiters, the table of pairs, the list of awake ones, and the pools. */
 export function auditPairs(audit: Audit): void {
   const { world } = audit;
   auditSorted(audit);
@@ -41,7 +41,7 @@ function listOf({ world }: Audit, { bodyA, bodyB }: Arbiter): readonly Arbiter[]
   return bodyA?.kind === DYNAMIC && bodyB?.kind === DYNAMIC ? world.dynamicArbiters : world.staticArbiters;
 }
 
-/** The rules for a pair that its shapes list. */
+/** Checks a pair that its shapes list. */
 function auditListed(audit: Audit, pair: Arbiter): void {
   const { world } = audit;
   const { shapeA, shapeB, bodyA, bodyB } = pair;
@@ -89,7 +89,7 @@ function auditContacts(audit: Audit, pair: Arbiter): void {
   audit.nonNegative(pair, 'rolling friction', n[o + c.ROLLING_FRICTION]!);
 }
 
-/** Awake pairs are in order, each once; those that were cut off wait there to be dropped. */
+/** Checks that awake pairs are in order, each once; those that were cut off wait there to be dropped. */
 function auditSorted(audit: Audit): void {
   const { world } = audit;
   const { table, reportedCount } = world.pairs;
@@ -132,7 +132,7 @@ function auditTable(audit: Audit): void {
   audit.demand(table.size === count, world, `the table of pairs must count ${count}, got ${table.size}`);
 }
 
-/** What waits to be used again is used by nothing. */
+/** Checks that pairs in a pool are not in use. */
 function auditPools(audit: Audit): void {
   const { world } = audit;
   const { pool, cut, cutBefore, table } = world.pairs;
