@@ -36,7 +36,7 @@ const DYNAMIC: ShapeColors = {
 };
 const BULLET: ShapeColors = { ...DYNAMIC, collider: [1, 1, 1, 1] };
 
-/** Where the body is in the picture, its angle with cosine and sine, the origin of a circle, the box around a shape: scratch. */
+/** Scratch: the pose of the body in the picture; its angle with cosine and sine; the origin of a circle; the box around a shape. */
 const pose = /* @__PURE__ */ new Float64Array(3);
 const turn = /* @__PURE__ */ new Float64Array(3);
 const origin = /* @__PURE__ */ new Float64Array(2);
@@ -68,7 +68,10 @@ function colorsOf(body: RigidBody): ShapeColors {
   return body.bullet && isFast(body) ? BULLET : DYNAMIC;
 }
 
-/** In its last step it went by more than half its size, or turned by more than can be overlooked: what was on its way it may have met. */
+/**
+ * Whether a body moved by more than half its size in its last step, or turned by more than can be neglected, so that it may have met
+ * something on its way.
+ */
 function isFast({ lastDx, lastDy, lastTurn, radius }: RigidBody): boolean {
   return 4 * (lastDx * lastDx + lastDy * lastDy) > radius * radius || Math.abs(lastTurn) > 0.05;
 }
@@ -88,7 +91,7 @@ function addShape(debug: Physics2DDebugDraw, shape: Shape, ticked: boolean): voi
   }
 }
 
-/** With a tick along the x-axis of the body, which shows how it turns. */
+/** Adds a circle, with a tick along the x-axis of the body that shows how it turns. */
 function addCircleShape(debug: Physics2DDebugDraw, circle: Circle, ticked: boolean): void {
   const cos = turn[1]!;
   const sin = turn[2]!;

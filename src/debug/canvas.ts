@@ -23,21 +23,21 @@ export interface CanvasContextLike {
 
 /** Options of `CanvasDebugDevice.create`. */
 export interface CanvasDebugDeviceParams {
-  /** The 2D context of a canvas; what it shows already stays below the lines, its state is kept. */
+  /** The 2D context of a canvas. Lines are drawn over what it shows; its state is kept. */
   context: CanvasContextLike;
   /** px, > 0. Default 1. */
   lineWidth?: number | undefined;
 }
 
-/** Longest path that is stroked at once: browsers take far more time for one long path than for several short ones. */
+/** The most segments of a path that is stroked at once: browsers take far more time for one long path than for several short ones. */
 const MAX_PATH = 500;
 
-/** Draws debug lines on a 2D canvas. Good for some ten thousand lines; for more take `WebGLDebugDevice`. */
+/** Draws debug lines on a 2D canvas. Good for some ten thousand lines; for more, use `WebGLDebugDevice`. */
 export class CanvasDebugDevice implements DebugGraphicsDevice {
   private readonly context: CanvasContextLike;
   private readonly lineWidth: number;
   private readonly cutter = new Cutter();
-  /** Packed colours as the canvas wants them. */
+  /** The styles of the canvas for packed colours. */
   private readonly styles = new Map<number, string>();
 
   /** @internal use `create` */
@@ -51,7 +51,7 @@ export class CanvasDebugDevice implements DebugGraphicsDevice {
     this.context = context;
   }
 
-  /** A device that draws on a 2D context. */
+  /** Makes a device that draws on a 2D context. */
   static create(params: CanvasDebugDeviceParams): CanvasDebugDevice {
     return new CanvasDebugDevice(params);
   }
@@ -104,7 +104,7 @@ export class CanvasDebugDevice implements DebugGraphicsDevice {
     context.restore();
   }
 
-  /** Ends a path, if there is one, and begins the next. */
+  /** Strokes the path, if it has segments, and begins the next. */
   private stroke(length: number): void {
     if (length > 0) {
       this.context.stroke();

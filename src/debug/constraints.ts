@@ -15,13 +15,13 @@ import type { Color } from './settings.js';
 
 type Letter = 'A' | 'B' | 'C' | 'D';
 
-/** m. What an infinite bound of a line is drawn as. */
+/** m. Drawn in place of an infinite bound of a line. */
 const FAR = 1e20;
 
-/** rad. How much of a range of angles without end is shown beyond the body or the other bound. */
+/** rad. How much of an unbounded range of angles is shown beyond the body or the other bound. */
 const FAR_TURN = 2 * Math.PI;
 
-/** Placement of a body; angle, cosine and sine: scratch. */
+/** Scratch: the pose of a body; angle, cosine and sine; a point in body coordinates. */
 const pose = /* @__PURE__ */ new Float64Array(3);
 const turn = /* @__PURE__ */ new Float64Array(3);
 const local = /* @__PURE__ */ new Float64Array(2);
@@ -63,7 +63,7 @@ function addPoint(debug: Physics2DDebugDraw, constraint: PointConstraint | WeldC
   }
 }
 
-/** A spring turns each body from its angle to the one that the other body gives it. */
+/** Adds a weld. If it is soft, with springs that lead from the angle of each body to the one that the other body asks for. */
 function addWeld(debug: Physics2DDebugDraw, constraint: WeldConstraint): void {
   addPoint(debug, constraint);
   if (!constraint.stiff) {
@@ -83,7 +83,7 @@ function addDistance(debug: Physics2DDebugDraw, constraint: DistanceConstraint):
   addLink(debug, constraint, 'A', 'B', constraint.getLowerBound(), constraint.getUpperBound());
 }
 
-/** Each link has the bounds that the length of the other one leaves it. */
+/** Adds a pulley. Each link has the bounds that the length of the other one leaves it. */
 function addPulley(debug: Physics2DDebugDraw, constraint: PulleyConstraint): void {
   placeEnds(debug, constraint);
   placeEnd(debug, constraint, constraint.bodyC, constraint.getAnchorC(local), 'C');
@@ -99,7 +99,10 @@ function addPulley(debug: Physics2DDebugDraw, constraint: PulleyConstraint): voi
   addLink(debug, constraint, 'C', 'D', Math.max(0, least), Math.max(0, most));
 }
 
-/** A line of the lower length half-way between two ends, what the upper one adds on each side, and springs to what is not in between. */
+/**
+ * Adds a line of the lower bound's length half-way between two ends, on each side what the upper bound adds, and springs from there to ends
+ * that are out of bounds.
+ */
 function addLink(
   debug: Physics2DDebugDraw,
   constraint: Constraint,
@@ -161,7 +164,7 @@ function addLine(debug: Physics2DDebugDraw, constraint: LineConstraint): void {
   }
 }
 
-/** lower ≤ ratio · θB − θA ≤ upper, as a range of either angle. */
+/** Adds lower ≤ ratio · θB − θA ≤ upper as a range for the angle of each body. */
 function addAngle(debug: Physics2DDebugDraw, constraint: AngleConstraint): void {
   const ratio = constraint.getRatio();
   const lower = constraint.getLowerBound();
@@ -174,7 +177,7 @@ function addAngle(debug: Physics2DDebugDraw, constraint: AngleConstraint): void 
   addRange(debug, constraint, constraint.bodyB, 'B', least, most);
 }
 
-/** The angles a body may have as a spiral, the one it has as a dot on it, and a spring from the one to the other. */
+/** Adds the angles that a body may have as a spiral, the one it has as a dot, and a spring to that from the nearest that it may have. */
 function addRange(
   debug: Physics2DDebugDraw,
   constraint: AngleConstraint,
@@ -203,7 +206,7 @@ function addRange(
   addDot(debug, x + radius * turn[1]!, y + radius * turn[2]!);
 }
 
-/** m. Of the spiral on which angles are shown, that begins at the angle `start`. */
+/** m. The radius, at an angle, of the spiral on which angles are shown, which begins at the angle `start`. */
 function radiusAt(debug: Physics2DDebugDraw, angle: number, start: number): number {
   const px = debug.constraintSpiralMinRadius + (angle - start) * debug.constraintSpiralDeltaRadius;
   return px * debug.screenToPhysics2D;
@@ -242,7 +245,7 @@ function placeEnd(
   addDot(debug, end[0]!, end[1]!);
 }
 
-/** Nested circles: an anchor. */
+/** Adds an anchor: nested circles. */
 function addDot(debug: Physics2DDebugDraw, x: number, y: number): void {
   const radius = debug.constraintAnchorRadius * debug.screenToPhysics2D;
   for (let part = 4; part > 0; part -= 1) {
@@ -261,7 +264,7 @@ function distance(a: Float64Array, b: Float64Array): number {
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** Names of colour settings, not put together anew for each constraint. */
+/** Names of colour settings, so that they are not built anew for each constraint. */
 const COLORS = {
   A: ['constraintColorA', 'constraintSleepingColorA'],
   B: ['constraintColorB', 'constraintSleepingColorB'],

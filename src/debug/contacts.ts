@@ -9,7 +9,7 @@ const normal = /* @__PURE__ */ new Float64Array(2);
 const point = /* @__PURE__ */ new Float64Array(2);
 const other = /* @__PURE__ */ new Float64Array(2);
 
-/** The active contacts. A sensor has none, nor has what does not touch any more. */
+/** Adds the active contacts. A sensor has none, nor has a pair that does not touch any more. */
 export function addContacts(debug: Physics2DDebugDraw, arbiters: readonly Arbiter[], color: Color): void {
   for (const arbiter of arbiters) {
     arbiter.getNormal(normal);
@@ -21,7 +21,7 @@ export function addContacts(debug: Physics2DDebugDraw, arbiters: readonly Arbite
   }
 }
 
-/** A circle at each contact; two are joined along both of their sides. */
+/** Adds a circle at each contact; two circles are joined along both sides. */
 function addCapsule(debug: Physics2DDebugDraw, contacts: readonly Contact[]): void {
   const radius = debug.contactRadius * debug.screenToPhysics2D;
   let count = 0;
@@ -41,7 +41,7 @@ function addCapsule(debug: Physics2DDebugDraw, contacts: readonly Contact[]): vo
   }
 }
 
-/** What each contact gave to body B in the latest step. */
+/** Adds the impulse that each contact gave to body B in the latest step. */
 function addImpulses(debug: Physics2DDebugDraw, contacts: readonly Contact[]): void {
   const scale = debug.contactImpulseScale * debug.screenToPhysics2D;
   const nx = scale * normal[0]!;

@@ -1,20 +1,20 @@
 import { atan2, cosSin } from '../math/trig.js';
 import type { Physics2DDebugDraw } from './draw.js';
 
-// Curves as segments, in the colour that the line buffer has. Lengths in m; the tolerances of the settings are px.
+// Curves as segments, in the present colour of the line buffer. Lengths in m; the tolerances of the settings are px.
 
 const TWO_PI = 2 * Math.PI;
 
-/** Most pieces of one curve: however large, however fine it is wanted, drawing it ends. A circle of 20 million px still has its 0.4 px. */
+/** The most pieces of one curve, so that drawing it ends, however large and fine it is. A circle of 20 million px still has its 0.4 px. */
 const MAX_PIECES = 16384;
 
-/** Fewest pieces of a wave of a spring; a multiple of 4, so that its crests are among the points. */
+/** The fewest pieces of a wave of a spring; a multiple of 4, so that its crests are among the points. */
 const MIN_WAVE_PIECES = 8;
 
 /** Angle, cosine, sine: scratch. */
 const turn = /* @__PURE__ */ new Float64Array(3);
 
-/** A point of a curve and its tangent, a unit vector or zero: offsets, and scratch for two of them. */
+/** Offsets of a point of a curve and its tangent, a unit vector or zero; and scratch for two of them. */
 const X = 0;
 const Y = 1;
 const U = 2;
@@ -27,8 +27,8 @@ function pieces(count: number): number {
 }
 
 /**
- * Into how many parts a circle of radius R is cut so that no chord is farther from it than e: R · (1 − cos(π / n)) ≤ e. Below R = e/2 no n has
- * a meaning.
+ * How many pieces a circle of radius R needs so that no chord is farther from it than e: R · (1 − cos(π / n)) ≤ e. Below R = e/2, 1, as no
+ * n has a meaning.
  */
 function circlePieces(radius: number, maxError: number): number {
   if (radius < maxError / 2) {
@@ -63,8 +63,8 @@ export function addCircle(debug: Physics2DDebugDraw, x: number, y: number, radiu
 }
 
 /**
- * A quadratic Bézier curve. Between the middle of a piece and that of its chord lies a quarter of |p1 − 2c + p2|, and halving the piece
- * leaves a quarter of it, everywhere alike: so all pieces are of one size in the parameter.
+ * Adds a quadratic Bézier curve. Between the middle of a piece and that of its chord lies a quarter of |p1 − 2c + p2|, and halving a piece
+ * leaves a quarter of that, everywhere alike: so all pieces have the same size in the parameter.
  */
 export function addCurve(
   debug: Physics2DDebugDraw,
@@ -99,7 +99,10 @@ export function addCurve(
   lines.lineToNext();
 }
 
-/** From `near` to `far`: the Bézier curve with their tangents, of so many pieces at most, or a straight line if these do not meet between them. */
+/**
+ * Adds a piece from `near` to `far`: the Bézier curve with their tangents, in at most `most` segments, or a straight line if these do not
+ * meet between them.
+ */
 function addPiece(debug: Physics2DDebugDraw, most: number): void {
   const dx = far[X]! - near[X]!;
   const dy = far[Y]! - near[Y]!;
@@ -113,7 +116,10 @@ function addPiece(debug: Physics2DDebugDraw, most: number): void {
   }
 }
 
-/** Puts into `far` the point of a curve in polar coordinates: its angle, its radius, and the derivative of this by that. */
+/**
+ * Writes to `far` the point of a curve in polar coordinates: by its angle, its radius, and the derivative of the radius with respect to the
+ * angle.
+ */
 function goTo(x: number, y: number, angle: number, radius: number, slope: number): void {
   turn[0] = angle;
   cosSin(turn);
@@ -128,7 +134,7 @@ function goTo(x: number, y: number, angle: number, radius: number, slope: number
   far[V] = v / length;
 }
 
-/** The radius goes from `radius1` at `angle1` to `radius2` at `angle2` in proportion to the angle. */
+/** Adds a spiral: the radius goes from `radius1` at `angle1` to `radius2` at `angle2`, in proportion to the angle. */
 export function addSpiral(
   debug: Physics2DDebugDraw,
   x: number,
@@ -142,7 +148,7 @@ export function addSpiral(
   addWaves(debug, x, y, angle1, angle2, radius1, radius2, 0, count);
 }
 
-/** A spiral with `coils` sine waves on its radius. */
+/** Adds a spiral with `coils` sine waves on its radius. */
 export function addSpiralSpring(
   debug: Physics2DDebugDraw,
   x: number,
@@ -197,7 +203,7 @@ function addWaves(
   }
 }
 
-/** `coils` full sine waves; a line if there are none, or the spring is too short to be seen as one. */
+/** Adds `coils` full sine waves; a line if there are none, or the spring is too short to be seen as one. */
 export function addLinearSpring(
   debug: Physics2DDebugDraw,
   x1: number,

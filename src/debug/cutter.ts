@@ -2,22 +2,22 @@ import type { DebugLines } from './device.js';
 import { RED, SEGMENT, VERTEX } from './lines.js';
 
 /**
- * Maps the segments of a drawing to px and cuts them to its clip rectangle (Liang & Barsky 1984), in 64 bits: what reaches a device is
- * small, however far the ends of a line were, or how far from the origin the scene is.
+ * Maps the segments of a drawing to px and clips them to its clip rectangle (Liang & Barsky 1984), in 64 bits: so coordinates that reach a
+ * device are small, however far away the ends of a line were, or how far from the origin the scene is.
  */
 export class Cutter {
-  /** x1, y1, x2, y2 of the segment that was cut last, px from the upper left. */
+  /** x1, y1, x2, y2 of the segment that was clipped last, px from the upper left. */
   readonly ends = new Float64Array(4);
   /** px = factor · m + offset, for x and y. */
   private readonly factor = new Float64Array(2);
   private readonly offset = new Float64Array(2);
   private readonly least = new Float64Array(2);
   private readonly most = new Float64Array(2);
-  /** Where the segment comes between the sides, and where it leaves, for x and y: 0 at its nearer end, the other one at 1 or −1. */
+  /** Where the segment enters between two sides, and where it leaves, for x and y: 0 at its nearer end, 1 or −1 at the other one. */
   private readonly enter = new Float64Array(2);
   private readonly leave = new Float64Array(2);
 
-  /** Takes over the mapping to a device of so many px. */
+  /** Takes over the mapping of a drawing, and the size of the device in px. */
   begin({ mapping, clip }: DebugLines, width: number, height: number): void {
     const { factor, offset, least, most } = this;
     factor[0] = (mapping[0]! * width) / 2;
@@ -30,7 +30,7 @@ export class Cutter {
     }
   }
 
-  /** Finds the ends of a segment. @returns whether any of it is to be seen. */
+  /** Finds the clipped ends of a segment. @returns whether any of it is visible. */
   cut(lines: DebugLines, segment: number): boolean {
     const { vertices } = lines;
     const { ends, factor, offset, enter, leave } = this;
@@ -39,21 +39,21 @@ export class Cutter {
       ends[i] = factor[i]! * vertices[at + i]! + offset[i]!;
       ends[i + 2] = factor[i]! * vertices[at + VERTEX + i]! + offset[i]!;
     }
-    // From the nearer end on: what is added to one that is very far away gets lost.
+    // Measured from the nearer end, as small numbers added to those of an end that is very far away would be lost.
     const away = Math.abs(ends[0]!) + Math.abs(ends[1]!);
     const near = away < Infinity && away > Math.abs(ends[2]!) + Math.abs(ends[3]!) ? 1 : 0;
     this.meetSides(0, near);
     this.meetSides(1, near);
     const start = Math.max(-near, enter[0]!, enter[1]!);
     const end = Math.min(1 - near, leave[0]!, leave[1]!);
-    // Nor is it if one of them is no number: of ends that are too far away to be told in px.
+    // Also false for NaN, which ends give that are too far away for px.
     if (!(start <= end)) {
       return false;
     }
     for (let i = 0; i < 2; i += 1) {
       const from = ends[i + 2 * near]!;
       const way = ends[i + 2]! - ends[i]!;
-      // What is cut by a side ends right there, which the sum would miss if the segment is very long.
+      // A segment that a side clips ends right there, which the sum would miss if the segment is very long.
       if (start > -near) {
         ends[i] = start === enter[i] ? this.side(i, way < 0) : from + start * way;
       }
@@ -84,7 +84,7 @@ export class Cutter {
   }
 }
 
-/** The colour of a segment as four bytes in a number: red is the lowest. */
+/** The colour of a segment as four bytes in a number, red lowest. */
 export function packedColor({ vertices }: DebugLines, segment: number): number {
   const at = segment * SEGMENT + RED;
   return (
@@ -100,12 +100,12 @@ function byte(share: number): number {
   return Math.round(255 * share);
 }
 
-/** `rgb` of a packed colour, for CSS and SVG. */
+/** The numbers of `rgb(…)` for a packed colour, for CSS and SVG. */
 export function redGreenBlue(color: number): string {
   return `${color & 255}, ${(color >>> 8) & 255}, ${(color >>> 16) & 255}`;
 }
 
-/** The alpha of a packed colour, to two digits. */
+/** The alpha of a packed colour, to two decimals. */
 export function alphaOf(color: number): number {
   return Math.round((100 * (color >>> 24)) / 255) / 100;
 }

@@ -20,17 +20,17 @@ export interface DebugDrawParams {
 
 type Viewport = [minX: number, minY: number, maxX: number, maxY: number];
 
-/** px per m, if no viewport says otherwise. */
+/** px per m, without viewports. */
 const DEFAULT_SCALE = 60;
 
 /**
- * Draws worlds, bodies and constraints, and lines and curves of your own, as coloured line segments. Coordinates are physics coordinates, m,
- * unless px is said. In each frame call `begin`, then what draws, then `end`; what is drawn last lies on top.
+ * Draws worlds, bodies and constraints, and lines and curves of your own, as coloured line segments. Coordinates are physics coordinates,
+ * m, unless px is said. In each frame call `begin`, then what draws, then `end`; what is drawn last is on top.
  *
- * It only reads: it changes and wakes nothing, and may draw a world of any of the bundles.
+ * It only reads: it changes and wakes nothing. It can draw worlds of any of the bundles.
  */
 export class Physics2DDebugDraw extends DebugSettings {
-  /** Of the class, as in Turbulenz. */
+  /** Version of the class, as in Turbulenz. */
   static get version(): number {
     return 1;
   }
@@ -38,7 +38,7 @@ export class Physics2DDebugDraw extends DebugSettings {
   /** @internal */
   readonly lines = new LineBuffer();
   private device: DebugGraphicsDevice | null;
-  /** [minX, minY, maxX, maxY], px and m; `null`: the default. */
+  /** [minX, minY, maxX, maxY], in px and in m; `null`: the default. */
   private screenPort: Viewport | null = null;
   private physicsPort: Viewport | null = null;
   private scale = 0;
@@ -49,7 +49,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     this.device = checkedDevice(options('Physics2DDebugDraw.create', params, true).graphicsDevice);
   }
 
-  /** Draws on a graphics device, whatever it is. */
+  /** Makes a debug drawing for a graphics device. */
   static create(params: DebugDrawParams): Physics2DDebugDraw {
     return new Physics2DDebugDraw(params);
   }
@@ -65,23 +65,26 @@ export class Physics2DDebugDraw extends DebugSettings {
   }
 
   /**
-   * Sets what part of the physics plane fills the screen viewport, m; nothing: the default, `[0, 0, width / 60, height / 60]` of the device. Numbers
-   * of at most 1e150. Takes effect at the next `begin`.
+   * Sets the part of the physics plane that fills the screen viewport, m: `[minX, minY, maxX, maxY]`, numbers of at most 1e150. Without a
+   * rectangle: the default, `[0, 0, width / 60, height / 60]` of the device. Takes effect at the next `begin`.
    */
   setPhysics2DViewport(rectangle: RectLike | null | undefined): void {
     this.physicsPort = viewport('Physics2DDebugDraw.setPhysics2DViewport', rectangle);
   }
 
-  /** Sets the part of the device that is drawn on, px from the upper left, of at most 1e150; nothing: all of it. Takes effect at the next `begin`. */
+  /**
+   * Sets the part of the device that is drawn on, px from the upper left: `[minX, minY, maxX, maxY]`, numbers of at most 1e150. Without a
+   * rectangle: all of it. Takes effect at the next `begin`.
+   */
   setScreenViewport(rectangle: RectLike | null | undefined): void {
     this.screenPort = viewport('Physics2DDebugDraw.setScreenViewport', rectangle);
   }
 
-  /** Begins a frame: looks at the size of the device and at the viewports. Lines of a frame that was not ended are dropped. */
+  /** Begins a frame, with the present size of the device and the viewports. Lines of a frame that was not ended are dropped. */
   begin(): void {
     const where = 'Physics2DDebugDraw.begin';
     const { width, height } = this.living(where);
-    // A device without area, such as a canvas that is folded away, counts as one px: there is nothing to be seen in any case.
+    // A device without area, such as a canvas that is folded away, counts as one px: nothing is visible in any case.
     const w = Math.max(1, nonNegative(where, 'graphicsDevice.width', width));
     const h = Math.max(1, nonNegative(where, 'graphicsDevice.height', height));
     const [sx, sy, right, bottom] = this.screenPort ?? [0, 0, w, h];
@@ -101,7 +104,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     this.lines.segmentCount = 0;
   }
 
-  /** Ends a frame: hands everything to the device; if nothing was drawn, nothing happens. */
+  /** Ends a frame: hands everything to the device. If nothing was drawn, it is not called. */
   end(): void {
     const device = this.living('Physics2DDebugDraw.end');
     if (this.lines.segmentCount > 0) {
@@ -113,14 +116,14 @@ export class Physics2DDebugDraw extends DebugSettings {
     }
   }
 
-  /** Releases what the device holds. Afterwards nothing can be drawn with this object. */
+  /** Destroys the device. Afterwards nothing can be drawn with this object. */
   destroy(): void {
     const { device } = this;
     this.device = null;
     device?.destroy?.();
   }
 
-  /** Draws what is to be shown of the bodies, then of the contacts, then of the constraints that are enabled. */
+  /** Draws the bodies, then the contacts, then the constraints that are enabled, as the settings say. */
   drawWorld(world: World): void {
     const where = this.drawing('Physics2DDebugDraw.drawWorld');
     if (!(Array.isArray(world?.rigidBodies) && Array.isArray(world.constraints))) {
@@ -162,7 +165,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     addConstraint(this, constraint);
   }
 
-  /** A line between two points of the world, m. */
+  /** Draws a line between two points of the world, m. */
   drawLine(x1: number, y1: number, x2: number, y2: number, color: ColorLike): void {
     const where = this.drawing('Physics2DDebugDraw.drawLine');
     checkEnds(where, x1, y1, x2, y2);
@@ -170,7 +173,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     this.lines.add(x1, y1, x2, y2);
   }
 
-  /** The outline of the rectangle between two opposite corners. */
+  /** Draws the outline of the rectangle between two opposite corners. */
   drawRectangle(x1: number, y1: number, x2: number, y2: number, color: ColorLike): void {
     const where = this.drawing('Physics2DDebugDraw.drawRectangle');
     checkEnds(where, x1, y1, x2, y2);
@@ -178,7 +181,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     addRectangle(this, x1, y1, x2, y2);
   }
 
-  /** A circle around (x, y); `radius` >= 0. As many segments as `circleMaxError` asks for. */
+  /** Draws a circle around (x, y); `radius` >= 0. As many segments as `circleMaxError` asks for. */
   drawCircle(x: number, y: number, radius: number, color: ColorLike): void {
     const where = this.drawing('Physics2DDebugDraw.drawCircle');
     finite(where, 'x', x);
@@ -188,7 +191,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     addCircle(this, x, y, radius);
   }
 
-  /** The quadratic Bézier curve from (x1, y1) to (x2, y2) with the control point (cx, cy); as fine as `curveMaxError` asks for. */
+  /** Draws the quadratic Bézier curve from (x1, y1) to (x2, y2) with the control point (cx, cy); as fine as `curveMaxError` asks for. */
   drawCurve(x1: number, y1: number, cx: number, cy: number, x2: number, y2: number, color: ColorLike): void {
     const where = this.drawing('Physics2DDebugDraw.drawCurve');
     checkEnds(where, x1, y1, x2, y2);
@@ -198,7 +201,10 @@ export class Physics2DDebugDraw extends DebugSettings {
     addCurve(this, x1, y1, cx, cy, x2, y2);
   }
 
-  /** A spiral around (x, y): the radius goes from `radius1` at `angle1` to `radius2` at `angle2`, in proportion to the angle. Equal angles: nothing. */
+  /**
+   * Draws a spiral around (x, y): the radius goes from `radius1` at `angle1` to `radius2` at `angle2`, in proportion to the angle. Nothing
+   * if the angles are equal.
+   */
   drawSpiral(
     x: number,
     y: number,
@@ -214,7 +220,10 @@ export class Physics2DDebugDraw extends DebugSettings {
     addSpiral(this, x, y, angle1, angle2, radius1, radius2);
   }
 
-  /** A spring from (x1, y1) to (x2, y2): `numCoils` sine waves of the amplitude `radius`; a line if `numCoils` <= 0, or below `minSpringLength`. */
+  /**
+   * Draws a spring from (x1, y1) to (x2, y2): `numCoils` sine waves of the amplitude `radius`; a line if `numCoils` <= 0, or if it is
+   * shorter than `minSpringLength`.
+   */
   drawLinearSpring(
     x1: number,
     y1: number,
@@ -232,7 +241,10 @@ export class Physics2DDebugDraw extends DebugSettings {
     addLinearSpring(this, x1, y1, x2, y2, numCoils, radius);
   }
 
-  /** A spiral as of `drawSpiral` with `numCoils` sine waves on its radius; `spiralSpringSize` tells how high. Without coils the spiral. */
+  /**
+   * Draws a spiral as `drawSpiral` does, with `numCoils` sine waves on its radius, the amplitude of which is set by `spiralSpringSize`.
+   * Without coils, a plain spiral.
+   */
   drawSpiralSpring(
     x: number,
     y: number,
@@ -250,7 +262,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     addSpiralSpring(this, x, y, angle1, angle2, radius1, radius2, numCoils);
   }
 
-  /** The device, unless there is none any more. */
+  /** The device. @throws after `destroy`. */
   private living(where: string): DebugGraphicsDevice {
     if (this.device === null) {
       throw new Error(`${where}: must not be called after destroy`);
@@ -258,7 +270,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     return this.device;
   }
 
-  /** @returns `where`, if something may be drawn now. */
+  /** Checks that something may be drawn now. @returns `where`. */
   private drawing(where: string): string {
     this.living(where);
     if (this.scale === 0) {
@@ -302,7 +314,7 @@ function checkedDevice(value: DebugGraphicsDevice | undefined): DebugGraphicsDev
   return value;
 }
 
-/** A copy of a rectangle that has an area, or `null` for none. */
+/** A copy of a rectangle, which must have an area; `null` without one. */
 function viewport(where: string, rectangle: RectLike | null | undefined): Viewport | null {
   if (rectangle === null || rectangle === undefined) {
     return null;

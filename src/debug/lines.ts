@@ -6,16 +6,18 @@ export const RED = 2;
 export const VERTEX = 6;
 export const SEGMENT = 2 * VERTEX;
 
-/** Segments that gather over a frame. The buffer grows by doubling and stays, so that a warm frame allocates nothing. */
+/** The segments of a frame. The buffer grows by doubling and stays, so that a warm frame allocates nothing. */
 export class LineBuffer implements DebugLines {
   vertices = new Float64Array(256 * SEGMENT);
   segmentCount = 0;
   readonly mapping = new Float64Array(4);
   readonly clip = new Float64Array(4);
-  /** Where `lineToNext` goes. In an array, as numbers that are handed from function to function may be boxed, which for each segment is garbage. */
+  /**
+   * Where `lineToNext` goes. An array, as numbers passed from function to function may be boxed, which would make garbage for each segment.
+   */
   readonly next = new Float64Array(2);
   private readonly last = new Float64Array(2);
-  /** Of the segments to come. */
+  /** The colour of the segments to come. */
   private readonly color = new Float64Array(4);
 
   setColor(color: ColorLike): void {

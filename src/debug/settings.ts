@@ -8,7 +8,7 @@ const WHERE = 'Physics2DDebugDraw';
 
 type Check = (where: string, name: string, value: never) => unknown;
 
-/** Names, default values, and what else is allowed. */
+/** Settings by their check: names and default values. */
 const SETTINGS: readonly (readonly [check: Check, defaults: Readonly<Record<string, unknown>>])[] = [
   [
     boolean,
@@ -70,63 +70,63 @@ const SETTINGS: readonly (readonly [check: Check, defaults: Readonly<Record<stri
   ],
 ];
 
-/** What `Physics2DDebugDraw` shows, and how. Every property may be set at any time; a bad value is refused, a colour is copied. */
+/** What `Physics2DDebugDraw` shows, and how. Every property may be set at any time; a bad value throws, a colour is copied. */
 export abstract class DebugSettings {
-  /** In `drawWorld`. Default `true`. */
+  /** `drawWorld` shows bodies. Default `true`. */
   declare showRigidBodies: boolean;
-  /** Default `true`. */
+  /** Shows the shapes that are no sensors. Default `true`. */
   declare showColliderShapes: boolean;
-  /** Default `true`. */
+  /** Shows the sensors. Default `true`. */
   declare showSensorShapes: boolean;
-  /** The origin of each body, and a line from where it was before the last step. Default `false`. */
+  /** Shows the origin of each body, and a line from where it was before the last step. Default `false`. */
   declare showBodyDetail: boolean;
-  /** World bounds of each shape, and origins of circles. Default `false`. */
+  /** Shows the world bounds of each shape, and the origins of circles. Default `false`. */
   declare showShapeDetail: boolean;
-  /** In `drawWorld`, those that are enabled. Default `true`. */
+  /** `drawWorld` shows the constraints that are enabled. Default `true`. */
   declare showConstraints: boolean;
-  /** In `drawWorld`. Default `false`. */
+  /** `drawWorld` shows contacts. Default `false`. */
   declare showContacts: boolean;
-  /** With `showContacts`. Default `false`. */
+  /** Shows the impulses of contacts, if `showContacts` is set. Default `false`. */
   declare showContactImpulses: boolean;
 
   /**
-   * Share of the last step, 0 to 1, that has passed in the picture: bodies and constraints are drawn between their placements before and after it.
-   * `FixedStepRunner.interpolation` is made for it. Default 1: the present placements.
+   * Share of the last step, 0 to 1, that has passed in the picture: bodies and constraints are drawn between their placements before and
+   * after it. `FixedStepRunner.interpolation` gives this number. Default 1: the present placements.
    */
   declare interpolation: number;
 
-  /** px, > 0. Largest distance of chord and circle. Default 0.4. */
+  /** px, > 0. Largest distance between a circle and its chords. Default 0.4. */
   declare circleMaxError: number;
-  /** px, > 0. Largest distance of chord and curve. Default 0.6. */
+  /** px, > 0. Largest distance between a curve and its chords. Default 0.6. */
   declare curveMaxError: number;
   /** rad, > 0. Longest piece of a spiral. Default π/4. */
   declare spiralMaxArc: number;
-  /** A piece of a spiral is straight if the sine of what it turns by is below this. Default 1e-5. */
+  /** A piece of a spiral is drawn straight if the sine of the angle that it turns by is below this. Default 1e-5. */
   declare spiralEpsilon: number;
-  /** Amplitude of a spiral spring as a part of the gap between the arms of its spiral. Default 0.75. */
+  /** Amplitude of a spiral spring, as a share of the gap between the arms of its spiral. Default 0.75. */
   declare spiralSpringSize: number;
-  /** px. Shorter linear springs become a line. Default 0.5. */
+  /** px. Shorter linear springs are drawn as a line. Default 0.5. */
   declare minSpringLength: number;
 
-  /** px. Default 3. */
+  /** px. Radius of anchors. Default 3. */
   declare constraintAnchorRadius: number;
-  /** px. Default 3. */
+  /** px. Amplitude of the springs of soft constraints. Default 3. */
   declare constraintSpringRadius: number;
-  /** Default 3; a line if <= 0. */
+  /** Coils of the spring of a soft constraint. Default 3; a line if <= 0. */
   declare constraintSpringNumCoils: number;
-  /** px. Default 10. */
+  /** px. Radius of the spiral on which angles are shown, where it begins. Default 10. */
   declare constraintSpiralMinRadius: number;
-  /** px per rad. Default 2.5/π. */
+  /** px per rad. By how much the radius of that spiral grows. Default 2.5/π. */
   declare constraintSpiralDeltaRadius: number;
-  /** Default 4; a spiral if <= 0. */
+  /** Coils of the spring on that spiral. Default 4; a plain spiral if <= 0. */
   declare constraintSpiralNumCoils: number;
-  /** px. Default 3. */
+  /** px. Radius of contacts. Default 3. */
   declare contactRadius: number;
-  /** px per N·s. Default 30. */
+  /** px per N·s. Length at which impulses of contacts are shown. Default 30. */
   declare contactImpulseScale: number;
-  /** px. Default 0.5. */
+  /** px. Radius of the origins of bodies. Default 0.5. */
   declare bodyPositionRadius: number;
-  /** px. Default 0.5. */
+  /** px. Radius of the origins of circles. Default 0.5. */
   declare circleOriginRadius: number;
 
   /** Anchor of body A. */
@@ -145,11 +145,11 @@ export abstract class DebugSettings {
   declare constraintSleepingColorC: Color;
   /** Anchor of body D, of a constraint that sleeps. */
   declare constraintSleepingColorD: Color;
-  /** Lower bounds; what concerns body A. */
+  /** Lower bounds; and what else is shown for body A. */
   declare constraintErrorColorA: Color;
-  /** Upper bounds; what concerns body B. */
+  /** Upper bounds; and what else is shown for body B. */
   declare constraintErrorColorB: Color;
-  /** What a point, weld or line constraint is off by; the lower bound of the second link of a pulley. */
+  /** The error of a point, weld or line constraint; the lower bound of the second link of a pulley. */
   declare constraintErrorColorC: Color;
   /** The upper bound of the second link of a pulley. */
   declare constraintErrorColorD: Color;
@@ -165,13 +165,13 @@ export abstract class DebugSettings {
   declare dynamicContactColor: Color;
   /** Contacts with a static or kinematic body. */
   declare staticContactColor: Color;
-  /** What pushes two shapes apart, if `showContactImpulses`. */
+  /** The normal impulses of contacts, if `showContactImpulses` is set. */
   declare normalImpulseColor: Color;
-  /** What slows their sliding, if `showContactImpulses`. */
+  /** The friction impulses of contacts, if `showContactImpulses` is set. */
   declare frictionImpulseColor: Color;
-  /** Of what `showBodyDetail` shows. */
+  /** What `showBodyDetail` shows. */
   declare bodyDetailColor: Color;
-  /** Of what `showShapeDetail` shows. */
+  /** What `showShapeDetail` shows. */
   declare shapeDetailColor: Color;
 
   private readonly settings: Record<string, unknown> = {};
@@ -185,7 +185,7 @@ export abstract class DebugSettings {
     }
   }
 
-  /** The same as `showSensorShapes`, as the original spelt it. */
+  /** The same as `showSensorShapes`, in the spelling of the original. */
   get showSensorsShapes(): boolean {
     return this.showSensorShapes;
   }
@@ -233,7 +233,7 @@ export function checkedColor(where: string, name: string, value: ColorLike): Col
   return value;
 }
 
-/** The usual case of the checks, without the names that they would put together for a message. */
+/** The usual case of the checks, without building the names for a message. */
 function isColor(value: ColorLike): boolean {
   return (
     typeof value === 'object' &&

@@ -12,11 +12,11 @@ export interface SVGDebugDeviceParams {
   lineWidth?: number | undefined;
   /** Any colour of CSS, such as `'#102030'`. Default: none. */
   background?: string | undefined;
-  /** What the picture shows, for who can not see it. Default: none. */
+  /** Description of the picture, for those who cannot see it. Default: none. */
   title?: string | undefined;
 }
 
-/** Draws debug lines as an SVG document: pictures for documentation and tests, in Node as well. */
+/** Draws debug lines as an SVG document: pictures for documentation and tests, also in Node. */
 export class SVGDebugDevice implements DebugGraphicsDevice {
   readonly width: number;
   readonly height: number;
@@ -37,12 +37,12 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
     this.title = escaped(where, 'title', title);
   }
 
-  /** A device that collects what is drawn as a picture. */
+  /** Makes a device that collects what is drawn as a picture. */
   static create(params: SVGDebugDeviceParams): SVGDebugDevice {
     return new SVGDebugDevice(params);
   }
 
-  /** Adds the lines to the document: over what is there. */
+  /** Adds the lines to the document, over what is there. */
   drawLines(lines: DebugLines): void {
     const { cutter, paths } = this;
     const { ends } = cutter;
@@ -84,7 +84,7 @@ export class SVGDebugDevice implements DebugGraphicsDevice {
   }
 }
 
-/** A text as XML has it. */
+/** A text with the special characters of XML escaped. */
 function escaped(where: string, name: string, value: unknown): string {
   if (typeof value !== 'string') {
     throw typeError(where, name, 'a string', value);
@@ -101,7 +101,7 @@ function pathElement(color: number, path: string): string {
   return `<path stroke="rgb(${redGreenBlue(color)})"${opacity} d="${path}"/>\n`;
 }
 
-/** px to two digits. */
+/** A length in px, to two decimals. */
 function short(px: number): string {
   return String(Math.round(100 * px) / 100);
 }

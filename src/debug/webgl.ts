@@ -75,15 +75,16 @@ export interface WebGLDebugDeviceParams {
   lineWidth?: number | undefined;
 }
 
-/** A vertex in the buffer: x and y, px, and how far it is from the line, px, as numbers of 32 bits; then the colour in four bytes. */
+/** A vertex in the buffer: x and y, and the distance from the line, px, as numbers of 32 bits; then the colour in four bytes. */
 const VERTEX_NUMBERS = 4;
 const ACROSS = 2;
 const COLOR = 3;
 const VERTEX_BYTES = 4 * VERTEX_NUMBERS;
 
 /**
- * Each segment is two triangles, half a px wider than its line on both sides; over this margin the line fades. Not one instance each of a quad, which
- * would take a third of the memory: that took 25 µs a segment where WebGL is computed by the processor. Nor lines of WebGL, which are one px wide.
+ * Each segment is two triangles, half a px wider than its line on both sides; over this margin the line fades. Refused: an instance of a
+ * quad for each segment, which takes a third of the memory, but took 25 µs a segment where WebGL runs on the processor; and lines of WebGL,
+ * which are one px wide.
  */
 const CORNERS = 4;
 const INDICES = [0, 1, 2, 2, 1, 3];
@@ -113,7 +114,7 @@ void main() {
   shown = vec4(ink.rgb, ink.a * min(1.0, reach - abs(across)));
 }`;
 
-/** What lives in the context. */
+/** The objects in the context. */
 interface Parts {
   readonly program: unknown;
   readonly array: unknown;
@@ -124,16 +125,16 @@ interface Parts {
 }
 
 /**
- * Draws debug lines with WebGL 2, in one draw call a frame: good for 100,000 lines and more. On top of what the canvas shows, without depth or
- * stencil test. It leaves blending on and both tests, culling and scissors off, the viewport at the whole canvas, and no program, vertex array or
- * buffer bound. After a lost context it goes on when there is one again.
+ * Draws debug lines with WebGL 2, in one draw call a frame: good for 100,000 lines and more. Lines are drawn over what the canvas shows,
+ * without depth or stencil test. Afterwards blending is on; both tests, culling and scissors are off; the viewport is the whole canvas; and
+ * no program, vertex array or buffer is bound. After a lost context, it goes on when the context is restored.
  */
 export class WebGLDebugDevice implements DebugGraphicsDevice {
   private readonly context: WebGL2ContextLike;
   private readonly lineWidth: number;
   private readonly cutter = new Cutter();
   private parts: Parts | null = null;
-  /** The same memory as numbers of both sorts, and as what is sent. */
+  /** The same memory as floats, as integers, and as the bytes that are sent. */
   private places = new Float32Array(0);
   private colors = new Uint32Array(0);
   private bytes = new Uint8Array(0);
@@ -151,7 +152,7 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
     this.context = context;
   }
 
-  /** A device that draws on a WebGL 2 context. */
+  /** Makes a device that draws on a WebGL 2 context. */
   static create(params: WebGLDebugDeviceParams): WebGLDebugDevice {
     return new WebGLDebugDevice(params);
   }
@@ -164,7 +165,7 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
     return this.context.drawingBufferHeight;
   }
 
-  /** Draws over what the canvas shows. @throws Error if the browser refuses the shaders. */
+  /** Draws the lines over what the canvas shows. @throws Error if the browser refuses the shaders. */
   drawLines(lines: DebugLines): void {
     const { context: gl } = this;
     if (gl.isContextLost()) {
@@ -194,7 +195,7 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
     gl.useProgram(null);
   }
 
-  /** Deletes what it has in the context. */
+  /** Deletes its objects in the context. */
   destroy(): void {
     const { context: gl, parts } = this;
     if (parts !== null) {
@@ -206,7 +207,7 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
     }
   }
 
-  /** Puts what is to be seen into the memory that is sent. @returns how many segments. */
+  /** Writes the visible segments to the memory that is sent. @returns how many they are. */
   private pack(lines: DebugLines): number {
     const { cutter } = this;
     const { ends } = cutter;
@@ -247,7 +248,7 @@ export class WebGLDebugDevice implements DebugGraphicsDevice {
     this.colors[at + COLOR] = color;
   }
 
-  /** Lets the buffers that are bound have room for what is to be sent. The indices are always the same. */
+  /** Makes room in the bound buffers for what is sent. The indices are always the same. */
   private makeRoom(): void {
     const { context: gl } = this;
     const room = this.places.length / (CORNERS * VERTEX_NUMBERS);
