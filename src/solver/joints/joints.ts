@@ -99,9 +99,7 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   if (group.isWatched) noteEnergy(data, group);
 }
 
-/**
- * Groups that touch something are watched together with their guests, the bodies that they exchange energy with: see `energy/company.ts`.
- */
+/** Watches groups that touch something together with their guests, the bodies that they exchange energy with: see `energy/company.ts`. */
 function watchTouched(world: World): void {
   const { solver } = world;
   const { groups } = solver.joints;
@@ -117,7 +115,7 @@ function watchTouched(world: World): void {
   }
 }
 
-/** Joints that were changed are corrected without momentum in this step, and like all others from the next one on. */
+/** Lets joints that were changed be corrected without momentum in this step; from the next one on, they are corrected as all others. */
 function steadyFresh(data: SolverData): void {
   const { joints, groups, shifted } = data.joints;
   for (const group of groups) {
@@ -163,7 +161,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
 
 /**
  * Spreads the correction of a changed joint over the whole step. All of it in the first sub-step would be as many times as fast as there
- * are sub-steps, and would fling up what hangs on the joint, as other joints make momentum of it.
+ * are sub-steps, and would fling up what hangs on the joint, as the joints of that make momentum of their corrections.
  */
 function spreadShifts(data: SolverData): void {
   const { shifted, substepsLeft } = data.joints;
@@ -346,9 +344,9 @@ function pushCustom(data: SolverData, joint: Joint): boolean {
 }
 
 /**
- * Sets the share of the momentum of corrections that is made. It is less if several joints are swept over once, as one sweep leaves some of
- * their errors for the next sub-step, which would make too much momentum of them where something swings; and if joints of several kinds are
- * more than needed.
+ * Sets what share of the momentum of corrections is made. It is less than all in two cases: where several joints are swept over once, as
+ * one sweep leaves some of their errors for the next sub-step, which would make too much momentum of them where something swings; and where
+ * joints of several kinds are more than needed.
  */
 function findShare({ joints: { h, share } }: SolverData, { span, sweeps, start, end, isWhole, isMixed }: Group): void {
   const isLess = isMixed || (sweeps === 1 && end - start > 1 && !isWhole);

@@ -62,8 +62,8 @@ function forgetImpulses(data: SolverData): void {
 }
 
 /**
- * Adds the motion of the sub-step to the placements. What is faster than MAX_SPEED, which nobody can mean, is cut to that before; the
- * joints of such a body forget their impulses.
+ * Adds the motion of the sub-step to the placements. Speeds from MAX_SPEED on, which cannot be meant, are clamped to it first, and the
+ * joints of such bodies forget their impulses.
  */
 export function advancePoses(data: SolverData): void {
   if (inPieces(data, 1, data.bodyCount, advancePosesPiece)) {
@@ -202,7 +202,7 @@ function mergeTwins(data: SolverData, joint: Joint, jacobian: number): void {
 }
 
 /**
- * Turns the measured value of the last row into its error: the value less the bound that it exceeds or, within, less the nearer one; 0 if
+ * Turns the measured value of the last row into its error: the value minus the bound that it exceeds or, within, minus the nearer one; 0 if
  * that is infinite. The impulse may only push back, unless both bounds are equal.
  */
 function compareWithBounds(r: Float64Array, joint: Joint): void {
@@ -297,7 +297,7 @@ function moveToOnePlace(data: SolverData, { at, layout, first, constraint }: Joi
   const turns = square > 0 ? (x * vy - y * vx) / square : 0;
   // The place, as a share of the way from A's anchor to B's.
   const between = wA === wB ? 0.5 : (turns - wB) / (wA - wB);
-  // A comparison that is also false for NaN, which numbers that are too large give: then 0.
+  // Also 0 for NaN, which numbers that are too large give.
   const share = between > 0 ? Math.min(1, between) : 0;
   const turning = Math.abs(share * wA + (1 - share) * wB);
   const most = constraint.isElastic ? WHIRL * 2 * Math.PI * constraint.frequency : Infinity;

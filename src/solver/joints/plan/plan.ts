@@ -69,8 +69,8 @@ export function lookAtKinds(data: SolverData, group: Group): void {
 }
 
 /**
- * Resets what warm starting a group notes: which of its joints are off, and the lag of its motors. Blocks and turns are noted as they are
- * warm started, points only after that.
+ * Resets what is noted while a group is warm started: which of its joints are off, and the lag of its motors. Blocks and turns are noted
+ * right there, points only afterwards.
  */
 export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolerance, start, end }: Group): void {
   lag[0] = 0;
@@ -148,8 +148,8 @@ function weighFirmness(data: SolverData, group: Group): void {
 }
 
 /**
- * Whether a kinematic body turns. What it carries is swept over: solved to its end, it would be told velocities that are off by a seventh,
- * or half, as it is always corrected the same way.
+ * Whether a kinematic body turns. What it carries is swept over, not solved to its end: its velocities would then be off by a seventh, or
+ * by half, as it is always corrected the same way.
  */
 function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
   return v[body + INV_MASS] === 0 && v[body + W] !== 0;
@@ -200,7 +200,7 @@ function lookWhetherStuck(data: SolverData, group: Group): void {
   group.isUnmet = group.isTorn || isLong || (isBetween && !isLarge && fresh);
 }
 
-/** In this step, no correction of a joint of the group makes momentum. That of what is torn would grow with the time it is torn. */
+/** Lets no correction of a group make momentum in this step. What is torn would get the more of it the longer it is torn. */
 function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void {
   for (let k = start; k < end; k += 1) {
     steady(data, data.joints.joints[k]!, snaps);

@@ -29,12 +29,14 @@ const ITSELF = 4;
 const ALIKE = 8;
 
 /**
- * Sets what momentum the corrections of a group make that touches something; also finds whether it stands on that. Contacts push without
+ * Sets how much momentum corrections make in a group that touches something; also finds whether it stands on that. Contacts push without
  * momentum, so such a group makes none either: it would be made of what contacts undo again and again. Heaps of ragdolls would tremble for
  * ever; and if only the joints of bodies that touch something made none, those next to them would make it.
- * Three kinds of joints still make most of theirs, see TOUCHED_MOMENTUM. Those that hold an angle, and those that bear much under a weight,
- * unless the group overlaps itself; and those of ropes that bear something heavy, and lie on nothing that is as light as they are. Joints
- * that hold an angle lose it again while they are few and solved together with their contacts, see `isBent`.
+ *
+ * Three kinds of joints still make most of theirs, see TOUCHED_MOMENTUM: those that hold an angle, and those that bear much under a weight,
+ * both unless the group overlaps itself; and those of ropes that bear something heavy, and lie on nothing that is as light as they are.
+ * Joints that hold an angle lose it again while they are few and solved together with their contacts, see `isBent`.
+ *
  * If errors are as small as those of what swings freely, contacts undo nothing: then joints with a body that touches nothing make all of
  * theirs. So do all joints of a group that touches nothing but itself, such as welded blocks and coiled chains.
  */
