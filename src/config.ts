@@ -1,251 +1,344 @@
-/** Every tolerance of the engine: unit, reason, and what breaks if it moves. Lengths are for things between a centimetre and tens of metres. */
+/**
+ * Every tolerance of the engine: its unit, the reason for its value, and what breaks if it moves. Lengths are meant for things between a
+ * centimetre and tens of metres.
+ */
 
-/** m. Overlap that is left alone at a contact. Below 1.5 mm towers start to sway (pushes that never stop feed it). */
+/** m. Overlap that a contact leaves alone. Below 1.5 mm towers start to sway, fed by position corrections that never stop. */
 export const CONTACT_SLOP = 0.002;
 
 /**
- * m. Surfaces that are apart by no more than this are handed to the solver as well, which stops them when they meet; so
- * what closes within the step is not found one step too late. Larger costs work, smaller lets falling stacks run into each other.
+ * m. Largest gap at which surfaces are already given to the solver, as speculative contacts: it stops them where they meet, so that what
+ * closes within the step is not found one step too late. Larger costs work, smaller lets falling stacks run into each other.
  */
 export const SPECULATIVE_MARGIN = 0.02;
 
 /** m. The depth at which surfaces are stopped: more than rounding, so that what rests on something is found touching it. */
 export const TOUCH_DEPTH = 1e-4;
 
-/** m. Two faces whose depths differ by less count as equally deep and shape A's is taken; stops noise from flipping it. */
+/**
+ * m. Two reference faces whose depths differ by less count as equally deep, and that of shape A is taken. So noise does not make the choice
+ * flip.
+ */
 export const FACE_TIE = 1e-6;
 
-/** m. While two polygons move less than this against each other, and turn so little that it moves no corner by more, the edges that face each other are not chosen anew. What reaches less than 1 m may turn by as many radians. */
+/**
+ * m. Two polygons keep their reference face while they have moved less than this relative to each other, and turned so little that no
+ * corner moved by more. For turns, a body that reaches less than 1 m counts as reaching 1 m: it may turn by as many radians.
+ */
 export const FACE_KEPT_MOTION = 0.002;
 
 /**
- * Share of the overlap beyond the slop removed per position iteration, between two dynamic bodies. With 0.8 for all overlap, deep or not, triangles that are
- * wedged in a heap stay 15 cm deep, as their contacts undo each other; with 0.4 some heaps of rods do not rest.
+ * Share of the overlap beyond the slop that a position iteration removes, between two dynamic bodies. With 0.8 of all overlap, deep or not,
+ * triangles that are wedged in a heap stay 15 cm deep, as their contacts undo each other; with 0.4 some heaps of rods do not come to rest.
  */
 export const PUSH_SHARE_DYNAMIC = 0.15;
 
 /**
- * The same where one has more than UNEVEN times the mass of the other: a light thing between heavy ones is pushed to and fro, and these come apart only by its share
- * of their masses. Without it one pile of mixed shapes in six is 4 mm deep somewhere after 20 s, with it one in twelve, with 0.5 one in eight.
+ * PUSH_SHARE_DYNAMIC where one body has more than UNEVEN times the mass of the other. A light body between heavy ones is pushed to and fro,
+ * and these part only by its share of their masses. Without it one pile of mixed shapes in six overlaps by 4 mm somewhere after 20 s; with
+ * it one in twelve, with 0.5 one in eight.
  */
 export const PUSH_SHARE_UNEVEN = 0.3;
 
-/** Times the mass of another body: so much more is uneven. */
+/** A ratio of two masses: PUSH_SHARE_UNEVEN applies above it. */
 export const UNEVEN = 8;
 
-/** The same where one side cannot move. Less lets a heavy box sink into the ground between light ones. */
+/** PUSH_SHARE_DYNAMIC where one body cannot move. Less lets a heavy box sink into the ground between light ones. */
 export const PUSH_SHARE_STATIC = 0.75;
 
-/** The same between two circles that move: they do not sway. With 0.98 some heaps would not rest. It has to differ from all other shares: by it a contact is told to be of circles, see DEEP_OVERLAP_CIRCLES. */
+/**
+ * PUSH_SHARE_DYNAMIC between two circles that move: they do not sway. With 0.98 some heaps would not come to rest. It has to differ from
+ * all other shares: the kernels tell by it that a contact is between circles, see DEEP_OVERLAP_CIRCLES.
+ */
 export const PUSH_SHARE_CIRCLES = 0.5;
 
 /**
- * The same between two bodies that move and may be hooked into each other: neither is HEAVY for the other, either has several shapes or both have constraints, and joints hold neither to
- * what does not move at two places or more, see `held-contacts.ts`. It has to differ from all other shares, as it is by this share in its record that a contact gets MAX_PUSH_HOOKED.
+ * PUSH_SHARE_DYNAMIC between two moving bodies that may be hooked into each other. That is so if neither is HEAVY for the other, if either
+ * has several shapes or both have constraints, and if no joints hold either of them to what does not move at two places or more, see
+ * `held-contacts.ts`. It has to differ from all other shares: by this share in its record a contact gets MAX_PUSH_HOOKED.
  */
 export const PUSH_SHARE_HOOKED = 0.2;
 
-/** m. Of overlap deeper than this a larger share is removed: stacks never have it, and what was created overlapping comes apart twice as fast. */
+/**
+ * m. Of the overlap beyond this, counted beyond the slop as well, a larger share is removed, PUSH_SHARE_DEEP. Stacks never overlap as deep,
+ * and what was created overlapping comes apart twice as fast.
+ */
 export const DEEP_OVERLAP = 0.005;
 
-/** The share of overlap beyond DEEP_OVERLAP that is removed. */
+/** Share of the overlap beyond DEEP_OVERLAP that a position iteration removes. */
 export const PUSH_SHARE_DEEP = 0.6;
 
 /** m. DEEP_OVERLAP of two circles that move. */
 export const DEEP_OVERLAP_CIRCLES = 0.001;
 
-/** PUSH_SHARE_DEEP of two circles that move. More would part two that are alone. */
+/** PUSH_SHARE_DEEP of two circles that move. With more, two that are alone would part. */
 export const PUSH_SHARE_DEEP_CIRCLES = 0.98;
 
-/** Most further position iterations of a sub-step while circles are deeper than DEEP_OVERLAP: 625 of them, created overlapping, come apart within 2 s. Not for polygons: where some are wedged, a heap would not rest. */
+/**
+ * At most so many position iterations are added to a sub-step while circles overlap by more than DEEP_OVERLAP, counted beyond the slop: 625
+ * of them, created overlapping, come apart within 2 s. Not for polygons: where some are wedged, a heap would not come to rest.
+ */
 export const CROWD_SWEEPS = 4;
 
-/** m. What is pressed may overlap so far before its contacts start sub-steps with less than they gave, see `squeezes.ts`; that with the square of this through the overlap. */
+/**
+ * m. How deep bodies that are squeezed, as in a press, may overlap before their contacts start a sub-step with less than their normal
+ * impulse of the last one: with the square of this divided by the overlap, as a share of it. See `squeezes.ts`.
+ */
 export const SQUEEZE_DEPTH = 0.01;
 
-/** m/s², times the mass that a contact moves: so much it may give in any case. A claw that is 5 cm too narrow for what it grips holds it by that. */
+/**
+ * m/s². Times the effective mass of a contact, the force that it may start with in any case. A claw that is 5 cm too narrow for what it
+ * grips holds it by that.
+ */
 export const SQUEEZE_ACCELERATION = 240;
 
-/** m/s². … and so much all that hangs together weighs, at least: without gravity a pusher went through light boxes before a heavy one. With 20 presses there throw their crates at 2 m/s. */
+/**
+ * m/s². A squeezed contact may also start with the weight of all that hangs together with it, at this gravity or more. Without it, a pusher
+ * in a world without gravity went through light boxes in front of a heavy one. With 20, presses there throw their crates out at 2 m/s.
+ */
 export const SQUEEZE_GRAVITY = 10;
 
-/** … times this where joints are in it, which may be levers. */
+/** Factor on that weight where there are joints in it, which may be levers. */
 export const SQUEEZE_LEVERAGE = 20;
 
-/** m. Longest correction of one position iteration; keeps deep overlaps from being thrown apart. */
+/** m. Longest correction of one position iteration. It keeps what overlaps deeply from being thrown apart. */
 export const MAX_PUSH = 0.2;
 
 /**
- * m. The same between what may be hooked into each other, one shape or link pushing to and another fro: the heap around would shake for ever. With 5 mm one heap of
- * dumbbells in twenty does, with 1 mm those of chains. Still 1.4 m/s, but heavy balls of several shapes would fall through a hinged bridge.
+ * m. MAX_PUSH between bodies that may be hooked into each other, see PUSH_SHARE_HOOKED. There one shape or link is pushed to and another
+ * fro, and the heap around them would shake for ever: with 5 mm one heap of dumbbells in twenty does, with 1 mm heaps of chains do. It
+ * still allows 1.4 m/s, but heavy balls of several shapes would fall through a hinged bridge.
  */
 export const MAX_PUSH_HOOKED = 0.003;
 
-/** m/s², rad/s². If no contact changed a velocity by more than this times the sub-step in a sweep, that needs no further one. A tower that sways changes them by little in each: with 5e-3 one of 25 boxes sways at 4 mm/s. */
+/**
+ * m/s², rad/s². If in one sweep no contact changed a velocity by more than this times the sub-step, the further sweeps are left out. A
+ * tower that sways changes velocities by little in each sweep: with 5e-3 one of 25 boxes sways at 4 mm/s.
+ */
 export const CALM_ACCELERATION = 1e-5;
 
-/** m. A remaining error below this ends the position iterations of the sub-step: it is far below what the next one adds. */
+/**
+ * m. A contact whose position error is smaller is not corrected, and if all are, the position iterations of the sub-step end. It is far
+ * below what the next sub-step adds.
+ */
 export const PUSH_TOLERANCE = 1e-7;
 
-/** m/s. An impact whose rebound would be slower does not bounce; else a resting body would hum on its own restitution. */
+/** m/s. An impact whose rebound would be slower does not bounce; else a resting body would hum by its own restitution. */
 export const BOUNCE_THRESHOLD = 0.25;
 
-/** How often a blow goes on from body to body in a sub-step at most. */
+/** At most so many times in a sub-step a blow is passed on from body to body. */
 export const BOUNCE_ROUNDS = 16;
 
-/** A blow goes on where it is more than so many times what a contact bears anyway in a sub-step. If it always did, high heaps would take three times as long to come to rest. */
+/**
+ * A blow is passed on by a contact only if it is more than this times the impulse that the contact bears anyway in a sub-step. If it always
+ * were, high heaps would take three times as long to come to rest.
+ */
 export const BOUNCE_LOAD = 2;
 
-/** What bounces in one round is swept over so often with friction. */
+/** In one round, the contacts that bounce are swept over at most so many times with friction … */
 export const BOUNCE_RUBS = 4;
 
-/** After that what bounces is swept over so often at most without more friction, until nothing changes. */
+/** … and after that at most so many times without further friction, until nothing changes. */
 export const BOUNCE_SWEEPS = 16;
 
-/** (m/s)². Sliding faster than 0.01 m/s takes the dynamic coefficient of friction, slower the static one. */
+/** (m/s)². Sliding faster than 0.01 m/s has the dynamic coefficient of friction, slower the static one. */
 export const STATIC_FRICTION_SPEED_SQUARED = 1e-4;
 
-/** kg⁻¹. An inverse effective mass below this counts as immovable. */
+/** kg⁻¹. A smaller inverse effective mass counts as immovable. */
 export const MIN_INVERSE_MASS = 1e-10;
 
-/** A two-point contact whose matrix K has K11² above this times its determinant is solved as its deeper point alone. */
+/** A contact of two points whose matrix K has K11² above this times its determinant is nearly singular: only its deeper point is solved. */
 export const MAX_CONDITION = 1e5;
 
-/** m. A length below this has no direction; a distance or pulley constraint keeps the last one it had. */
+/** m. A shorter length has no direction; a distance or pulley constraint then keeps its last one. */
 export const MIN_LENGTH = 1e-6;
 
 /** m. Circle centres closer than this have no direction between them; `(1, 0)` is taken. */
 export const COINCIDENT = 1e-6;
 
-/** m/s. Bodies in contact below this speed are damped a little; removes the sway that a landing leaves in a tall stack. */
+/** m/s. Bodies in contact that are slower are damped a little. It removes the sway that a landing leaves in a tall stack. */
 export const REST_SPEED = 0.01;
 
-/** 1/s. Strength of that damping. A body in contact driven by less than about 0.002 m/s² stays below REST_SPEED. */
+/** 1/s. Rate of that damping. A body in contact driven by less than about 0.002 m/s² stays below REST_SPEED. */
 export const REST_DAMPING = 0.5;
 
-/** Weight of the spin, taken at the radius of gyration, in the speed that REST_SPEED limits. */
+/** Weight of the angular velocity, taken as a speed at the radius of gyration, in the speed that REST_SPEED limits. */
 export const REST_SPIN_WEIGHT = 0.3;
 
-/** steps. How long an arbiter outlives its interaction, so that its impulses and settings are there when it comes back. */
+/** Steps. How long an arbiter outlives its interaction, so that its impulses and settings are there when the interaction comes back. */
 export const ARBITER_CACHE = 30;
 
-/** steps. The same for a sensor, which has nothing to keep; long enough to tell a pause from no interaction. */
+/** Steps. ARBITER_CACHE of a sensor, which has nothing to keep: just long enough to tell a pause from the end of the interaction. */
 export const SENSOR_CACHE = 1;
 
-/** steps. A body sleeps when it, and its island, have been at rest for longer than this … */
+/** Steps. A body falls asleep when it, and its island, have been at rest for longer than this. … */
 export const SLEEP_DELAY = 60;
 
-/** Hz. … of which shorter ones count as so many in a second. */
+/** Hz. … Of shorter steps, only as many count as there would be at this rate. */
 export const REST_RATE = 60;
 
-/** m/s. What forces for one step may add to a velocity, more or less than those of the step before, to what is at rest. */
+/**
+ * m/s. A body at rest is woken if the forces that are set for one step, changed from those of the step before, change its velocity in a
+ * step by more.
+ */
 export const FORCE_CHANGE = 0.0024;
 
-/** (m/s)². At rest: squared speed, and squared motion of the last step over dt². */
+/** (m/s)². A body is at rest if its squared speed is no larger, and the square of its motion in the last step divided by dt², … */
 export const SLEEP_SPEED_SQUARED = 0.0006;
 
-/** (m/s)². At rest: squared speed of the rim, (ω·R)², and of the last turn over dt². */
+/**
+ * (m/s)². … and if the squared speed of its rim, (ω·R)², is no larger than this, and the square of its last turn times R divided by dt².
+ */
 export const SLEEP_RIM_SPEED_SQUARED = 0.001;
 
-/** So many pairs, whose records come to 160 kB, are worth being arranged in memory: those of fewer stay near the processor wherever they lie. */
+/**
+ * With at least so many pairs, whose records come to 160 kB, the records are worth being arranged in memory in the order of the step: those
+ * of fewer stay in caches near the processor wherever they lie.
+ */
 export const ARRANGE_FROM = 512;
 
-/** Steps. No more often than that. */
+/** Steps. Records are arranged at most once in so many. */
 export const ARRANGE_STEPS = 32;
 
-/** m. Points this far beyond an edge of a polygon count as inside. */
+/** m. Points at most this far beyond an edge of a polygon count as inside. */
 export const POLYGON_POINT_TOLERANCE = 1e-6;
 
-/** m². Squared distances this much larger than the squared radius count as inside a circle. */
+/** m². A point counts as inside a circle if its squared distance exceeds the squared radius by no more than this. */
 export const CIRCLE_POINT_TOLERANCE = 1e-12;
 
-/** m. A swept shape has hit something when the gap is no larger; near rounding, as each step towards it gains many digits. */
+/**
+ * m. A shape cast has hit something when the gap is no larger. This is near rounding, as each iteration towards the hit gains many digits.
+ */
 export const CAST_TOLERANCE = 1e-9;
 
 /**
- * Looks of a sweep after which the axis along which two shapes are apart turns with one or the other of them by turns: else what rides on a bar of 20 km that
- * turns takes thousands. Most sweeps end long before, and with 16 the mean of all is 24 looks instead of 22.
+ * Iterations of a sweep (a cast or time of impact) after which the axis along which two shapes are separate turns with one or the other of
+ * them by turns: else what rides on a bar of 20 km that turns takes thousands. Most sweeps end long before. With 16, the mean of all is 24
+ * iterations instead of 22.
  */
 export const STILL_LOOKS = 256;
 
-/** m. Shapes that are swept have met when the gap to the depth wanted is no larger. */
+/** m. Swept shapes have met when their distance is within this of the depth that is looked for. */
 export const SWEEP_TOLERANCE = 1e-6;
 
-/** Looks. For so long bodies are followed to see whether they meet in a step; if that is not clear by then, they meet where they are. So are those that would bounce, to see whether they pass. */
+/**
+ * Iterations. For so many, a sweep follows two bodies to find whether they meet in a step; if that is not clear by then, they meet where
+ * they are. The same for those that would bounce, to find whether they pass each other.
+ */
 export const MEET_PATIENCE = 1000;
 
-/** What would bounce is followed if in a step it goes along the other by more than this share of half the width of the thinner one. */
+/**
+ * What would bounce is followed, to find whether it passes, if in a step it slides along the other shape by more than this share of half
+ * the width of the thinner one.
+ */
 export const PASS_SHARE = 0.1;
 
-/** m. An impact is one only if the bodies would overlap by as much: more than they do where they slide or rest on something, so that the joints of a tiled floor stop nothing. Larger lets fast things enter surfaces farther. */
+/**
+ * m. Only where bodies would overlap as deep is there an impact: that is more than they do where they slide or rest on something, so that
+ * the seams of a tiled floor stop nothing. Larger lets fast bodies get deeper into surfaces.
+ */
 export const IMPACT_DEPTH = 0.05;
 
-/** IMPACT_DEPTH is no more than this share of the thickness of both shapes, so that thin ones cannot pass each other. */
+/** IMPACT_DEPTH is at most this share of the sum of the half-widths of both shapes, so that thin ones cannot pass through each other. */
 export const IMPACT_SHARE = 0.25;
 
 /**
- * IMPACT_DEPTH is no more than this share of half the thickness of the thinner shape, where the solver does not see it or it is never foreseen: it would slip into the foot of a thick wall, or into the joint of two tiles, of which neither holds it then. With 1.5 rods that fly at a joint
- * lengthwise get in; what skims over tiles is stopped by none of them with either.
+ * IMPACT_DEPTH is at most this share of the half-width of the thinner shape, if the solver does not see the pair, or it is never foreseen.
+ * Deeper, that shape would slip into the foot of a thick wall, or into the seam of two tiles, where neither of the two holds it. With 1.5,
+ * rods that fly lengthwise at a seam get in. With neither value is anything stopped that skims over tiles.
  */
 export const IMPACT_SHARE_THIN = 0.95;
 
-/** IMPACT_DEPTH is no more than this share of half the thickness of the thinner shape, but IMPACT_LEAST: boxes of 0.1 m that landed on a corner, and turned onto another, were half in the floor as a step ended. */
+/**
+ * Where shapes land on each other, IMPACT_DEPTH is at most this share of the half-width of the thinner one, but no less than IMPACT_LEAST:
+ * boxes of 0.1 m that landed on a corner, and turned onto another, were half in the floor at the end of a step.
+ */
 export const IMPACT_SHARE_SMALL = 0.2;
 
-/** m. What lies on something or slides over it overlaps by less. */
+/** m. What rests or slides on something overlaps by less. */
 export const IMPACT_LEAST = 0.01;
 
-/** rad. IMPACT_SHARE_THIN is not asked of shapes that turn against each other by so much in the step: these would be stopped in it again and again, and stay in the air. */
+/**
+ * rad. IMPACT_SHARE_THIN does not apply to shapes that turn relative to each other by so much in the step: they would be stopped in it
+ * again and again, and stay in the air.
+ */
 export const IMPACT_TURN = 0.3;
 
-/** m. IMPACT_DEPTH for contacts that are foreseen: they stop nothing, so it has only to be more than what sliding bodies overlap by. */
+/** m. IMPACT_DEPTH for contacts that are foreseen. These stop nothing, so it only has to be more than sliding bodies overlap. */
 export const FORESIGHT_DEPTH = 0.005;
 
-/** rad. Contacts of bodies that turn by more in a step, both together, do not hold for all of it: they are not foreseen, and swept all the same. */
+/**
+ * rad. If two bodies together turn by more in a step, a contact between them does not hold for all of it: it is not foreseen, and they are
+ * swept anyway.
+ */
 export const SOLVED_TURN = 0.2;
 
-/** As a share of the step: meetings of a body that come so soon after the first come at once with it, as for a box that falls flat on tiles. */
+/**
+ * A share of the step: impacts of a body that come so soon after the first are solved at once with it, as for a box that falls flat on
+ * tiles.
+ */
 export const SAME_TIME = 2e-3;
 
-/** m. How much farther than foreseen a body may go in a step before it is looked at again; more means that more are near something. */
+/**
+ * m. How much farther than foreseen a body may go in a step before what is near it is searched again. With more, more bodies are near
+ * something.
+ */
 export const CLEARANCE = 0.1;
 
-/** For so many steps, at the speed it has, a body is looked around at once; more means a wider look, which finds something more often, and was for nothing then. */
+/**
+ * Steps. So far ahead, at the speed it has, the space around a body is searched at once. With more, the search is wider, finds something
+ * more often, and then was for nothing.
+ */
 export const CLEAR_STEPS = 8;
 
-/** So many times as deep as others jointed bodies may get before they are stopped. Times IMPACT_SHARE it is a half at most: what is deeper in a wall leaves it on the other side. With 3 jointed balls did. */
+/**
+ * Factor on the depth at which bodies with joints are stopped. With IMPACT_SHARE it makes one half at most: what is deeper in a wall leaves
+ * it on the other side. With 3, balls on joints did.
+ */
 export const JOINT_PATIENCE = 2;
 
-/** What is deeper than that already is stopped only if it gets deeper by this share of it: else it would never move out again. */
+/** What is already deeper than that is stopped only when it gets deeper by this share of it: else it could never move out again. */
 export const DEEPER_SHARE = 0.1;
 
-/** m. DEEPER_SHARE where one of both is kinematic and goes on: so much deeper is enough, more than rounding, as what lies deep on two that go alike is carried on by them, instead of being stopped by one on the way that the other gives it. */
+/**
+ * m. The same where one of the two is kinematic and goes on: getting so much deeper is enough. It is more than rounding, as what lies deep
+ * in two bodies that move alike is to be carried along by them, not stopped by the one on the way that the other gives it.
+ */
 export const DEEPER_CARRIED = 1e-5;
 
-/** m. Static shapes whose faces differ by no more than this are one surface for what slides over them; less catches on real tiles. */
+/**
+ * m. Static shapes whose faces differ by no more than this are one surface for what slides over them. With less, things catch on real
+ * tiles.
+ */
 export const FLUSH_TOLERANCE = 5e-4;
 
-/** How often friction and normals of an impact are solved at most, by turns. */
+/** At most so many times friction and normal impulses of an impact are solved, by turns. */
 export const IMPACT_ITERATIONS = 10;
 
-/** m/s. An impact is solved once another turn changes no velocity by more. */
+/** m/s. An impact is solved once another iteration changes no velocity by more. */
 export const IMPACT_TOLERANCE = 1e-9;
 
 /** m. Vertices closer than this are one point. */
 export const VERTEX_TOLERANCE = 1e-9;
 
-/** Relative: a vertex whose distance from the line of its neighbours is below this times their distance lies on it. */
+/** Relative. A vertex lies on the line of its neighbours if its distance from that line is below this times the distance between them. */
 export const COLLINEAR_TOLERANCE = 1e-9;
 
-/** m, rad, and either per second. A body whose place, motion or gain in a sub-step is more, or no number, is frozen: beyond, squares are infinite. */
+/**
+ * m, rad, and either per second. A body is frozen if its position, its velocity, or what it gains in a sub-step is larger, or not a number:
+ * beyond this, squares are infinite.
+ */
 export const FAR = 1e150;
 
-/** m. No shape is larger or farther from the origin of its body: its moment of inertia grows with the fourth power, and would be infinite. */
+/**
+ * m. No shape is larger, or farther from the origin of its body: its moment of inertia grows with the fourth power, and would be infinite.
+ */
 export const MAX_SIZE = 1e75;
 
 /**
- * How many interactions a shape has before others that it lies in the middle of have to wait, if they have as many. Four thousand boxes at one point then
- * are a quarter of a million pairs instead of eight million, which no memory has room for.
+ * How many interactions a shape has before further shapes whose centres it covers, and which cover its own, have to wait, if they have as
+ * many as well. Four thousand boxes at one point are then a quarter of a million pairs instead of eight million, for which no memory has
+ * room.
  */
 export const CROWD = 64;
 
@@ -253,122 +346,160 @@ export const CROWD = 64;
 export const DEFAULT_ITERATIONS = 8;
 
 /**
- * How often contacts are swept over for each velocity iteration. With 1 a tower of 25 sways for ever, a pyramid of base 20 settles by 14 mm instead of
- * 9, and what carries 100 times its weight buckles. If those of one point are left out of the further sweeps a pile of mixed shapes trembles at 0.1 m/s.
+ * Sweeps over contacts for each velocity iteration. With 1 a tower of 25 sways for ever, a pyramid of base 20 settles by 14 mm instead of
+ * 9, and what carries 100 times its weight buckles. If contacts of one point are left out of the further sweeps, a pile of mixed shapes
+ * trembles at 0.1 m/s.
  */
 export const CONTACT_SWEEPS = 1.5;
 
 /**
- * Share of what a step changed of a normal impulse that the next one starts with. All of it is control by integration alone, without damping: a pyramid of base 100
- * then heaves by up to 8 mm a contact for ever, and never sleeps. With 0.95 it still does, with 0.9 it rests after 15 s; with 0.8 a tower of 15 slides 4 cm.
+ * Share of the change of a normal impulse within a step that the warm start of the next one takes over. All of it is control by integration
+ * alone, without damping: a pyramid of base 100 then heaves by up to 8 mm a contact for ever, and never sleeps. With 0.95 it still does,
+ * with 0.9 it rests after 15 s; with 0.8 a tower of 15 slides by 4 cm.
  */
 export const IMPULSE_MEMORY = 0.9;
 
 /** m/s. What comes faster strikes, and is stopped for good, see `shocks.ts`. */
 export const SHOCK_SPEED = 0.3;
 
-/** Most contacts and joints that are solved together for it: more are a heap, where what presses is not over in a step. */
+/** At most so many contacts and joints are solved together for a shock. More are a heap, where what presses is not over within a step. */
 export const SHOCK_CONTACTS = 32;
 
-/** Most solutions of single contacts and joints for it, about 0.05 ms: fewer may have more sweeps. With 120 for two a body that falls on a fiftieth of its mass comes up by a sixth. */
+/**
+ * At most so many single contacts and joints are solved for a shock, counted over all sweeps; that takes about 0.05 ms. So the fewer there
+ * are, the more sweeps they may have. With 120 for two, a body that falls on a fiftieth of its mass comes up again by a sixth.
+ */
 export const SHOCK_WORK = 2000;
 
 /**
- * Parts of the list of contacts that are hard to solve are swept over this many times as often. With 1 a house of cards slips apart as it is put into
- * the world, and a tower of ten buckles under 100 times its weight; with 3 some such towers still do.
+ * Factor on the number of sweeps over those parts of the list of contacts that are hard to solve. With 1 a house of cards slips apart as it
+ * is put into the world, and a tower of ten buckles under 100 times its weight; with 3 some such towers still do.
  */
 export const HARD_SWEEPS = 4;
 
-/** A part is hard as a whole if more than this share of its contacts is new and slow: what was just put there, not a heap that is falling. */
+/**
+ * A part is hard as a whole if more than this share of its contacts is new and slow: then it was just put there, and is not a heap that is
+ * falling.
+ */
 export const NEW_SHARE = 0.5;
 
-/** Steps for which a contact is new: its impulses are far off at first. */
+/** Steps for which a contact is new: at first its impulses are far off. */
 export const NEW_STEPS = 8;
 
-/** m/s. Both its bodies are slower. */
+/** m/s. A contact is slow if both its bodies are slower than this. */
 export const NEW_SPEED = 1;
 
 /**
- * rad/s. Edges that turn faster than this against each other, and slower than the next, rock if they are in a column. A tower that was pushed sways: if few sweeps follow its load from side to
- * side too late, that feeds the sway, and it swings for ever. With 1e-4 some tremble at 0.4 mm/s for ever,
- * with 1e-3 they sway by 1 cm.
+ * rad/s. Edges in contact rock if they turn relative to each other faster than this and slower than TUMBLE_SPIN, in a column. A tower that
+ * was pushed sways: if few sweeps pass its load from side to side too late, that feeds the sway, and it swings for ever. With 1e-4 some
+ * tremble at 0.4 mm/s for ever, with 1e-3 they sway by 1 cm.
  */
 export const ROCK_SPIN = 1e-5;
 
-/** rad/s. What turns as fast tumbles: most contacts of a drum do. */
+/** rad/s. What turns as fast tumbles: most contacts in a drum do. */
 export const TUMBLE_SPIN = 0.1;
 
-/** Share. In a column a contact bears between this and the rest of all that a body's contacts do, half of it in the middle, but a quarter in a pyramid. */
+/**
+ * A share. A contact is in a column if it bears more than this, and less than 1 minus this, of all that the contacts of a body bear. That
+ * is a half in the middle of a column, but a quarter in a pyramid.
+ */
 export const COLUMN_PART = 0.42;
 
-/** A part is hard as a whole if more than this share of its contacts that turn rocks. With 0.2 a large pyramid that heaves takes a tenth longer, and a sway dies no sooner. */
+/**
+ * A part is hard as a whole if more than this share of its contacts that turn rocks. With 0.2 a large pyramid that heaves takes a tenth
+ * longer, and a sway dies no sooner.
+ */
 export const ROCK_SHARE = 0.5;
 
-/** A part is hard by ROCK_SHARE only if more than this share of all its contacts rocks. Where a few in a pyramid made it hard, sweeps that came and went made that tremble at 0.2 mm/s. */
+/**
+ * A part is hard by ROCK_SHARE only if more than this share of all its contacts rocks. Where a few contacts of a pyramid made it hard,
+ * sweeps that came and went made that tremble at 0.2 mm/s.
+ */
 export const ROCK_LEAST = 0.04;
 
 /**
- * If more than this share of its contacts is strained, these are hard, and what is next to them. With 0.08 a heavy top falls that stands among 100 other boxes;
- * with 0.06 twice as much of a drum of 1,000 boxes is hard. Refused: the whole part, which is most of a heap of ragdolls, and lets that top fall, too; and only
- * bodies with two strained contacts, with which a pyramid of base 100 overlaps by 4.7 mm.
+ * If more than this share of the contacts of a part is strained, these are hard, and those next to them. With 0.08 a heavy top that stands
+ * among 100 other boxes falls; with 0.06 twice as much of a drum of 1,000 boxes is hard. Refused: the whole part, which is most of a heap
+ * of ragdolls, and lets that top fall, too; and only bodies with two strained contacts, with which a pyramid of base 100 overlaps by 4.7
+ * mm.
  */
 export const STRAIN_SHARE = 0.075;
 
-/** m/s. A contact is strained if its impulse would give its bodies as much in a sub-step: if it carries about a hundred times their weight. With 20 towers of 12 under heavy tops buckle. */
+/**
+ * m/s. A contact is strained if its impulse would give its bodies as much in a sub-step, that is if it carries about a hundred times their
+ * weight. With 20, towers of 12 under heavy tops buckle.
+ */
 export const STRAIN_SPEED = 8;
 
 /**
- * Share. Between bodies that are alike it must also be more than this of what all contacts of one of them carry: half of it in a column, which buckles, but a quarter
- * in a wide heap, where a load is only the number of rows. With 0.25 half of a pyramid of base 160 is strained, with 0.33 a column under a row of 50 boxes buckles.
+ * A share. Between bodies of like mass, a strained contact must also carry more than this of what all contacts of one of them carry. That
+ * is a half in a column, which buckles, but a quarter in a wide heap, where a load is only the number of rows. With 0.25 half of a pyramid
+ * of base 160 is strained, with 0.33 a column under a row of 50 boxes buckles.
  */
 export const STRAIN_PART = 0.28;
 
-/** Share of the sum of their inverse masses by which bodies that are alike differ at most. With 0.2 mixed piles overlap deeper: 5.6 mm instead of 5.0 in the mean of 24. */
+/**
+ * Bodies are of like mass if their inverse masses differ by at most this share of the sum of these. With 0.2 mixed piles overlap deeper:
+ * 5.6 mm instead of 5.0 in the mean of 24.
+ */
 export const STRAIN_UNLIKE = 0.05;
 
-/** The same for contacts of one point, where one body has to be three times as heavy: a light wedge between heavy discs, which else swings for ever. With 0.05 a barrel of mixed shapes takes an eighth longer for nothing. */
+/**
+ * STRAIN_UNLIKE for contacts of one point, of which only those between unlike bodies are strained: one has to be three times as heavy. That
+ * is for a light wedge between heavy discs, which swings for ever without it. With 0.05 a barrel of mixed shapes takes an eighth longer for
+ * nothing.
+ */
 export const STRAIN_UNLIKE_ONE = 0.5;
 
-/** Steps on end for which it does: an impact is over before. With 20 towers buckle. */
+/** Steps on end for which a contact has to bear so much before it is strained: an impact is over sooner. With 20, towers buckle. */
 export const STRAIN_DELAY = 8;
 
 /** Steps for which a contact then counts as strained; else sweeps that come and go would shake what they hold. */
 export const STRAIN_STEPS = 60;
 
 /**
- * In a step whose sub-steps are more than so many times as long as those that impulses are remembered from, see `scaleImpulses` in `prepare.ts`, nothing starts with impulses: what is random in those of short steps does not become smaller with the load, and
- * would be multiplied.
+ * A ratio of two sub-steps. If a sub-step is more than so many times as long as those that the impulses were remembered from, see
+ * `scaleImpulses` in `prepare.ts`, there is no warm start: what is random in the impulses of short sub-steps does not get smaller with the
+ * load, and would be multiplied.
  */
 export const MAX_GROWTH = 4;
 
-/** Sub-steps that are shorter than those before are told from slow motion, which ends again, once as much time is over as so many of those before took. */
+/**
+ * Sub-steps. Where sub-steps become shorter, the impulses count as those of the longer ones before for as much time as these took in all,
+ * but of at most so many. After that it is slow motion.
+ */
 export const MOST_SPANS = 120;
 
 /** Default of `World.substeps`: the fewest with which tall towers, heavy tops and ramps are all right. */
 export const DEFAULT_SUBSTEPS = 4;
 
-/** m/s, rad/s. In a world with constraints faster motion is cut in each sub-step, so that what cannot be solved, such as a stiff spring stretched by miles, stays finite. */
+/**
+ * m/s, rad/s. In a world with constraints faster motion is cut to this in each sub-step, so that what cannot be solved, such as a stiff
+ * spring stretched by miles, stays finite.
+ */
 export const MAX_SPEED = 1e6;
 
 /**
- * rad²/s². Where the product of the rates at which two bodies turn is larger, contacts of what is joined, of several shapes, or carried by something that nothing moves turn with them. Below it a box on a platform creeps by 25 µm in a second at most, at 0.5 rad/s it would by 2 mm.
+ * rad²/s². A product of the angular velocities of two bodies. Above it, their contact turns with them, if they have joints or several
+ * shapes, or if something that nothing moves carries the other. Below it a box on a platform creeps by 25 µm in a second at most; at 0.5
+ * rad/s it would by 2 mm.
  */
 export const TURNS_TOGETHER = 1e-3;
 
-/** rad. What turns farther in a step meets something else before it ends: its contacts are not told how they turn. */
+/** rad. What turns farther in a step meets something else before the step ends: its contacts do not turn with it. */
 export const MOST_BEND = 0.5;
 
-/** Cosine of the angle by which a face of a floor may differ from a contact that it is to replace. */
+/** A cosine. The normal of a face of a floor may differ by at most that angle, 102°, from the contact that the face is to replace. */
 export const FACE_LOOKS = -0.2;
 
-/** rad. A gap that is narrower does not open the edges that it is between. */
+/** rad. A face of a floor is not open if the gap in front of it, seen from its nearer end, is narrower than this. */
 export const FACE_GAP = 0.2;
 
-/** Of a right angle. Wedges of a floor that leave less between them leave nothing. */
+/** In right angles. If the wedges of a floor leave less between them, that is no opening. */
 export const FACE_SLIT = 0.3;
 
-/** Times what forces add to a velocity in a step: a bounce adds more. */
+/** A velocity that changed by more than this times what forces add in a step bounced, … */
 export const BOUNCE_SUDDEN = 2;
 
-/** Share of what a bounce adds: more than this is left when it is over. */
+/** … if the body then moves along that change with more than this share of it. */
 export const BOUNCE_LEFT = 0.01;
