@@ -3,7 +3,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { takeOut } from '../math/list.js';
 import type { World } from '../world.js';
 
-// The lists of arbiters that a world shows, which `pack-contacts.ts` brings into order in each step.
+// The lists of arbiters that users see in a world. `pack-contacts.ts` sorts them in each step.
 
 /** Puts an arbiter into the world's list that it belongs to. */
 export function joinLists(world: World, pair: Arbiter): void {

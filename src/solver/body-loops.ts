@@ -32,7 +32,7 @@ export function moveOn(data: SolverData, from: number, to: number, h: number): v
     let w = v[i + d.W]!;
     const share = (vx * vx + vy * vy + radius * w * w) * inverseSquare;
     const damped = 1 - REST_DAMPING * h * (1 - share);
-    // Nothing is reckoned in a branch, as most bodies take it late: compiled code would bail out.
+    // No arithmetic in a branch: most bodies take it only late, when compiled code would bail out.
     const keep = radius >= 0 && f[i + d.TOUCHED] === 1 && share < 1 ? damped : 1;
     vx *= keep;
     vy *= keep;
@@ -46,7 +46,10 @@ export function moveOn(data: SolverData, from: number, to: number, h: number): v
   }
 }
 
-/** Adds the motion of the sub-step, pushes included, to that of the step; contacts want to know how far their bodies have turned in it. */
+/**
+ * Adds the motion of the sub-step, position corrections included, to that of the step. Of bodies in contact also finds the cosine and sine
+ * of how far they have turned in the step.
+ */
 export function advance(data: SolverData, from: number, to: number): void {
   const { velocity: v, motion: q, drive: f } = data;
   for (let k = from; k < to; k += 1) {

@@ -8,12 +8,12 @@ import * as d from './layout.js';
 import type { Loops } from './loops.js';
 import type { Scratch } from './scratch.js';
 
-/** Where the record of a contact begins, of `stride` numbers. */
+/** The index at which the record of a contact begins, of `stride` numbers. */
 export function recordAt(index: number, stride: number): number {
   return (index & d.EVEN) * stride + (index & 1);
 }
 
-/** The batch of a contact that is told by twice its index, plus 1 if it is of one point. */
+/** The batch of a contact. Here and elsewhere one number stands for a contact: twice its index, plus 1 if it is of one point. */
 export function batchOf({ one, two }: SolverData, contact: number): ContactBatch {
   return (contact & 1) === 1 ? one : two;
 }
@@ -21,17 +21,20 @@ export function batchOf({ one, two }: SolverData, contact: number): ContactBatch
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {
   count = 0;
-  /** Lent for a step, as the two next: see `scratch.ts`. */
+  /** Lent for a step, like the offsets below: see `scratch.ts`. */
   records = new Float64Array(0);
   /** Offsets of the two bodies' records, A then B. */
   bodies = new Int32Array(0);
   capacity = 0;
   arbiters: Arbiter[] = [];
-  /** Of the arbiters, as the step is stored by: where the record of each pair is, and its bits. It would have to wait for each arbiter else. */
+  /**
+   * Of the arbiters, for storing the step: the slab and place of each pair's record, and its bits. Else storing would wait for the memory
+   * of each arbiter.
+   */
   numbers: Float64Array[] = [];
   at = new Int32Array(0);
   bits = new Int32Array(0);
-  /** Which of the arbiter's points a one-point record is, 0 or 1; with `ONE_OF_TWO` if there is another. */
+  /** Which of the arbiter's points the record of a one-point contact is, 0 or 1; with `ONE_OF_TWO` if there is another. */
   point = new Uint8Array(0);
 
   constructor(
@@ -65,34 +68,37 @@ export class ContactBatch {
   }
 }
 
-/** What a contact or joint starts the next step with that started this one with `before`, and has `now`. Never −0. */
+/** The impulse with which a contact or joint starts the next step, if it started this one with `before` and now has `now`. Never −0. */
 export function remember({ remembered }: SolverData, before: number, now: number): number {
   return (remembered > 0 ? now + remembered * (before - now) : now) + 0;
 }
 
-/** Points of bouncing materials: which contact of its batch, which of its points (`shift` 0 or SECOND), and what is planned for it. */
+/** Points of materials that bounce: each one's contact, which of its points it is (`shift` 0 or SECOND), and what is planned for it. */
 export class BounceList {
   count = 0;
   readonly batches: ContactBatch[] = [];
   index = new Int32Array(16);
-  /** Where its record begins. */
+  /** Where the record of its contact begins. */
   record = new Int32Array(16);
   shift = new Int32Array(16);
-  /** Offsets of the records of the two bodies of each. */
+  /** Offsets of the records of the two bodies. */
   bodies = new Int32Array(32);
-  /** The normal and arms of its contact once more, see `layout.ts`: all of them are looked at twice in a sub-step, and most do not bounce. */
+  /**
+   * The normal and arms of its contact once more, see `layout.ts`: all points of the list are looked at twice in a sub-step, and most do
+   * not bounce.
+   */
   arms = new Float64Array(16 * d.BOUNCE_STRIDE);
   bias = new Float64Array(16);
-  /** m/s. With what speed a point that bounced was to leave. */
+  /** With what speed a point that bounced was to leave, m/s. */
   leaves = new Float64Array(16);
-  /** Whether it bounced in the sub-step, or is to, see `bounce.ts`. */
+  /** Whether it bounced in the sub-step, or is going to, see `bounce.ts`. */
   state = new Uint8Array(16);
-  /** Places in the list of the contacts that bounce in a round, by their first points. */
+  /** The contacts that bounce in the present round: the places of their first points in the list. */
   bouncing = new Int32Array(16);
-  /** Of the pair, to be written where a point is added: in each sub-step its arbiter would be waited for. */
+  /** Of the pair. Whoever adds a point writes it here: else each sub-step would wait for the memory of its arbiter. */
   elasticity = new Float64Array(16);
 
-  /** @returns the place in the list. */
+  /** Adds a point. @returns its place in the list. */
   add(batch: ContactBatch, index: number, shift: number): number {
     const i = this.count;
     if (i === this.index.length) {
@@ -131,14 +137,14 @@ export class BounceList {
   }
 }
 
-/** Contacts of bodies that turn together, see `turning.ts`. What lies beyond the count is old. */
+/** Contacts of bodies that turn together, see `turning.ts`. What lies beyond the count is of earlier steps. */
 export class TurningList {
-  /** As `batchOf` is told them. */
+  /** As `batchOf` takes them. */
   readonly contacts: number[] = [];
   kept = new Float64Array(8 * d.TURNING_STRIDE);
   count = 0;
 
-  /** @returns where its numbers are to be kept. */
+  /** Adds a contact. @returns where its numbers are to be kept. */
   add(contact: number): number {
     const at = d.TURNING_STRIDE * this.count;
     if (at === this.kept.length) {
@@ -150,20 +156,23 @@ export class TurningList {
   }
 }
 
-/** What was struck in a step, see `shocks.ts`. Contacts are as `batchOf` is told them; their ends are told by twice that, plus 1 for B. */
+/**
+ * What was struck in a step, see `shocks.ts`. Contacts are as `batchOf` takes them. A contact has two ends, one at each body: twice its
+ * number, plus 1 for B.
+ */
 export class ShockList {
-  /** Contacts whose surfaces come together fast as the step begins. */
+  /** Contacts whose surfaces approach each other fast as the step begins. */
   readonly struck = new List<number>();
-  /** Chains of the ends at each body: by slot the first, by end the next. Made once a step at most. */
+  /** Linked lists of the ends at each body: `first` by slot, `next` by end. Made at most once a step. */
   isLinked = false;
   first = new Int32Array(64);
   next = new Int32Array(256);
-  /** By slot: whether the body is refused, or the latest round that found it; there is one for each sub-step. */
+  /** By slot: that the body is refused, or the latest round in which it was found. There is one round for each sub-step. */
   known = new Int32Array(64);
   round = 0;
-  /** By slot: one more than the index of the group of joints, 0 without, -1 for what cannot be solved. */
+  /** By slot: one more than the index of the group of joints, 0 if there is none, −1 for what cannot be solved. */
   groupOf = new Int32Array(64);
-  /** What was found of late; and how many more contacts and joints there may be, below 0 if it was too many. */
+  /** The shock that was found last; and how many more contacts and joints it may have, negative if there were too many. */
   readonly contacts = new List<number>();
   readonly groups = new List<number>();
   readonly slots = new List<number>();
@@ -189,13 +198,16 @@ export class ShockList {
   }
 }
 
-/** What is pressed, see `squeezes.ts`. */
+/** What is squeezed, see `squeezes.ts`. */
 export class SqueezeList {
-  /** Contacts that are deeper than SQUEEZE_DEPTH, as `batchOf` is told them; then those of them that are of what is pressed. */
+  /** Contacts deeper than SQUEEZE_DEPTH, as `batchOf` takes them; later only those of them that are of what is squeezed. */
   readonly contacts = new List<number>();
-  /** N·s. What each of their points, two by two, may start a sub-step with however deep it is. */
+  /** The impulse with which each of their points, two by two, may start a sub-step however deep it is, N·s. */
   least = new Float64Array(0);
-  /** By index in `liveDynamics`: sets of `math/sets.ts`; by their roots: what they weigh, N·s in a sub-step, whether joints are in them, and whether they are pressed. */
+  /**
+   * Sets of `math/sets.ts`, by index in `liveDynamics`. By their roots: the impulse of their weight in a sub-step, N·s; whether joints are
+   * in them; and whether they are squeezed.
+   */
   parent = new Int32Array(0);
   weight = new Float64Array(0);
   tied = new Uint8Array(0);
@@ -214,23 +226,29 @@ export class SqueezeList {
   }
 }
 
-/** Everything the solver keeps for a world. Of it only the previous sub-step's length and what joints remember survives a step. */
+/** Everything the solver keeps for a world. Only the lengths of earlier sub-steps, and what joints remember, survive a step. */
 export class SolverData {
   bodyCount = 0;
-  /** The loops over bodies and contacts, and lent for a step, as the arrays of contacts are, what they work on; at other times these are anyone's. */
+  /**
+   * The loops over bodies and contacts; and the arrays that they work on, which are lent for a step, as those of contacts are. At other
+   * times these may be anyone's.
+   */
   loops: Loops | null = null;
   velocity = new Float64Array(0);
   motion = new Float64Array(0);
-  /** Placements as the sub-step starts, if there are joints; constraint/layout.ts names the offsets. */
+  /** Placements at the start of the sub-step, if there are joints; `constraint/layout.ts` names the offsets. */
   pose = new Float64Array(0);
-  /** Rigid point joints: their records, the offsets of the two bodies' records, and the loops over them, if there are others than those in TypeScript. */
+  /**
+   * Rigid point joints: their records, the offsets of the two bodies' records, and the loops over them, if there are others than those in
+   * TypeScript.
+   */
   points = new Float64Array(0);
   pointBodies = new Int32Array(0);
   pointKernels: PointKernels | null = null;
   drive = new Float64Array(0);
-  /** What contacts ask of their bodies, by slot: bits. */
+  /** By slot: what contacts have to know of their bodies, as bits, see LINKED in `layout.ts`. */
   traits = new Uint8Array(64);
-  /** The pairs that are being packed; what lies beyond their count is old. */
+  /** The pairs that are being packed. What lies beyond their count is of earlier windows. */
   readonly window: Arbiter[] = [];
   readonly one = new ContactBatch(d.ONE_STRIDE, this);
   readonly two = new ContactBatch(d.TWO_STRIDE, this);
@@ -238,32 +256,36 @@ export class SolverData {
   readonly shocks = new ShockList();
   readonly squeezes = new SqueezeList();
   readonly turning = new TurningList();
-  /** Contacts of what may be hooked into each other, as `batchOf` is told them. */
+  /** Contacts of bodies that may be hooked into each other, as `batchOf` takes them. */
   readonly hooked = new List<number>();
   /**
-   * Parts of the contacts that are hard to solve, HARD_STRIDE numbers each. What lies beyond the count is old: shortening the list would cost its
-   * storage.
+   * Parts of the contacts that are hard to solve, HARD_STRIDE numbers each. What lies beyond the count is of earlier steps: shortening the
+   * list would cost its storage.
    */
   readonly hard: number[] = [];
   hardCount = 0;
-  /** The most pairs that there were, of which not all are contacts: with more of them room is made at once. */
+  /** The largest number of pairs so far, of which not all are contacts: for more of them room is made at once. */
   roomFor = 0;
-  /** Something was taken from what an awake body lies on or carries. */
+  /** Whether something was taken away that an awake body rested on or carried. */
   unloads = false;
   /** Set by a position iteration in which circles overlapped deeply. */
   crowded = false;
-  /** How many sub-steps the step has: handlers may ask for others meanwhile. */
+  /** How many sub-steps the running step has: handlers may set another number meanwhile. */
   substeps = 1;
-  /** s. Length of the sub-steps of the last step, and of those that impulses are remembered from: the longest of them lately. */
+  /** s. Length of the sub-steps of the last step; and of those that impulses are remembered from, the longest of late. */
   previousH = 0;
   span = 0;
-  /** How many sub-steps of that length there were in a row: so long they are remembered. */
+  /** How many sub-steps of that length there were in a row: for so long they are remembered. */
   spans = 0;
-  /** Share of what a contact or joint gave before the step that it starts with after it as well: 0 but in sub-steps that are shorter than those that are remembered. */
+  /**
+   * Share of the impulse with which a contact or joint started a step that it also starts the next one with: 0, except in sub-steps that
+   * are shorter than those that are remembered.
+   */
   remembered = 0.5;
   /**
-   * What the impulses of the last step are multiplied by to fit the present sub-steps. Begins with a fraction: a field that turns from an integer into a number with one
-   * gives the object another layout, and what was compiled for the old one, the solver's loops, is never compiled as a whole again.
+   * Factor on the impulses of the last step, to fit the length of the present sub-steps. Starts as a fraction: a field that turns from an
+   * integer into a fraction gives the object another layout, and what was compiled for the old one, the solver's loops, is never compiled
+   * as a whole again.
    */
   impulseScale = 0.5;
 
@@ -274,7 +296,10 @@ export class SolverData {
     private readonly kernels: Kernels,
   ) {}
 
-  /** Nothing is awake, nothing moves: there is no body but the one that stands for all that cannot move, and no joint. */
+  /**
+   * Whether nothing is awake, so that nothing moves: there is no body but the one that stands for everything that cannot move, and no
+   * joint.
+   */
   get isIdle(): boolean {
     return this.bodyCount === 1 && this.joints.runs.length === 0;
   }
@@ -300,7 +325,7 @@ export class SolverData {
     this.hardCount = 0;
   }
 
-  /** Takes arrays for a step, with room for `count` bodies; slot 0 is cleared, the others are to be filled. */
+  /** Takes arrays for a step, with room for `count` bodies. Slot 0 is cleared, the others are to be filled. */
   resetBodies(count: number): void {
     this.bodyCount = count;
     this.scratch = this.kernels.lend(this, this.scratch);

@@ -20,8 +20,8 @@ import { areApart, canGiveWay, canInteract, mayInteract } from './interaction.js
 import { sleepPair, wakeBody } from './sleep.js';
 
 /**
- * Called by the broadphase with `this` = the world. @returns what `reportAgain` is asked in the next step: the number of the pair, if there is one, or minus
- * what `filters` is where they keep the shapes apart.
+ * Called by the broadphase with `this` = the world. @returns what `reportAgain` is asked in the next step: the number of the pair, if there
+ * is one, or minus `World.filters` where they keep the shapes apart.
  */
 function report(this: World, first: BroadphaseHandle, second: BroadphaseHandle): number {
   const a = first.data as Shape;
@@ -40,8 +40,8 @@ function reportAgain(this: World, note: number): boolean {
 }
 
 /**
- * Finds what collides: broadphase → pairs → manifolds → begin, progress, end and `preSolve`. Sleeping bodies that were hit
- * wake once all pairs have been seen, with the manifolds they fell asleep with.
+ * Finds what collides: broadphase → pairs → manifolds → begin, progress, end and `preSolve`. Sleeping bodies that were hit wake once all
+ * pairs have been seen, with the manifolds with which they fell asleep.
  */
 export function findPairs(world: World, dt: number): void {
   const pairs = world.pairs;
@@ -57,7 +57,7 @@ export function findPairs(world: World, dt: number): void {
   wakeHit(world);
 }
 
-/** @returns how many pairs there is still something to. Nothing follows the loop, see `refreshMoved`. */
+/** @returns how many pairs are kept. Nothing follows the loop, see `refreshMoved`. */
 function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): number {
   let kept = 0;
   for (let i = 0; i < count; i += 1) {
@@ -73,8 +73,8 @@ function renewAll(world: World, { items, count }: List<Arbiter>, dt: number): nu
 }
 
 /**
- * What filters and joints let interact is about to change. Within a step, what they keep apart when that happens first was not reported, whether a broadphase told of
- * it, as one does of pairs that it knows, or not.
+ * To be called before filters or joints change that decide which shapes may interact. Pairs that they keep apart at the first such change
+ * in a step count as not reported in it, whether the broadphase reported them or not: some report pairs that they know.
  */
 export function changeFilters(world: World): void {
   world.filters += 1;
@@ -92,7 +92,7 @@ export function changeFilters(world: World): void {
   }
 }
 
-/** Works out what a pair does in this step. @returns whether there is still something to it. */
+/** Renews a pair: collides its shapes, and starts, continues or ends their interaction. @returns whether the pair is kept. */
 function renew(world: World, pair: Arbiter, dt: number): boolean {
   const stamp = world.timeStamp;
   pair.unmark(NEAR);
@@ -124,7 +124,7 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
   return true;
 }
 
-/** Where a shape left and came back within a step, nothing is remembered of before. */
+/** If a shape left its world and came back within a step, the pair forgets everything from before. */
 function forgetLeft(pair: Arbiter): void {
   const { shapeA, shapeB, seen } = pair;
   if (!pair.is(LISTED) && seen >= 0 && seen <= Math.max(shapeA.entered, shapeB.entered)) {
@@ -168,9 +168,9 @@ function interact(world: World, pair: Arbiter): void {
 }
 
 /**
- * Surfaces that are near each other are given to the solver. Not if one belongs to a sleeping dynamic body, which could not
- * give way, nor if `preSolve` handlers have to be asked first; and what passes a static or kinematic body fast only if it will meet it, as its
- * nearest face may be one that it slides past.
+ * Gives shapes that are near each other to the solver, as a speculative contact. Not if one belongs to a sleeping dynamic body, which could
+ * not give way, nor if `preSolve` handlers have to be asked first. What passes a static or kinematic body fast is given to it only if it
+ * will meet it, see `foresee`: the nearest face may be one that it slides past.
  */
 function approach(world: World, pair: Arbiter, dt: number): void {
   if (canGiveWay(pair.bodyA) && canGiveWay(pair.bodyB) && !asksFirst(pair)) {
@@ -187,7 +187,10 @@ function approach(world: World, pair: Arbiter, dt: number): void {
   }
 }
 
-/** Whether `foresee` looks where the bodies of a pair are going: it does for one dynamic body that goes far, but does not turn or bounce. */
+/**
+ * Whether `foresee` is to find out if the bodies of a pair will meet: it does for a dynamic body and one that is not, if either goes far,
+ * they hardly turn, and they do not bounce.
+ */
 function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boolean {
   const a = shapeA.owner!;
   const b = shapeB.owner!;
@@ -199,7 +202,7 @@ function isForeseen({ shapeA, shapeB, numbers, at }: Arbiter, dt: number): boole
   );
 }
 
-/** The shapes do not interact in this step. */
+/** Ends the interaction of the shapes, if they interacted until now. */
 function part(world: World, pair: Arbiter): void {
   if (pair.active) {
     pair.unmark(ACTIVE);

@@ -2,10 +2,10 @@ import type { BodyState } from '../body-state.js';
 import { FORCE_CHANGE } from '../config.js';
 import type { World } from '../world.js';
 
-/** N, N and N·m, from `findForces`: numbers that are returned might be boxed. */
+/** The result of `findForces`: N, N and N·m. An array, as numbers that are returned might be boxed. */
 export const forces = /* @__PURE__ */ new Float64Array(3);
 
-/** Finds what pushes a body in this step, apart from gravity. */
+/** Finds the forces and the torque on a body in this step, without gravity. */
 export function findForces({ fx, fy, appliedTorque, applied }: BodyState): void {
   forces[0] = fx;
   forces[1] = fy;
@@ -17,7 +17,10 @@ export function findForces({ fx, fy, appliedTorque, applied }: BodyState): void 
   }
 }
 
-/** Wakes what sleeps, if what pushes it now is not what it fell asleep under; also if that pushed it on while it slept, and does no longer. */
+/**
+ * Wakes sleeping bodies if the forces on them for this step are not those that they fell asleep under; also if they had such forces while
+ * they slept, and now have none.
+ */
 export function wakePushed({ pushed }: World, dt: number): void {
   for (const body of pushed) {
     const applied = body.applied!;
@@ -27,7 +30,7 @@ export function wakePushed({ pushed }: World, dt: number): void {
   }
 }
 
-/** Takes what pushes from all that sleeps on: what woke until now has it already. */
+/** Takes the forces for this step from the bodies that still sleep: those that woke before have them already. */
 export function passPushed({ pushed }: World): void {
   for (const body of pushed) {
     if (body.asleep && body.applied!.pushes()) body.applied!.stay();
@@ -35,14 +38,17 @@ export function passPushed({ pushed }: World): void {
   }
 }
 
-/** Whether forces for one step are the first ones, or differ from those of the last one by what sets a body going. Not by how it bobs: what floats in peace has to fall asleep. */
+/**
+ * Whether forces for one step are the first ones, or differ from those of the step before by enough to set a body going, see FORCE_CHANGE.
+ * Not by as much as a body bobs: what floats in peace has to fall asleep.
+ */
 export function isPushedAnew(body: BodyState, dt: number): boolean {
   const { applied } = body;
   if (applied === null || !applied.pushedBefore()) {
     return applied?.pushes() ?? false;
   }
   const { mass, inertia, radius } = body;
-  // What cannot be turned has no inertia: to divide by it would make numbers that are none, and hide what pushes.
+  // What cannot be turned has no inertia: to divide by it would give infinity or NaN, and hide the forces.
   const inverseMass = mass > 0 ? 1 / mass : 0;
   const inverseInertia = inertia > 0 ? 1 / inertia : 0;
   const rim = radius > 0 ? radius : 1;

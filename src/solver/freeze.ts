@@ -4,8 +4,8 @@ import type { World } from '../world.js';
 import type { SolverData } from './data.js';
 import * as d from './layout.js';
 
-// In spite of all checks a body may come to numbers that are not finite: forces and masses are legal up to 1e308, and a custom constraint may write
-// what it likes. Such a body is frozen for the step, so that nothing else is touched.
+// In spite of all checks the numbers of a body may become infinite or NaN: forces and masses are legal up to 1e308, and a custom constraint
+// may write what it likes. Such a body is frozen for the step, so that it spoils nothing else.
 
 /** Freezes a body whose packed numbers would overflow, before it can spoil what it touches: in this step nothing moves it. */
 export function holdWild(world: World, body: RigidBody): void {
@@ -26,7 +26,10 @@ function hold({ velocity, motion, drive }: SolverData, at: number): void {
   drive[at + d.REST_RADIUS] = -1;
 }
 
-/** Ends the step of the frozen bodies: they rest where they were, without what drove them, and joints and contacts forget what they did to them. */
+/**
+ * Ends the step of the frozen bodies: they stay where they were, velocities and forces are reset, and their joints and contacts forget
+ * their impulses.
+ */
 export function restFrozen(world: World): void {
   for (const body of world.frozen) {
     body.vx = 0;

@@ -11,7 +11,7 @@ export function integratePositions(data: SolverData, h: number): void {
   inPieces(data, 1, data.bodyCount, data.loops!.moveOn, h);
 }
 
-/** Adds that, with all pushes, to the motion of the step. */
+/** Adds the motion of the sub-step, position corrections included, to that of the step. */
 export function advance(data: SolverData): void {
   inPieces(data, 1, data.bodyCount, data.loops!.advance);
 }

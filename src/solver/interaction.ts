@@ -4,21 +4,21 @@ import { letsMeet } from '../broadphase/broadphase.js';
 import type { Shape } from '../shape/shape.js';
 import { areKeptApart } from './ties.js';
 
-// Which shapes may have to do with each other.
+// Which shapes may interact.
 
-/** Filters, and what makes an interaction possible at all. */
+/** Whether two shapes may interact: by their filters, joints, and bodies. */
 export function mayInteract(a: Shape, b: Shape): boolean {
   return !areApart(a, b) && canInteract(a, b);
 }
 
-/** Filters or joints keep two shapes from interacting: until either change, which `World.filters` counts. */
+/** Whether filters or joints keep two shapes from interacting. That holds until either change, which `World.filters` counts. */
 export function areApart(a: Shape, b: Shape): boolean {
   const bodyA = a.owner!;
   const bodyB = b.owner!;
   return !letsMeet(a, b) || (bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB));
 }
 
-/** Of two bodies that are not of one kind that never does, or asleep both. */
+/** Whether two shapes can interact: their bodies are two, not both asleep, and one of them is dynamic or one shape is a sensor. */
 export function canInteract(a: Shape, b: Shape): boolean {
   const bodyA = a.owner!;
   const bodyB = b.owner!;
@@ -29,7 +29,7 @@ export function canInteract(a: Shape, b: Shape): boolean {
   );
 }
 
-/** It is no dynamic body that sleeps: the solver would not move that. */
+/** Whether the solver can move the body away: not if it is dynamic and asleep. */
 export function canGiveWay({ kind, asleep }: RigidBody): boolean {
   return kind !== DYNAMIC || !asleep;
 }

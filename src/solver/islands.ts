@@ -32,7 +32,10 @@ export class IslandWork {
   }
 }
 
-/** All four: slow, and hardly moved in the last step, in place and at the rim. Without shapes the spin itself is judged. */
+/**
+ * Whether a body is at rest: its velocity and its motion in the last step are both small, at the centre and at the rim. Without shapes the
+ * angular velocity itself counts.
+ */
 function isAtRest(body: RigidBody, dt: number): boolean {
   const rim = body.radius > 0 ? body.radius : 1;
   const w = body.w * rim;
@@ -46,16 +49,16 @@ function isAtRest(body: RigidBody, dt: number): boolean {
 }
 
 /**
- * Whether a step counts for those that rest. Of steps shorter than 1 / REST_RATE only as many as there would be of those: in slow motion what swings is slow for many steps
- * where it turns back.
+ * Whether a step counts towards the rest of bodies. Of steps shorter than 1 / REST_RATE only as many count as there would be of that
+ * length: in slow motion what swings is slow for many steps where it turns back.
  */
 function countsAsRest(time: number, dt: number): boolean {
   return REST_RATE * dt >= 1 || Math.floor(REST_RATE * time) > Math.floor(REST_RATE * (time - dt));
 }
 
 /**
- * Joins the live dynamic bodies that touch into islands; those whose bodies have all rested for longer than the delay fall
- * asleep, the others share the latest wake time of their members.
+ * Joins the live dynamic bodies that touch into islands. Those whose bodies have all rested for longer than the delay fall asleep, the
+ * others share the latest wake time of their members.
  */
 export function sleepIslands(world: World, dt: number): void {
   const live = world.liveDynamics;
@@ -104,7 +107,10 @@ export function sleepIslands(world: World, dt: number): void {
   world.jointSolver?.sleepIdle(world);
 }
 
-/** Whether bodies touch, or are nearer than half the overlap that is left alone: what trembles is apart for a step now and then, and a ball would fall asleep by itself that lies on it, and hang in the air once that goes. */
+/**
+ * Whether bodies touch, or are closer than half the contact slop. What trembles is apart for a step now and then; a ball that lies on it
+ * would fall asleep by itself, and hang in the air once it goes.
+ */
 function areTogether(pair: Arbiter): boolean {
   if (pair.isSolid() || !pair.is(NEAR)) {
     return pair.isSolid();
@@ -113,7 +119,7 @@ function areTogether(pair: Arbiter): boolean {
   return leastSeparation[0]! < CONTACT_SLOP / 2;
 }
 
-/** Joins what touches; what touches a kinematic body that moves, or was just put there, is not at rest. */
+/** Joins what touches. What touches a kinematic body that moves, or was just put there, is not at rest. */
 function joinTouching(world: World, parent: Int32Array): void {
   const stamp = world.timeStamp;
   const { sorted } = world.pairs;

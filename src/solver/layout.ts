@@ -1,10 +1,10 @@
 /**
- * Offsets into the packed arrays that the iterations of a step run on; a file without imports, as only then its numbers stand in the loops themselves, which is
- * worth a quarter of a step.
+ * Offsets into the packed arrays that the iterations of a step run on. A file without imports: only then the bundler puts its numbers into
+ * the loops themselves, which is worth a quarter of a step.
  *
- * Bodies: slot 0 stands for everything that can neither move nor be moved; awake dynamic bodies follow, then awake
- * kinematic ones. A body has a record in `velocity`, one in `motion`, one in `drive`, and in `pose` if there are joints: a run of numbers at a multiple of
- * its stride.
+ * Bodies: slot 0 stands for everything that can neither move nor be moved; awake dynamic bodies follow, then awake kinematic ones. A body
+ * has a record in `velocity`, one in `motion`, one in `drive`, and one in `pose` if there are joints: a run of numbers at a multiple of its
+ * stride.
  */
 export const BODY_STRIDE = 8;
 
@@ -15,16 +15,19 @@ export const W = 2;
 /** Inverse mass and inertia, in `velocity` and in `motion` at the same offsets. */
 export const INV_MASS = 3;
 export const INV_INERTIA = 4;
-/** Cosine − 1 and sine of the turn since the start of the step, in `velocity`, where the contacts look anyway. */
+/** Cosine − 1 and sine of the turn since the start of the step; in `velocity`, where contacts read anyway. */
 export const COS_LESS_ONE = 5;
 export const SIN = 6;
-/** How near it is to strained contacts, in `velocity`, see `markHard`, as contacts are packed; from then on, in `bounce.ts`, the round in which it bounces, negative. */
+/**
+ * In `velocity`: while contacts are packed, how near the body is to strained contacts, see `markHard`; later, in `bounce.ts`, the round in
+ * which it bounces, negative.
+ */
 export const MARK = 7;
-/** Marks that all and no contacts are above. */
+/** Thresholds of that mark: all contacts are hard from the first, and none from the second. */
 export const ALL_HARD = 0;
 export const NONE_HARD = 1e9;
 
-/** `motion`: displacement within this sub-step (velocity · h, then pushes) … */
+/** `motion`: displacement within this sub-step (velocity · h, then position corrections) … */
 export const QX = 0;
 export const QY = 1;
 export const QW = 2;
@@ -39,14 +42,17 @@ export const GAIN_Y = 1;
 export const GAIN_W = 2;
 export const KEEP_LINEAR = 3;
 export const KEEP_ANGULAR = 4;
-/** Square of the radius of gyration times REST_SPIN_WEIGHT; negative for bodies that rest damping leaves alone … */
+/** Square of the radius of gyration times REST_SPIN_WEIGHT; negative for bodies without rest damping … */
 export const REST_RADIUS = 5;
-/** … as it does with those that have no contact: 1 if the body has one. */
+/** … which bodies without a contact do not have either: 1 if the body has one. */
 export const TOUCHED = 6;
-/** N·s. The normal impulses that all contacts of the body together start the step with. */
+/** The normal impulses with which all contacts of the body together start the step, N·s. */
 export const LOAD = 7;
 
-/** Bits of `SolverData.traits`: some joint that is no custom constraint holds the body, it has several shapes, its surface moves, or it is of the group of joints that is looked at, and was itself looked at. */
+/**
+ * Bits of `SolverData.traits`. The first three are for contacts: a joint that is no custom constraint holds the body, it has several
+ * shapes, its surface moves. The others mark bodies of groups of joints while these are looked at.
+ */
 export const LINKED = 1;
 export const COMPOUND = 2;
 export const RUBS = 4;
@@ -81,15 +87,15 @@ export const FRICTION = 16;
 export const TANGENT = 18;
 export const TANGENT_SUM = 20;
 
-/** Of each point: */
+/** Of each point, from here to START1 and SEPARATION1: the arms … */
 export const RN_A1 = 22;
 export const RN_B1 = 24;
-/** Impulse of this sub-step, and of the whole step without this sub-step's. */
+/** … the impulse of this sub-step, and of the whole step without this sub-step's … */
 export const NORMAL1 = 26;
 export const NORMAL_SUM1 = 28;
-/** What the normal velocity is driven to, with the sign changed. */
+/** … the normal velocity that it is driven to, with the sign changed … */
 export const BIAS1 = 30;
-/** Separation at the start of the step, and at the start of the sub-step. */
+/** … and the separation at the start of the step, and at the start of the sub-step. */
 export const START1 = 32;
 export const SEPARATION1 = 34;
 
@@ -100,10 +106,16 @@ export const ROLL_MASS = 38;
 export const ROLL_FRICTION = 40;
 export const ROLL = 42;
 export const ROLL_SUM = 44;
-/** One-point records only: as RT, of what turns with the body; of a circle that is its centre, as its surface stays where it is when it turns. */
+/**
+ * One-point records only: as RT, for the part of the arm that turns with the body. Of a circle that is the arm of its centre, as its
+ * surface stays where it is when it turns.
+ */
 export const PIVOT_A = 46;
 export const PIVOT_B = 48;
-/** One-point records only: by how much friction and rolling, for each unit that they change, lessen the normal impulse that is found after them, and friction the rolling. */
+/**
+ * One-point records only: by how much a unit of friction and of rolling lessens the normal impulse that is found after them, and one of
+ * friction the rolling.
+ */
 export const NORMAL_OF_TANGENT = 50;
 export const NORMAL_OF_ROLL = 52;
 export const ROLL_OF_TANGENT = 54;
@@ -112,7 +124,7 @@ export const ONE_STRIDE = 28;
 /** A bit of `ContactBatch.point`. */
 export const ONE_OF_TWO = 2;
 
-/** Two-point records only: the second point at the offsets of the first plus SECOND, and K of both points. */
+/** Two-point records only: the numbers of the second point, at the offsets of the first plus SECOND, and K of both points. */
 export const SECOND = 16;
 export const RN_A2 = RN_A1 + SECOND;
 export const RN_B2 = RN_B1 + SECOND;
@@ -128,43 +140,46 @@ export const K12 = 54;
 export const I11 = 56;
 export const I12 = 58;
 export const I22 = 60;
-/** How far friction is from the second point, 0, towards the first, 1: that much of it the first point keeps for the next step. */
+/** Where friction acts between the points: 0 at the second, 1 at the first. That share of it the first point keeps for the next step. */
 export const PART = 62;
 export const TWO_STRIDE = 32;
 
 /**
- * Offsets pass through this mask in the hot loops. It changes none, as no array is that long, but tells the compiler that they are small,
- * so that adding a field to one needs no check for overflow: a twentieth of a step.
+ * Offsets pass through this mask in the hot loops. It changes none, as no array is that long, but it tells the compiler that they are
+ * small, so that adding a field to one needs no check for overflow: a twentieth of a step.
  */
 export const OFFSET = 0xfffffff;
-/** A bit of the first offset of the second contact of two: it shares a body that can move with the first. */
+/** A bit of the first offset of the second contact of two: it shares a body that can move with the first, and waits for it. */
 export const WAITS = 0x20000000;
-/** The same bit of rigid point joints, of which no two that lie side by side share a body: there is no second. */
+/** The same bit of rigid point joints. No two of them that lie side by side share a body; here it says that there is no second. */
 export const MISSING = 0x20000000;
 
-/** Contacts are solved in the order of their shapes, but each window of this many in four runs by turns. */
+/** Contacts are solved in the order of their shapes, except that each window of so many is split into four runs, which take turns. */
 export const WINDOW = 128;
 export const RUN = 32;
 
-/** Parts of the contacts that are hard to solve, in `SolverData.hard`: from where to where, of those of two points and of one. */
+/** Parts of the contacts that are hard to solve, in `SolverData.hard`: from which to which contact of two points, and of one. */
 export const FROM_TWO = 0;
 export const TO_TWO = 1;
 export const FROM_ONE = 2;
 export const TO_ONE = 3;
 export const HARD_STRIDE = 4;
 
-/** What is kept of a contact that turns with its bodies, in `TurningList`: its normal, the separations of both points, what its surfaces move by … */
+/**
+ * What is kept of a contact that turns with its bodies, in `TurningList`: its normal, the separations of both points, the surface
+ * velocities …
+ */
 export const TURNING_NX = 0;
 export const TURNING_NY = 1;
 export const TURNING_START1 = 2;
 export const TURNING_START2 = 3;
 export const TURNING_SURFACE_N = 4;
 export const TURNING_SURFACE_T = 5;
-/** m. … and how far its points are from the pivots of circles. */
+/** … and the distance of its points from the pivots of circles, m. */
 export const TURNING_PIVOTS = 6;
 export const TURNING_STRIDE = 7;
 
-/** What a point that may bounce has of its contact once more, in `BounceList.arms`. */
+/** What is kept of the contact of a point that may bounce, in `BounceList.arms`. */
 export const BOUNCE_NX = 0;
 export const BOUNCE_NY = 1;
 export const BOUNCE_RN_A = 2;
@@ -175,7 +190,7 @@ export const BOUNCE_STRIDE = 4;
 export const IMMOVABLE = 1e30;
 /** m. A separation that no motion of a step can close: switches a point off. */
 export const OUT_OF_REACH = 1e9;
-/** m/s. A bias that no impulse can meet by pushing: keeps a point out of a sub-step. */
+/** m/s. A bias that no normal impulse can reach by pushing: keeps a point out of a sub-step. */
 export const OFF = 1e9;
 /** rad. Up to this turn a short series for sine and cosine is exact to the last digit that matters. */
 export const SMALL_TURN = 0.2;

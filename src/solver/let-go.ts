@@ -3,10 +3,13 @@ import { releaseAround } from './contacts/seams.js';
 import { releaseImpacts } from './impacts/impact.js';
 import { releaseMeetings } from './impacts/meetings.js';
 
-/** Lets go, between steps, of what has left a world: lists and objects that are used again would hold it until something else takes its place in them, and all that users bound to it. */
+/**
+ * Releases, between steps, what has left a world. Lists and objects that are used again would keep it, and everything that users bound to
+ * it, until something else takes its place in them.
+ */
 export function letGo(world: World): void {
   const { cut, cutBefore } = world.pairs;
-  // What is cut is freed only in the next steps.
+  // What was cut off is freed only in the next steps.
   world.someLeft = cut.length + cutBefore.length > 0;
   world.stale.release();
   world.toWake.release();

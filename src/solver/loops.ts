@@ -22,7 +22,7 @@ export interface Loops {
   readonly solvePositionTwo: Sweep;
 }
 
-/** One contact of two points, or some: they are of polygons, which bring this along. */
+/** As `Sweep`, over contacts of two points: these are of polygons, which bring the loop along. */
 export const solveVelocityTwo: Sweep = (data, from, to, h) => works?.solveVelocityTwo(data, from, to, h) ?? false;
 
 /** The loops in plain TypeScript. */

@@ -73,7 +73,7 @@ export function changeKind(world: World, body: RigidBody, kind: number): void {
   }
 }
 
-/** Sensors meet anything but static on static; of a collision one side has to be dynamic. */
+/** Whether a pair can still interact: a sensor with anything, but not static with static; in a collision one side has to be dynamic. */
 function isPossible({ sensor, bodyA, bodyB }: Arbiter): boolean {
   return sensor ? bodyA.kind !== STATIC || bodyB.kind !== STATIC : bodyA.kind === DYNAMIC || bodyB.kind === DYNAMIC;
 }

@@ -3,12 +3,12 @@ import { sortFirst } from '../math/sort.js';
 import { isOlder, type Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 
-/** Shapes of a world that were found near something. */
+/** The result of `findNearby`. */
 export class Nearby {
-  /** What was found last. What lies beyond the count is left from before: shortening the list would cost its storage. */
+  /** What lies beyond the count is left from before: shortening the list would cost its storage. */
   readonly shapes: Shape[] = [];
   count = 0;
-  /** Of the movers so many, the first ones, are left out. */
+  /** The shapes of so many movers, the first ones, are left out. */
   passed = 0;
 
   readonly gather = ({ data }: BroadphaseHandle): void => {
@@ -28,8 +28,9 @@ export class Nearby {
 }
 
 /**
- * Lists the shapes that have something to do with `bounds`, by their ids, as broadphases differ in the order in which they find them: all,
- * or the static and sleeping ones; but for the first `passed` movers and, of all, those of the body of a shape. @returns how many.
+ * Lists the shapes that overlap `bounds`, in the order of their ids, as broadphases differ in the order in which they find them. All
+ * shapes, or only the static and sleeping ones; without those of the first `passed` movers, and, if all, without those of the body of
+ * `own`. @returns how many.
  */
 export function findNearby(
   { broadphase, movers }: World,

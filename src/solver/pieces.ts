@@ -1,12 +1,12 @@
 import type { SolverData } from './data.js';
 import { WINDOW } from './layout.js';
 
-/** A loop over bodies or contacts from one index to another; `h` is for those that ask for it. */
+/** A loop over bodies or contacts from one index to another; `h` is for those that need it. */
 type Loop = (data: SolverData, from: number, to: number, h: number) => unknown;
 
 /**
- * Gives a list to a loop in pieces: one that runs so long in its first calls that it is compiled there may be entered in its middle ever after, with
- * numbers boxed until it gets there. @returns whether the loop said `true` of any.
+ * Runs a loop over a list in pieces. A loop that runs so long in its first calls that it is compiled meanwhile may be entered in its middle
+ * ever after, with numbers boxed until it gets there. @returns whether the loop returned `true` for any piece.
  */
 export function inPieces(data: SolverData, first: number, count: number, loop: Loop, h = 0): boolean {
   let found = false;

@@ -7,7 +7,9 @@ import { putGroundsBack, smoothMeeting, smoothSeams } from './contacts/seams.js'
 import { storeTwo } from './contacts/store-contacts.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './contacts/two-point.js';
 
-/** What polygons bring along: their kernels, what keeps things from catching on the joints of tiles, and contacts of two points. */
+/**
+ * What polygons bring along: their collision kernels, what keeps things from catching on the seams of tiles, and contacts of two points.
+ */
 export const polygonWorks: PolygonWorks = {
   collideCirclePolygon,
   collidePolygonCircle,

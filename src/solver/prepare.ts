@@ -10,7 +10,7 @@ import { holdWild } from './freeze.js';
 import * as d from './layout.js';
 import { findSqueezes } from './squeezes.js';
 
-/** What a drag leaves of a velocity after h seconds, (1 − drag)^h: remembered, as most bodies have the same drag in all steps. */
+/** The share of a velocity that drag leaves after h seconds, (1 − drag)^h. Kept, as most bodies have the same drag in all steps. */
 class Keep {
   drag = -1.5;
   h = 0.5;
@@ -25,7 +25,7 @@ class Keep {
   }
 }
 
-// What was worked out last, for any world: it changes no result.
+// The last results, for any world: they change no result.
 const linear = /* @__PURE__ */ new Keep();
 const angular = /* @__PURE__ */ new Keep();
 
@@ -35,11 +35,11 @@ export function prepare(world: World, h: number): void {
   if (world.liveDynamics.length + world.liveKinematics.length + world.liveConstraints.length > 0) {
     packBodies(world);
     packDrives(world, h);
-    // Where nothing is near anything nobody asks for them.
+    // If no two shapes are near each other, nobody needs them.
     if (world.pairs.sorted.count > 0) packTraits(world);
     scaleImpulses(data, h);
   } else {
-    // Where nothing is awake nothing is packed, and what sleeps is to start from the step that it fell asleep in.
+    // Where nothing is awake nothing is packed: what sleeps is to start from the step in which it fell asleep.
     data.bodyCount = 1;
   }
   packContacts(world);
@@ -53,8 +53,11 @@ export function prepare(world: World, h: number): void {
 }
 
 /**
- * What is random in the impulses of short sub-steps does not become smaller with the load: in these what contacts and joints start the next step with only changes by as much as there is of one of the longer sub-steps before. So nothing notices
- * that some steps are short, as the rest of a frame is where steps are only as long as is left of it, or slow motion: a pyramid crept by 0.1 m in half a minute, heaps were thrown up by each step that was more than four times as long as the one before.
+ * Finds how impulses are scaled for the warm start. What is random in the impulses of short sub-steps does not get smaller with the load.
+ * So in short sub-steps the impulses with which contacts and joints start the next step change only as much as in a part, of that length,
+ * of one of the longer sub-steps before: then nothing notices that some steps are short, as in slow motion, or where a game steps by what
+ * is left of a frame. Without it a pyramid crept by 0.1 m in half a minute, and heaps were thrown up by each step that was more than four
+ * times as long as the one before.
  */
 function scaleImpulses(data: SolverData, h: number): void {
   const growth = h / (data.previousH || h);
@@ -99,7 +102,7 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   const at = slot * d.BODY_STRIDE;
   body.refreshMass();
   const { kind, mass, inertia } = body;
-  // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+  // As `inverseMass` and `inverseInertia`, which would have to box what they return if they were called from here.
   const invMass = kind === DYNAMIC && mass > 0 ? 1 / mass : 0;
   const invInertia = kind === DYNAMIC && inertia > 0 ? 1 / inertia : 0;
   body.slot = slot;
@@ -118,7 +121,10 @@ function packBody(data: SolverData, body: RigidBody, slot: number): void {
   data.drive[at + d.LOAD] = 0;
 }
 
-/** What drives dynamic bodies in sub-steps of length h. As `packTraits` a pass of its own: what is too long to be compiled as a whole boxes numbers. */
+/**
+ * Packs what drives dynamic bodies in sub-steps of length h. Like `packTraits` a pass of its own: a function too long to be compiled as a
+ * whole boxes numbers.
+ */
 function packDrives(world: World, h: number): void {
   const { velocity, drive } = world.solver;
   const dynamics = world.liveDynamics;
@@ -142,7 +148,7 @@ function packDrives(world: World, h: number): void {
   }
 }
 
-/** What contacts ask of dynamic bodies; kinematic ones have none of it. */
+/** Packs what contacts have to know of dynamic bodies; kinematic ones have none of it. */
 function packTraits({ solver, liveDynamics, timeStamp }: World): void {
   solver.unloads = false;
   solver.traits.fill(0, 1 + liveDynamics.length, solver.bodyCount);
@@ -156,7 +162,7 @@ function packTraits({ solver, liveDynamics, timeStamp }: World): void {
   }
 }
 
-/** Custom constraints hold whatever they like: they do not count. */
+/** Whether an enabled joint holds the body. Custom constraints hold whatever they like: they do not count. */
 function isLinked({ constraints }: RigidBody): boolean {
   for (let i = 0; i < constraints.length; i += 1) {
     if (constraints[i]!.enabled && constraints[i]!.type !== 'CUSTOM') {

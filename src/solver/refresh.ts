@@ -5,13 +5,16 @@ import { growBounds, HALF_MARGIN } from './bounds.js';
 
 const bounds = /* @__PURE__ */ new Float64Array(4);
 
-/** The bounds of a shape for the broadphase: two shapes within the speculative margin overlap. Dead after the next call. */
+/**
+ * The bounds of a shape for the broadphase: those of two shapes that are closer than the speculative margin overlap. The array is reused by
+ * the next call.
+ */
 export function broadphaseBounds(shape: Shape): Float64Array {
   growBounds(shape, HALF_MARGIN, bounds);
   return bounds;
 }
 
-/** Puts a shape of a body of a world, which is placed, into the broadphase. */
+/** Inserts a shape into the broadphase, whose body is in the world and placed. */
 export function insertHandle({ broadphase, movers }: World, shape: Shape): void {
   const body = shape.owner!;
   if (body.asleep) movers.space.forget();
@@ -26,25 +29,25 @@ export function updateHandles({ broadphase, movers }: World, { shapes, asleep }:
   }
 }
 
-/** The beginning of a step: everything is where it is, and what woke since the last one is told. */
+/** Begins a step: brings geometry and broadphase up to date, and tells of what woke since the last step. */
 export function refreshMoved(world: World): void {
   refreshBodies(world);
   world.events.noteWoken(world);
-  // At the end: where more follows a loop that was compiled while it ran, that code is left by a bailout in every step.
+  // This loop is the last: where code follows a loop that was compiled while it ran, that code is left by a bailout in every step.
   const { liveDynamics } = world;
   for (let i = 0; i < liveDynamics.length; i += 1) {
     liveDynamics[i]!.refreshMass();
   }
 }
 
-/** For queries: within a step placements are those that it began with. */
+/** Brings geometry and broadphase up to date for queries. Within a step they stay as they were when it began. */
 export function refreshPlaces(world: World): void {
   if (!world.stepping) {
     refreshBodies(world);
   }
 }
 
-/** Within a step: some bodies are elsewhere than the broadphase has them, as it moves them or shows them to callbacks. */
+/** Whether, within a step, some bodies are not where the broadphase has them, as the step moves them or shows them to callbacks. */
 export function isUnderWay({ movers, solver }: World): boolean {
   return movers.count + solver.joints.shown.size > 0;
 }

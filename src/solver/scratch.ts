@@ -3,13 +3,16 @@ import type { PointKernels } from './joints/kernels/points.js';
 import { BODY_STRIDE, ONE_STRIDE, TWO_STRIDE } from './layout.js';
 import type { Loops } from './loops.js';
 
-/** Bytes. Below it WebAssembly has numbers of its own. */
+/** Bytes. Below this, WebAssembly keeps numbers of its own. */
 const START = 2048;
 
-/** How much there is room for at first. */
+/** Initial room for bodies, contacts and joints, each. */
 const FEWEST = 64;
 
-/** A buffer, and the loops that work on it: over bodies and contacts, and over rigid point joints and what they join, if there are others than those in TypeScript. */
+/**
+ * A buffer, and the loops that work on it: over bodies and contacts, and over rigid point joints and their bodies, if there are others than
+ * those in TypeScript.
+ */
 export interface Room {
   readonly buffer: ArrayBuffer;
   readonly loops: Loops;
@@ -17,29 +20,32 @@ export interface Room {
 }
 
 /**
- * What these loops read and write, side by side in one buffer, as those in WebAssembly have to have it. None of it outlives a step, so worlds share it. It
- * grows by doubling, into another buffer: a memory of WebAssembly that grew would take its buffer from those who have it, and once there was such a case V8 asks at each access to any typed
- * array, which is a tenth of a step.
+ * The arrays that the loops read and write, side by side in one buffer, as the loops in WebAssembly need them. None of it outlives a step,
+ * so worlds share it. It grows by doubling, into another buffer. A memory of WebAssembly that grew would detach its old buffer, and once
+ * that has happened V8 checks for it at each access to any typed array, which is a tenth of a step.
  */
 export class Scratch {
   /** Who has it for a step. */
   user: object | null = null;
   room: Room;
-  /** `velocity`, `motion`, `pose` and `drive` of `SolverData`, the records of contacts of one point and of two and of rigid point joints, … */
+  /**
+   * `velocity`, `motion`, `pose` and `drive` of `SolverData`; then the records of contacts of one point, of contacts of two, and of rigid
+   * point joints; …
+   */
   doubles: readonly Float64Array<ArrayBuffer>[] = [];
-  /** … and of these the offsets of the two bodies' records. */
+  /** … and for these three the offsets of the two bodies' records. */
   offsets: readonly Int32Array<ArrayBuffer>[] = [];
   private bodies = FEWEST;
   private ones = FEWEST;
   private twos = FEWEST;
   private points = FEWEST;
 
-  /** Given what makes room for so many bytes. */
+  /** `allot` makes a room of so many bytes. */
   constructor(private readonly allot: (size: number) => Room) {
     this.room = this.lay();
   }
 
-  /** Makes room for so many bodies, contacts of one point and of two, and rigid point joints; what there was stays. */
+  /** Makes room for so many bodies, contacts of one point and of two, and rigid point joints. What is there stays. */
   reserve(bodies: number, ones: number, twos: number, points: number): void {
     if (bodies > this.bodies || ones > this.ones || twos > this.twos || points > this.points) {
       this.bodies = doubledTo(bodies, this.bodies);

@@ -12,7 +12,7 @@ import { updateHandles } from './refresh.js';
 
 /** Bodies and constraints that fell asleep together, and wake together. */
 export interface Island {
-  /** Scratch: its place while the state of the world is walked over. */
+  /** Scratch: its number while the state of the world is saved. */
   number: number;
   readonly bodies: RigidBody[];
   readonly constraints: Constraint[];
@@ -23,7 +23,7 @@ function wakeStamp(world: World): number {
   return world.stepping ? world.timeStamp : world.timeStamp + 1;
 }
 
-/** Puts an awake body into the live list of its type, its shapes among the moving ones, and what they touched goes on. */
+/** Wakes a body: puts it into the live list of its type, tells the broadphase, and continues its interactions. */
 export function enliven(world: World, body: RigidBody): void {
   body.asleep = false;
   body.wakeTime = wakeStamp(world);
@@ -36,14 +36,14 @@ export function enliven(world: World, body: RigidBody): void {
       if (pair.sleeping) {
         wakePair(world, pair);
       } else if (world.stepping && pair.active && (pair.bodyA.asleep || pair.bodyB.asleep)) {
-        // Nobody reported it, as both were asleep when the step began.
+        // It was not reported, as both were asleep when the step began.
         pair.seen = world.timeStamp;
       }
     }
   }
 }
 
-/** Takes a body out of its live list and its shapes from among the moving ones. */
+/** Takes a body out of its live list, and tells the broadphase that its shapes rest. */
 export function quieten(world: World, body: RigidBody): void {
   const live = body.kind === DYNAMIC ? world.liveDynamics : world.liveKinematics;
   const moved = takeOut(live, body.liveIndex);
@@ -85,7 +85,10 @@ export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
   spreadWake(world, body, silent);
 }
 
-/** An awake body stays so, and what touches it: it may be without support from now on, of which nothing tells if that is lowered so slowly that what lies on it rests in between. */
+/**
+ * Keeps an awake body awake, and what touches it. That may be without support from now on, and nothing else notices if the body is lowered
+ * so slowly that what lies on it rests meanwhile.
+ */
 function stir(world: World, body: RigidBody): void {
   const stamp = wakeStamp(world);
   body.wakeTime = stamp;
@@ -94,7 +97,7 @@ function stir(world: World, body: RigidBody): void {
     const { arbiters } = shapes[i]!;
     for (let k = 0; k < arbiters.length; k += 1) {
       const pair = arbiters[k]!;
-      // First: most are of interactions that are over, of which nothing else need be waited for.
+      // Tested first: most interactions are over, and then the memory of nothing else has to be waited for.
       if (!pair.isSolid()) continue;
       const other = pair.bodyA === body ? pair.bodyB : pair.bodyA;
       if (other.kind === DYNAMIC && !other.asleep) other.wakeTime = stamp;
@@ -102,7 +105,7 @@ function stir(world: World, body: RigidBody): void {
   }
 }
 
-/** Wakes all that can move, and what sleeps. */
+/** Wakes everything that can move, and whatever sleeps. */
 export function wakeAll(world: World): void {
   for (const body of world.rigidBodies) {
     if (body.kind === DYNAMIC || body.asleep) wakeBody(world, body, false);
@@ -127,7 +130,7 @@ export function wakeConstraint(world: World, constraint: Constraint, silent: boo
   }
 }
 
-/** Wakes something and what must wake with it, and with that, and so on; a list, as the way can be long. */
+/** Wakes something, what must wake with it, what must wake with that, and so on. A list and no recursion, as the chain can be long. */
 function spreadWake(world: World, start: RigidBody | Constraint, silent: boolean): void {
   const { woken } = start;
   const found: (RigidBody | Constraint)[] = [start];
@@ -181,7 +184,7 @@ function spreadFromConstraint(world: World, constraint: Constraint, found: (Rigi
   }
 }
 
-/** An island wakes as a whole, and with it what was put to sleep by hand: constraints on its bodies, bodies of its constraints. */
+/** Wakes an island as a whole, and with it what was put to sleep by hand: constraints on its bodies, bodies of its constraints. */
 function raiseIsland(world: World, island: Island, found: (RigidBody | Constraint)[]): void {
   for (const constraint of island.constraints) {
     if (constraint.island === island) {
@@ -217,7 +220,7 @@ function pushSleepingTies(world: World, body: RigidBody, found: (RigidBody | Con
   }
 }
 
-/** Dynamic bodies in accepted contact with a body. */
+/** Dynamic bodies that touch a body, in contacts that were accepted. */
 export function neighboursOf({ shapes }: RigidBody): RigidBody[] {
   const found: RigidBody[] = [];
   for (const shape of shapes) {
@@ -231,7 +234,7 @@ export function neighboursOf({ shapes }: RigidBody): RigidBody[] {
   return found;
 }
 
-/** The interaction goes on where it was: the time asleep is no gap. Inside a step nothing has moved, so it holds for that step. */
+/** Continues an interaction that slept: the time asleep is no gap. Within a step nothing has moved yet, so it holds for that step. */
 function wakePair(world: World, pair: Arbiter): void {
   pair.unmark(SLEEPING);
   pair.mark(ACTIVE);
@@ -247,7 +250,7 @@ function wakePair(world: World, pair: Arbiter): void {
   }
 }
 
-/** A pair that only goes on, or falls asleep, has its event in this step unless it had one. */
+/** Tells `progress` of a pair that was woken or falls asleep, unless it had its event in this step. */
 function tellProgress(world: World, pair: Arbiter): void {
   if (pair.lastInteraction !== world.timeStamp) {
     pair.lastInteraction = world.timeStamp;
@@ -255,7 +258,7 @@ function tellProgress(world: World, pair: Arbiter): void {
   }
 }
 
-/** `RigidBody.sleep` in a world: this one dynamic body, silently, keeping its velocity. */
+/** `RigidBody.sleep` in a world: this one dynamic body, without an event, keeping its velocity. */
 export function sleepBody(world: World, body: RigidBody): void {
   if (body.kind === DYNAMIC && !body.asleep) {
     body.applied?.clear();
@@ -263,7 +266,7 @@ export function sleepBody(world: World, body: RigidBody): void {
   }
 }
 
-/** `Constraint.sleep` in a world: this one constraint, silently. */
+/** `Constraint.sleep` in a world: this one constraint, without an event. */
 export function sleepConstraint(world: World, constraint: Constraint): void {
   if (constraint.enabled && !constraint.asleep) {
     quietenConstraint(world, constraint);
@@ -292,7 +295,7 @@ export function sleepIsland(world: World, island: Island): void {
   }
 }
 
-/** Running interactions with something that sleeps as well stop costing anything. */
+/** Puts interactions to sleep whose bodies both sleep: they cost nothing from then on. */
 function sleepPairs(world: World, body: RigidBody): void {
   for (const shape of body.shapes) {
     for (const pair of shape.arbiters) {
@@ -303,7 +306,7 @@ function sleepPairs(world: World, body: RigidBody): void {
   }
 }
 
-/** An interaction falls asleep with its bodies, in the step in which they do or in the next; its last `progress` tells so. */
+/** Puts an interaction to sleep with its bodies, in the step in which they fall asleep or in the next, with a last `progress`. */
 export function sleepPair(world: World, pair: Arbiter): void {
   pair.mark(SLEEPING);
   pair.unmark(ACTIVE);
@@ -311,7 +314,7 @@ export function sleepPair(world: World, pair: Arbiter): void {
   tellProgress(world, pair);
 }
 
-/** Kinematic bodies that did not move in this step fall asleep, without an event; not those that a handler set in motion meanwhile. */
+/** Puts kinematic bodies to sleep that did not move in this step, without an event. Not those that a handler set in motion meanwhile. */
 export function sleepKinematics(world: World): void {
   const live = world.liveKinematics;
   for (let i = live.length - 1; i >= 0 && world.allowSleeping; i -= 1) {

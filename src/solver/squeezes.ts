@@ -4,12 +4,13 @@ import type { World } from '../world.js';
 import { batchOf, type ContactBatch, recordAt, type SolverData } from './data.js';
 import * as d from './layout.js';
 
-// What is pressed between a kinematic body and something else that does not give way cannot do what its contacts ask for: each sweep only adds to their impulses. As each sub-step starts
-// with those of the last one they grew without end: crates in a press bore 18,000 N each for as long as they were in it, and shot out at 30 m/s once one of them slipped.
-// So where the contacts of what is pressed are deep a sub-step starts with less; but with no less than all that hangs together there weighs, which a lift has to carry, and than what
-// a claw needs to hold what it lifts.
+// What is squeezed between a kinematic body and something else that does not give way cannot do what its contacts ask for: each sweep only
+// adds to their normal impulses. As each sub-step starts with those of the last one, they grew without end: crates in a press bore 18,000 N
+// each for as long as they were in it, and shot out at 30 m/s once one of them slipped. So, where the contacts of what is squeezed overlap
+// deeply, a sub-step starts with smaller impulses; but with no less than the weight of all that hangs together there, which a lift has to
+// carry, and than what a claw needs to hold what it lifts.
 
-/** Finds which of the deep contacts are of what is pressed, and what each may start a sub-step with in any case. */
+/** Finds which of the deep contacts are of what is squeezed, and the impulse with which each may start a sub-step in any case. */
 export function findSqueezes(world: World, h: number): void {
   const { solver } = world;
   const { squeezes } = solver;
@@ -50,7 +51,7 @@ export function findSqueezes(world: World, h: number): void {
   contacts.count = kept;
 }
 
-/** Before a sub-step: what its deep contacts start with. */
+/** Before a sub-step: lessens the impulses with which the deep contacts start it. */
 export function easeSqueezes(data: SolverData): void {
   const { contacts, least } = data.squeezes;
   for (let i = 0; i < contacts.count; i += 1) {
@@ -62,7 +63,10 @@ export function easeSqueezes(data: SolverData): void {
   }
 }
 
-/** What is taken away was given in the sub-step before. In this order of the terms the sum is never below 0. */
+/**
+ * Lessens the normal impulse of a point. What is taken away was applied in the last sub-step, and goes to its sum; in this order of the
+ * terms the sum is never below 0.
+ */
 function ease(r: Float64Array, at: number, least: Float64Array, which: number): void {
   const p = r[at + d.NORMAL1]!;
   const share = SQUEEZE_DEPTH / -r[at + d.START1]!;
@@ -73,7 +77,7 @@ function ease(r: Float64Array, at: number, least: Float64Array, which: number): 
   }
 }
 
-/** One of its bodies gives way to the other, which is kinematic or as heavy. */
+/** Whether one body of the contact gives way and the other does not, as it is kinematic or of infinite mass. */
 function isDriven(data: SolverData, contact: number): boolean {
   const { bodies } = batchOf(data, contact);
   const a = bodies[contact & ~1]! & d.OFFSET;
@@ -81,12 +85,12 @@ function isDriven(data: SolverData, contact: number): boolean {
   return a > 0 && b > 0 && givesWay(data, a) !== givesWay(data, b);
 }
 
-/** The record of a body: also what only turns, as a seesaw of infinite mass, gives way. */
+/** Whether a body, by the offset of its record, can be moved or turned: a seesaw of infinite mass can be turned. */
 function givesWay({ velocity: v }: SolverData, at: number): boolean {
   return v[at + d.INV_MASS]! > 0 || v[at + d.INV_INERTIA]! > 0;
 }
 
-/** The set of the first of its bodies that gives way, −1 if none does. */
+/** The set of the first body of a contact that gives way; −1 if none does. */
 function setOf(data: SolverData, contact: number): number {
   const { bodies } = batchOf(data, contact);
   const a = bodies[contact & ~1]! & d.OFFSET;
@@ -95,12 +99,12 @@ function setOf(data: SolverData, contact: number): number {
   return givesWay(data, at) ? rootOf(data.squeezes.parent, indexOf(at)) : -1;
 }
 
-/** By its record: where a body is among the live dynamic ones, whose slots are the first. */
+/** The index in `liveDynamics` of a body, by the offset of its record: the slots of live dynamic bodies are the first. */
 function indexOf(at: number): number {
   return at / d.BODY_STRIDE - 1;
 }
 
-/** Makes sets of the dynamic bodies that press upon each other or are tied. */
+/** Makes sets of the dynamic bodies that press on each other or are joined. */
 function joinAll(world: World): void {
   const { solver, liveDynamics } = world;
   const { parent } = solver.squeezes;
@@ -124,7 +128,10 @@ function joinContacts(data: SolverData, { records, bodies, count, stride }: Cont
   }
 }
 
-/** By sets: N·s, what forces and gravity give all in it in a sub-step of length h, and no less than a gravity would, as it may be pushed; and whether constraints are in it. */
+/**
+ * Finds for each set the impulse of its weight in a sub-step of length h, N·s, and whether constraints are in it. The weight is from forces
+ * and gravity, but no less than by SQUEEZE_GRAVITY, as it may be pushed.
+ */
 function weigh({ solver, liveDynamics }: World, h: number): void {
   const { velocity: v, drive } = solver;
   const { parent, weight, tied } = solver.squeezes;

@@ -40,7 +40,7 @@ export function step(world: World, dt: number): void {
   profile?.lap('prepare');
   profile?.count(world);
   if (solver.isIdle) {
-    // Nothing is awake: nothing moves, nothing was lent.
+    // Nothing is awake: nothing moves, and no arrays were lent.
     return;
   }
   integrate(world, h);
@@ -48,7 +48,7 @@ export function step(world: World, dt: number): void {
   store(world);
   profile?.lap('store');
   continuous(world, dt);
-  // Impacts still ask what forces add, and their handlers may step another world.
+  // Not earlier: impacts still ask what forces add, and their handlers may step another world.
   solver.returnArrays();
   world.events.noteWoken(world);
   sleepKinematics(world);
@@ -68,7 +68,7 @@ function integrate(world: World, h: number): void {
     warmStartContacts(solver, h);
     applyBounces(solver);
     const iterations = share(world.velocityIterations, substep, substeps);
-    // Joints are swept over in each iteration; contacts are swept over half as often again, but no longer once nothing changes.
+    // Joints are swept over in each iteration. Contacts are swept over half as often again, but not any longer once nothing changes.
     let changed = true;
     for (let i = 0; i < CONTACT_SWEEPS * iterations; i += 1) {
       const isOfJoints = i < iterations;
@@ -93,7 +93,7 @@ function integrate(world: World, h: number): void {
   }
 }
 
-/** How many of the iterations of a step fall to one of its sub-steps; at least one. */
+/** How many of the iterations of a step a sub-step has; at least one. */
 function share(total: number, substep: number, substeps: number): number {
   return Math.max(1, Math.floor(((substep + 1) * total) / substeps) - Math.floor((substep * total) / substeps));
 }

@@ -32,7 +32,7 @@ function storeBodies(world: World, bodies: readonly RigidBody[]): void {
   }
 }
 
-/** A body that a callback woke while the step was being solved has no slot: it joins in the next. */
+/** Writes the outcome back to a body. One that a callback woke while the step was being solved has no slot: it joins in the next step. */
 function storeBody(world: World, body: RigidBody): void {
   if (body.slot === 0) {
     return;
@@ -58,7 +58,7 @@ function storeBody(world: World, body: RigidBody): void {
       body.refreshTurn();
     }
     body.moved();
-    // As `goesFar`, which called from here would have to box its numbers.
+    // As `goesFar`, which would have to box its numbers if it were called from here.
     if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > Math.max(body.clearance, SPECULATIVE_MARGIN / 2)) {
       world.movers.add(body, true).retrace(body, true);
     }
@@ -91,7 +91,7 @@ function holdsFrozen(frozen: Set<RigidBody>, { bodyA, bodyB }: Arbiter): boolean
   return frozen.has(bodyA) || frozen.has(bodyB);
 }
 
-/** The surfaces were apart when the step began: notes them if they met during it. */
+/** Of surfaces that were apart when the step began: notes that they met during it, if they did. */
 function noteIfMet(world: World, pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   if (n[o + c.STEP_NORMAL] === 0 && (pair.count === 1 || n[o + c.STEP_NORMAL + c.IMPULSES] === 0)) {

@@ -8,9 +8,9 @@ import type { World } from '../world.js';
 import { acts } from './joints/order/order.js';
 import { enliven, enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
-// Constraints come, go, are switched on and off, and rest with what they tie together.
+// Constraints that are added and removed, switched on and off, and sleep with what they join.
 
-/** Each body once. */
+/** The bodies of a constraint, each once. */
 function distinct(constraint: Constraint): Iterable<RigidBody> {
   return new Set(constraint.members);
 }
@@ -46,7 +46,7 @@ export function untie(world: World, constraint: Constraint): void {
 export function leaveWorld(constraint: Constraint): void {
   countIgnoring(constraint, -1);
   for (const { constraints } of distinct(constraint)) {
-    // The others keep their order, which hashes tell: a body that is in no world may have constraints of several.
+    // The others keep their order, which is part of hashes: a body that is in no world may have constraints of several.
     constraints.splice(constraints.indexOf(constraint), 1);
   }
   constraint.owner!.someLeft = true;
@@ -88,7 +88,7 @@ export function switchOff(world: World, constraint: Constraint): void {
   constraint.forget();
 }
 
-/** A constraint gave way in this step. */
+/** Removes or disables a constraint that broke in this step. */
 export function breakOff(world: World, constraint: Constraint): void {
   world.events.constraint(BREAK, constraint);
   if (constraint.removeOnBreak) {
@@ -98,7 +98,10 @@ export function breakOff(world: World, constraint: Constraint): void {
   }
 }
 
-/** Bodies count the constraints that keep them from interacting with others: most have none, and need not be asked for more. */
+/**
+ * Updates the count that bodies keep of the constraints that keep them from interacting with others: most have none, and need not be asked
+ * for more.
+ */
 export function countIgnoring(constraint: Constraint, change: number): void {
   if (constraint.enabled && constraint.ignoreInteractions) {
     constraint.owner!.changeFilters();
@@ -108,12 +111,12 @@ export function countIgnoring(constraint: Constraint, change: number): void {
   }
 }
 
-/** Tied to a kinematic body that moves, in whatever world: no rest, even while the constraint is slack. */
+/** Whether the constraint has a kinematic body that moves, in whatever world. Then it does not rest, even while it is slack. */
 function isDriven({ members }: Constraint): boolean {
   return members.some((body) => body.kind === KINEMATIC && body.owner !== null && body.isGoing());
 }
 
-/** Keeps awake what is tied to what drives it. */
+/** Keeps awake what is joined to a kinematic body that moves. */
 export function keepDriven(world: World): void {
   const { liveConstraints } = world;
   for (let i = 0; i < liveConstraints.length; i += 1) {
@@ -132,7 +135,7 @@ function keepAwake({ members }: Constraint, stamp: number): void {
   }
 }
 
-/** Joins what is tied together into islands, see `islands.ts`. */
+/** Joins the bodies of each constraint into islands, see `islands.ts`. */
 export function joinTied(world: World, parent: Int32Array): void {
   const { liveConstraints } = world;
   for (let i = 0; i < liveConstraints.length; i += 1) {
@@ -152,7 +155,7 @@ export function joinTied(world: World, parent: Int32Array): void {
   }
 }
 
-/** Live constraints that have no awake body fall asleep. */
+/** Puts live constraints to sleep that have no awake body. */
 export function sleepIdle(world: World): void {
   const live = world.liveConstraints;
   for (let i = live.length - 1; i >= 0; i -= 1) {
@@ -164,7 +167,7 @@ export function sleepIdle(world: World): void {
   }
 }
 
-/** Some constraint of the world keeps the two from interacting. */
+/** Whether some constraint of the world keeps the two from interacting. */
 export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
   const few = a.constraints.length < b.constraints.length ? a : b;
   const other = few === a ? b : a;
@@ -177,7 +180,7 @@ export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
   return false;
 }
 
-/** Some constraint of its world that is enabled has the body. */
+/** Whether the body has an enabled constraint of its world. */
 export function isTied(body: RigidBody): boolean {
   return body.constraints.some(ties, body);
 }
@@ -186,7 +189,10 @@ function ties(this: RigidBody, { enabled, owner }: Constraint): boolean {
   return enabled && owner === this.owner;
 }
 
-/** Some constraint of its world that is enabled ties the body to another one that may move: put back on its way it leaves that one behind. */
+/**
+ * Whether an enabled constraint of its world joins the body to another one that may move: if the body were put back on its way, it would
+ * leave that one behind.
+ */
 export function isInTrain(body: RigidBody): boolean {
   return body.constraints.some(draws, body);
 }
@@ -199,7 +205,7 @@ function isLoose(this: RigidBody, other: RigidBody): boolean {
   return other !== this && other.kind !== STATIC;
 }
 
-/** From now on a body is awake in the world, and its constraints with it. */
+/** Makes a body awake in the world, and its constraints with it. */
 export function enlivenTied(world: World, body: RigidBody): void {
   enliven(world, body);
   for (const constraint of body.constraints) {
