@@ -15,15 +15,15 @@ import { isTied } from '../ties.js';
 import { Ledger } from './no-gain.js';
 import { solveVelocityOne } from './one-point.js';
 
-/** In `state`: the point bounced in this sub-step, … */
+/** A `state`: the point bounced in this sub-step, … */
 const BOUNCED = 1;
-/** … or is to bounce with all that the sweeps solve, as it bears a load that these must start from. */
+/** … or it will bounce in the sweeps over all contacts, as it bears a load, with which these have to start. */
 const LOADED = 2;
 
-/** What is known of a point: numbers that go from function to function would be boxed. */
+/** What was found of a point. An object, as numbers passed from function to function would be boxed. */
 const plan = { elasticity: 0.5, comes: 0.5, gain: 0.5, separation: 0.5 };
 
-/** Finds the speed at which the surfaces of a point part: negative, they come. */
+/** Finds the normal velocity of a point: negative where its surfaces approach. */
 function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: number): void {
   const a = bodies[2 * k]! & d.OFFSET;
   const b = bodies[2 * k + 1]! & d.OFFSET;
@@ -35,7 +35,7 @@ function findSpeed({ bounces: { bodies, arms }, velocity: v }: SolverData, k: nu
     arms[at + d.BOUNCE_RN_A]! * v[a + d.W]!;
 }
 
-/** Finds the separation of a point for the present placement; see `warmStartTwo` and `warmStartOne`. */
+/** Finds the separation of a point for the present placement, as `warmStartTwo` and `warmStartOne`. */
 function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k: number): void {
   const { records: r, stride } = list.batches[k]!;
   const record = list.record[k]!;
@@ -53,12 +53,12 @@ function findSeparation({ bounces: list, velocity: v, motion: q }: SolverData, k
     v[a + d.SIN]! * r[i + d.RN_A1]!;
 }
 
-/** What forces add in a sub-step to the velocity of one body against another along `(nx, ny)`; `a` and `b` are the offsets of their records. */
+/** What forces add in a sub-step to the velocity of body B relative to A along `(nx, ny)`; `a` and `b` are the offsets of their records. */
 export function normalGain({ drive: f }: SolverData, a: number, b: number, nx: number, ny: number): number {
   return nx * (f[b + d.GAIN_X]! - f[a + d.GAIN_X]!) + ny * (f[b + d.GAIN_Y]! - f[a + d.GAIN_Y]!);
 }
 
-/** The same for a point of the list. */
+/** The same for a point of the list, along its normal. */
 function gainOf(data: SolverData, k: number): number {
   const { bounces: list } = data;
   const { records: r } = list.batches[k]!;
@@ -67,9 +67,10 @@ function gainOf(data: SolverData, k: number): number {
 }
 
 /**
- * The normal velocity that a bounce ends with, with the sign changed, as its bias, for one that comes with `comes` and is found at a separation ≤ 0: what
- * fell on below the surface gets the speed that it would have there if it had bounced on it. The velocity at which the integrator moves things is
- * ahead of the true one by half of `gain`, which is about to be added, so (v − g·h/2)²/2 + g·y is what stays the same (and comes down to e² of it in the bounce).
+ * Writes the bias of a point that bounces: the normal velocity that the bounce ends with, with the sign changed. Its surfaces approach with
+ * `comes`, at a separation ≤ 0. What fell on below the surface gets the speed that it would have there if it had bounced on the surface.
+ * The velocity at which the integrator moves things is ahead of the true one by half of `gain`, which is about to be added. So what is
+ * conserved is (v − g·h/2)²/2 + g·y, of which a bounce at the surface leaves e².
  */
 function planSpeed({ bias }: BounceList, k: number, h: number): void {
   const { elasticity, comes, gain, separation } = plan;
@@ -80,9 +81,10 @@ function planSpeed({ bias }: BounceList, k: number, h: number): void {
 }
 
 /**
- * Before gravity: how fast each point of a bouncing material has to leave. Blows go on from body to body in rounds: what comes at once bounces at once, and what
- * that sends on bounces in the next; so the last of a row of balls that touch flies off, and the others stay. One that will bounce but has not met the other
- * surface yet is left out of the sub-step, so that it gets there at full speed.
+ * Before gravity: plans how fast each point of a bouncing material has to leave. Blows are passed on from body to body in rounds: what
+ * arrives at once bounces at once, and what that sends on bounces in the next round. So the last of a row of balls that touch flies off,
+ * and the others stay. A point that will bounce but has not met the other surface yet is left out of the sub-step, so that it gets there at
+ * full speed.
  */
 export function planBounces(data: SolverData, h: number): void {
   const { bounces: list } = data;
@@ -102,8 +104,8 @@ export function planBounces(data: SolverData, h: number): void {
 }
 
 /**
- * Plans what bounces in a round, in the first one of all points, else of the bodies that bounced in the last one. They are marked; what `markHard` marked is not
- * needed any more. @returns how many contacts do.
+ * Plans what bounces in a round: in the first one among all points, then among those of the bodies that bounced in the last one, which are
+ * marked. The marks of `markHard` are not needed any more. @returns how many contacts bounce.
  */
 function planRound(data: SolverData, h: number, round: number): number {
   const { bounces: list, velocity: v } = data;
@@ -135,12 +137,12 @@ function planRound(data: SolverData, h: number, round: number): number {
     v[bodies[2 * k]! + d.MARK] = -1 - round;
     v[bodies[2 * k + 1]! + d.MARK] = -1 - round;
   }
-  // What stands for all that cannot move.
+  // This body stands for everything that cannot move.
   v[d.MARK] = 0;
   return count;
 }
 
-/** Of a contact that bounces, given by its first point: those of its points that do not bounce stay out of the round. */
+/** Sets the biases of a contact that bounces, given by its first point. Those of its points that do not bounce stay out of the round. */
 function setBiases({ bounces: list }: SolverData, first: number): void {
   const { records: r, stride } = list.batches[first]!;
   const record = list.record[first]!;
@@ -161,8 +163,8 @@ function bouncesNow({ bias, state }: BounceList, k: number): boolean {
 }
 
 /**
- * Sweeps over what bounces in a round until nothing changes. Friction gets no larger after the first few: in a corner that of one wall presses onto the
- * other one, and would grow with each sweep.
+ * Sweeps over what bounces in a round until nothing changes. After the first few sweeps friction is kept as it is: in a corner the friction
+ * on one wall presses onto the other one, and would grow with each sweep.
  */
 function solveRound(data: SolverData, h: number, count: number, round: number): void {
   const { bounces: list } = data;
@@ -185,14 +187,16 @@ function solveRound(data: SolverData, h: number, count: number, round: number): 
   dropAll(list, count);
 }
 
-/** The bodies of a round, by the offsets of their records, and their energy: scratch. */
+/** The bodies of a round, by the offsets of their records, and their energies: scratch. */
 const involved: number[] = [];
 let bodyCount = 0;
 const ledger = /* @__PURE__ */ new Ledger();
-/** What the contacts of a round gave with friction: scratch. */
+/** The impulses of the contacts of a round, with friction: scratch. */
 const given: number[] = [];
 
-/** Lists the bodies of a round, which are marked. @returns whether nothing drives them, and nothing is set to bounce higher than it came. */
+/**
+ * Lists the bodies of a round, which are marked. @returns whether nothing drives them, and nothing is set to bounce faster than it came.
+ */
 function collect({ bounces: list, velocity: v }: SolverData, count: number, round: number): boolean {
   let isFree = true;
   bodyCount = 0;
@@ -243,11 +247,11 @@ function setVelocities({ velocity: v }: SolverData, from: Float64Array): void {
   }
 }
 
-/** What contacts of two points and of one give. */
+/** The impulses of contacts of two points, and of one. */
 const OF_TWO = [d.NORMAL1, d.TANGENT, d.NORMAL2];
 const OF_ONE = [d.NORMAL1, d.TANGENT, d.ROLL];
 
-/** Leaves as much of friction in a round as makes no energy: see `no-gain.ts`. */
+/** Keeps only as much friction in a round as makes no energy, see `no-gain.ts`. */
 function lessenFriction(data: SolverData, h: number, count: number): void {
   const { bounces: list } = data;
   setVelocities(data, ledger.before);
@@ -282,7 +286,10 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   }
 }
 
-/** Exchanges the effective masses along the tangents of what bounces for its biases, which are 0 by then, and back. */
+/**
+ * Exchanges the effective masses along the tangents of what bounces with its biases, which are 0 by then, so that friction does not change;
+ * and back.
+ */
 function swapFriction({ bouncing, batches, record, bias }: BounceList, count: number): void {
   for (let n = 0; n < count; n += 1) {
     const k = bouncing[n]!;
@@ -294,7 +301,7 @@ function swapFriction({ bouncing, batches, record, bias }: BounceList, count: nu
   }
 }
 
-/** @returns whether it changed anything. */
+/** Sweeps once over what bounces in a round. @returns whether it changed anything. */
 function sweepBouncing(data: SolverData, h: number, count: number): boolean {
   const { bounces: list } = data;
   let changed = false;
@@ -306,7 +313,7 @@ function sweepBouncing(data: SolverData, h: number, count: number): boolean {
   return changed;
 }
 
-/** Drops what the points of all that bounces were given. */
+/** Drops the impulses of all points that bounced in a round. */
 function dropAll(list: BounceList, count: number): void {
   for (let n = 0; n < count; n += 1) {
     const k = list.bouncing[n]!;
@@ -315,7 +322,7 @@ function dropAll(list: BounceList, count: number): void {
   }
 }
 
-/** Of a point that comes fast enough, see `plan`. */
+/** Plans what becomes of a point that approaches fast enough to bounce, see `plan`. */
 function planBounce(data: SolverData, k: number, h: number, round: number): void {
   const { bounces: list } = data;
   findSeparation(data, k);
@@ -337,15 +344,16 @@ function planBounce(data: SolverData, k: number, h: number, round: number): void
   }
 }
 
-/** Constraints act on one of the bodies of a point. */
+/** Whether a constraint acts on one of the bodies of a point. */
 function hangs({ batches, index }: BounceList, k: number): boolean {
   const { bodyA, bodyB } = batches[k]!.arbiters[index[k]!]!;
   return isTied(bodyA) || isTied(bodyB);
 }
 
 /**
- * What bounced and is tied to others is to leave with the speed that it has now: a plank that a ball struck may be welded to a house. But no point faster than it was to: what is free is thrown off by one of its points so that the other one leaves
- * still faster, which on an axle it cannot without turning as much.
+ * Makes the sweeps keep the speed with which a point leaves now, as a constraint acts on one of its bodies: a plank that a ball struck may
+ * be welded to a house. But no point is to leave faster than planned. A free body may be thrown off by one of its points so that the other
+ * one leaves still faster; on an axle it cannot be without turning as much faster.
  */
 function keepLeaving(data: SolverData, k: number): void {
   const { bounces: list } = data;
@@ -356,7 +364,7 @@ function keepLeaving(data: SolverData, k: number): void {
   list.bias[k] = leaves > 0 ? Math.min(0, -leaves - gainOf(data, k) - r[record + d.SURFACE_N]!) : 0;
 }
 
-/** Lets a point start from nothing: what it was given until now belongs to the step. */
+/** Lets a point start from nothing: its impulses until now only count towards the step. */
 function dropImpulses(list: BounceList, k: number): void {
   const { records: r } = list.batches[k]!;
   const record = list.record[k]!;
@@ -364,11 +372,11 @@ function dropImpulses(list: BounceList, k: number): void {
   r[i + d.NORMAL_SUM1] = r[i + d.NORMAL_SUM1]! + r[i + d.NORMAL1]!;
   r[record + d.TANGENT_SUM] = r[record + d.TANGENT_SUM]! + r[record + d.TANGENT]!;
   r[i + d.NORMAL1] = 0;
-  // Of two points the other one asks for it again.
+  // If there is a second point, it asks for friction again.
   r[record + d.TANGENT] = 0;
 }
 
-/** After warm start: puts the plan in place of what the separation asked for. */
+/** After warm start: replaces the bias from the separation with the planned one. */
 export function applyBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
@@ -388,8 +396,8 @@ function fliesApart(data: SolverData, k: number): boolean {
 }
 
 /**
- * Before position iterations: points of bouncing materials that are flying apart are not pushed, which would add height; unless they are so deep
- * that an impact would have come before.
+ * Before position iterations: takes points of bouncing materials that fly apart out of these, which would add height; unless they are so
+ * deep that it should have been an impact earlier.
  */
 export function spareBounces(data: SolverData): void {
   const { bounces: list } = data;

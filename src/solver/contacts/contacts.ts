@@ -4,14 +4,17 @@ import * as d from '../layout.js';
 import type { Sweep } from '../loops.js';
 import { inPieces } from '../pieces.js';
 
-/** Starts a sub-step of length h. */
+/** Warm start: begins a sub-step of length h. */
 export function warmStartContacts(data: SolverData, h: number): void {
   const { warmStartTwo, warmStartOne } = data.loops!;
   inPieces(data, 0, data.two.count, warmStartTwo, h);
   inPieces(data, 0, data.one.count, warmStartOne, h);
 }
 
-/** One sweep over all contacts; over those that are hard to solve some more, until nothing changes. @returns whether anything did. */
+/**
+ * One sweep over all contacts, and further ones over those that are hard to solve, until nothing changes there. @returns whether the first
+ * one changed anything.
+ */
 function sweep(data: SolverData, sweepTwo: Sweep, sweepOne: Sweep, h: number): boolean {
   const { hard, hardCount } = data;
   const changedTwo = inPieces(data, 0, data.two.count, sweepTwo, h);
@@ -32,13 +35,13 @@ export function solveVelocityContacts(data: SolverData, h: number): boolean {
   return sweep(data, data.loops!.solveVelocityTwo, data.loops!.solveVelocityOne, h);
 }
 
-/** One position iteration, likewise. @returns whether anything was pushed. */
+/** One position iteration over all contacts, in the same way. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
   data.crowded = false;
   return sweep(data, data.loops!.solvePositionTwo, data.loops!.solvePositionOne, 0);
 }
 
-/** Some more position iterations where circles crowd each other; what rests never does. */
+/** Adds some position iterations where circles overlap deeply; what rests never does. */
 export function partCrowds(data: SolverData): void {
   for (let i = 0; i < CROWD_SWEEPS && data.crowded; i += 1) {
     solvePositionContacts(data);

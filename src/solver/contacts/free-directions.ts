@@ -2,18 +2,22 @@ import { FACE_SLIT, FLUSH_TOLERANCE } from '../../config.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Polygon } from '../../shape/polygon.js';
 
-// Where grounds lie side by side only part of their corners is surface. Around a point each of them fills a wedge of directions; what all of them leave is free, and the
-// directions in which the surface may carry something are those of the faces on either side of it, and all between these where it is a ridge.
+// Where grounds lie side by side, only part of their corners is surface. Around a point each ground fills a wedge of directions; what all
+// of them leave is free. The surface may carry something in the directions of the normals of the faces on either side of the free part, and
+// in all directions between these where it is a ridge.
 
-/** What a direction is, at a point: one in which the surface may carry, one that is not, but another one is, or there is no surface. */
+/**
+ * What a direction is at a point: one in which the surface may carry; one in which it may not, though there is another one; or there is no
+ * surface.
+ */
 export const RIGHT = 0;
 export const WRONG = 1;
 export const BURIED = 2;
 
-/** Of a right angle: rounding. */
+/** Right angles. Rounding. */
 const ROUNDING = 1e-9;
 
-/** Of a wedge: where it begins and ends, from 0 to 4 around the direction that is asked about, and the outward normals of the faces there. */
+/** A wedge: where it begins and ends, as 0 to 4 around the direction that is asked about, and the outward normals of the faces there. */
 const FROM = 0;
 const TO = 1;
 const FROM_X = 2;
@@ -21,24 +25,24 @@ const FROM_Y = 3;
 const TO_X = 4;
 const TO_Y = 5;
 const STRIDE = 6;
-/** No more meet at a point; if they do, the others are left out. */
+/** At most so many wedges are kept at a point; the others are left out. */
 const MOST = 32;
 
 export class FreeDirections {
-  /** The unit vector that is asked about, out of the surface; and that of the face that is right instead, if it is wrong. */
+  /** The unit vector that is asked about, out of the surface; if it is wrong, then the normal of the face that is right instead. */
   x = 0.5;
   y = 0.5;
   private readonly wedges = new Float64Array(STRIDE * MOST);
   private count = 0;
   private isWithin = false;
 
-  /** Starts with a point, and the direction that was set. */
+  /** Starts at a new point. The direction is set already. */
   begin(): void {
     this.count = 0;
     this.isWithin = false;
   }
 
-  /** Adds what a placed polygon fills around a point, given relative to its body, if it is there. */
+  /** Adds the wedge that a placed polygon fills around a point, if there is one. The point is given relative to its body. */
   add({ numbers: edges, at, offsets }: Polygon, point: Float64Array): void {
     const px = point[0]!;
     const py = point[1]!;
@@ -75,7 +79,10 @@ export class FreeDirections {
     }
   }
 
-  /** Writes where a wedge begins, or with `sign` −1 ends, beside a face: from 0 to 4, one for each right angle from the direction that is asked about; it grows with the angle, which is all that matters. */
+  /**
+   * Writes where a wedge begins beside a face, or with `sign` −1 where it ends: from 0 to 4, 1 for each right angle from the direction that
+   * is asked about. Between, it only grows with the angle, which is all that matters.
+   */
   private measure(w: Float64Array, to: number, face: number, sign: number): void {
     const dx = -sign * w[face + 1]!;
     const dy = sign * w[face]!;
@@ -85,7 +92,7 @@ export class FreeDirections {
     w[to] = along < 0 ? 2 - share : across < 0 ? 4 + share : share;
   }
 
-  /** What the direction is. If it is wrong, `x` and `y` become the normal of the next face that is right. */
+  /** Says what the direction is. If it is wrong, `x` and `y` become the normal of the next face that is right. */
   judge(): number {
     if (this.isWithin) {
       return BURIED;
@@ -96,7 +103,7 @@ export class FreeDirections {
     for (let k = 0; k < end; k += STRIDE) {
       isFilled ||= w[k + FROM]! > w[k + TO]!;
     }
-    // The wedges next to the direction on either side; or those that fill it, and what goes on from them.
+    // The wedges next to the direction on either side; or, if some fill it, these and those that adjoin them.
     let to = -1;
     let from = 5;
     let before = 0;
@@ -134,11 +141,14 @@ export class FreeDirections {
   }
 }
 
-/** Cuts off from a wedge what is beyond a face, whose normal is at `face` of its numbers: the wedge is then a half-plane, or what is left of one. */
+/**
+ * Cuts off from a wedge what is beyond a face, whose normal is at `face` in the numbers of the polygon: the wedge is then a half-plane, or
+ * what is left of one.
+ */
 function cut(w: Float64Array, to: number, edges: Float64Array, face: number, isWedge: boolean): void {
   const nx = edges[face]!;
   const ny = edges[face + 1]!;
-  // Where the wedge begins is a quarter turn on from the one normal, where it ends a quarter turn back from the other.
+  // The wedge begins a quarter turn on from the first normal, and ends a quarter turn back from the second.
   const fromX = -w[to + FROM_Y]!;
   const fromY = w[to + FROM_X]!;
   const toX = w[to + TO_Y]!;

@@ -16,10 +16,11 @@ import type { SolverData } from '../data.js';
 import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD } from '../layout.js';
 
 /**
- * Marks the bodies of a window of contacts that are hard to solve, and are to be swept over more often. All are if many of them are new and slow, if columns sway,
- * if the load of one was just taken away, or if none has the impulses of the last step to start with; else those that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
+ * Marks the bodies of those contacts of a window that are hard to solve, and are to be swept over more often. All contacts are hard if many
+ * of them are new and slow, if columns sway, if a load was just taken from one of the bodies, or if there is no warm start. Else those are
+ * that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
  *
- * @returns from which mark of either body on a contact is hard.
+ * @returns the threshold of marks: a contact is hard if the mark of either body is no lower.
  */
 export function markHard(data: SolverData, count: number, stamp: number): number {
   const { window } = data;
@@ -29,7 +30,7 @@ export function markHard(data: SolverData, count: number, stamp: number): number
   let fresh = 0;
   let strained = 0;
   let rocking = 0;
-  // Above the marks of the windows before.
+  // Higher than the marks of the windows before.
   const mark = 1 + 2 * (data.one.count + data.two.count);
   for (let i = 0; i < count; i += 1) {
     const pair = window[i]!;
@@ -77,7 +78,7 @@ function isSlow({ vx, vy }: RigidBody): boolean {
   return vx * vx + vy * vy < NEW_SPEED * NEW_SPEED;
 }
 
-/** What is not dynamic passes no load on. */
+/** Sets the mark of a dynamic body. Others pass no load on. */
 function note({ velocity }: SolverData, { kind, slot }: RigidBody, mark: number): void {
   if (kind === DYNAMIC) {
     velocity[slot * BODY_STRIDE + MARK] = mark;

@@ -1,17 +1,19 @@
 import { FAR } from '../../config.js';
 
-// Where a bounce has to end with a share of the speed that it came with (Newton), friction that turns the bodies meanwhile may ask for more normal impulse than there is energy for (Kane & Levinson, "Dynamics:
-// Theory and Applications", 1985). Without friction it never does. Both solutions keep that share and the cone of friction, and so do all between them, as both are linear; and energy is a convex function along the way:
-// it is as before at one place, where as much is left of friction as there can be.
+// Where a bounce has to end with a share of the speed that it came with (Newton), friction that turns the bodies meanwhile may ask for more
+// normal impulse than there is energy for (Kane & Levinson, "Dynamics: Theory and Applications", 1985). Without friction it never does. The
+// solutions with and without friction both satisfy that share and the friction cone, and so do all between them, as both conditions are
+// linear. Energy is a convex function along the way between: it is the same as before at one place, where as much of the friction is left
+// as there can be.
 
-/** Energies that differ by no larger a share are taken for the same: sums of many bodies are rounded. */
+/** Energies that differ by no larger a share count as equal: sums over many bodies are rounded. */
 const ROUNDING = 1e-9;
 
-/** The velocities of the bodies of an impact, and what they weigh: three numbers a body. Used again and again. */
+/** The velocities of the bodies of an impact, and their masses: three numbers a body. The object is used again and again. */
 export class Ledger {
   /** `[m, m, inertia]` of each body, 0 for what cannot move. */
   weights = new Float64Array(0);
-  /** `[vx, vy, w]` of each: before the impact, after it, and after it as they would be without friction. */
+  /** `[vx, vy, w]` of each: before the impact, after it, and after it without friction. */
   before = new Float64Array(0);
   after = new Float64Array(0);
   without = new Float64Array(0);
@@ -29,7 +31,7 @@ export class Ledger {
     }
   }
 
-  /** Whether `after` is within reach. */
+  /** Whether the velocities of `after` are finite, and not too large. */
   isFinite(): boolean {
     let sum = 0;
     for (let k = 0; k < this.count; k += 1) {
@@ -50,7 +52,10 @@ export class Ledger {
     return is > was * (1 + ROUNDING);
   }
 
-  /** Goes so much of the way from `without` to `after`, with friction, as ends with the energy of `before`: `without` has what comes out. @returns that share of the way. */
+  /**
+   * Goes from `without` towards `after`, with friction, until the energy is that of `before`, and leaves the outcome in `without`. @returns
+   * the share of the way that it went.
+   */
   lessen(): number {
     const { weights, before, after, without, count } = this;
     let surplus = 0;

@@ -15,7 +15,7 @@ import {
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
 
-/** Starts a sub-step, as `warmStartTwo`, for contacts of one point; circles carry a rolling impulse as well. */
+/** Starts a sub-step, as `warmStartTwo`, for contacts of one point. Circles have a rolling impulse as well. */
 export function warmStartOne(data: SolverData, from: number, to: number, h: number): void {
   const { records: r, bodies } = data.one;
   const { velocity: v, motion: q } = data;
@@ -65,14 +65,15 @@ export function warmStartOne(data: SolverData, from: number, to: number, h: numb
 }
 
 /**
- * One sweep over the contacts from one index to another: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal impulse), normal. What
- * bears nothing, and whose surfaces do not come together, is passed by.
+ * One sweep over the contacts from one index to another: friction, rolling (drives ωB − ωA to 0 within ± rolling friction · normal
+ * impulse), normal. A contact without impulses whose surfaces do not approach is skipped.
  *
- * Each of the three acts on what those before have made of the velocities; by how much is known beforehand (`NORMAL_OF_TANGENT` and its like), so that none has
- * to wait for new velocities: a sixth of the time. Of two points nothing would be gained, whose sweeps do not wait but have more to do.
+ * Each of the three acts on velocities that those before have changed. By how much is known in advance (`NORMAL_OF_TANGENT` and its like),
+ * so that none has to wait for new velocities: that saves a sixth of the time. For two points it would gain nothing, as their sweeps do not
+ * wait but have more to do.
  *
- * Where it is a matter of chance which bound holds, as for circles that roll or not, it is told by absolute values, x⁺ = (x + |x|) / 2: what a
- * processor guesses wrong at a branch is worth a tenth of a step.
+ * Where chance decides which bound holds, as for circles that roll or slide, it is found by absolute values, x⁺ = (x + |x|) / 2: branches
+ * that the processor predicts wrongly cost a tenth of a step.
  *
  * @returns as `solveVelocityTwo`.
  */

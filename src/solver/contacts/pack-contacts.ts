@@ -30,9 +30,9 @@ import { markHard, markOf } from './hard-contacts.js';
 import { keepNormal } from './turning.js';
 
 /**
- * Brings the world's lists of arbiters up to date, in the order of their shapes and without those that fell asleep in this step; and writes the records of all contacts, a
- * window at a time, while what they are made of is at hand. A body that fell asleep in this step cannot give way to another that comes near: it is
- * met, and woken, when they touch.
+ * Brings the world's lists of arbiters up to date, in the order of their shapes and without those that fell asleep in this step. Also
+ * writes the records of all contacts, a window at a time, while the pairs are in the caches. A body that fell asleep in this step cannot
+ * give way to another that comes near: they meet, and it wakes, when they touch.
  */
 export function packContacts(world: World): void {
   const { solver, dynamicArbiters, staticArbiters, timeStamp } = world;
@@ -81,12 +81,15 @@ export function packContacts(world: World): void {
   // Where nothing is awake the arrays are not this world's.
   if (solver.bodyCount > 1) solver.drive[d.TOUCHED] = 0;
   sorted.count = kept;
-  // Asked first, here and elsewhere: to set a length takes its time even where that changes nothing.
+  // Tested first, here and elsewhere: to set a length takes time even where it changes nothing.
   if (dynamicArbiters.length > dynamics) dynamicArbiters.length = dynamics;
   if (staticArbiters.length > statics) staticArbiters.length = statics;
 }
 
-/** Makes all of the room at once: as contacts come it would be doubled again and again, and all there is copied each time, which of 60,000 contacts took a second. */
+/**
+ * Makes all of the room at once. Else it would be doubled again and again as contacts come, and everything copied each time, which for
+ * 60,000 contacts took a second.
+ */
 function makeRoom(data: SolverData, { items, count }: List<Arbiter>): void {
   let ones = 0;
   let twos = 0;
@@ -101,13 +104,13 @@ function makeRoom(data: SolverData, { items, count }: List<Arbiter>): void {
 }
 
 /**
- * Writes the records of a window of contacts. Impulses kept from the last sub-step are scaled by `impulseScale`.
+ * Writes the records of a window of contacts. The impulses kept from the last sub-step are scaled by `impulseScale`.
  *
- * The order is that of the shapes' ids, but neighbours there share a body, and the processor would wait for one contact before it
- * can begin the next; so each window of the list is taken in four runs by turns. That saves a quarter of an iteration and changes
- * no result that matters. Refused: greedy colouring, so that no neighbours share a body. Solving, say, all left supports before all
- * right ones leaves the same error in all rows of a pyramid: of base 20 it slides 0.3 m and never rests (this order: 0.02 m, rests).
- * What is hard to solve comes first, as it is swept over more often, and loops run over what lies side by side.
+ * The order is that of the shapes' ids. But neighbours in it share a body, and the processor would wait for one contact before it can begin
+ * the next. So each window of the list is split into four runs, which take turns. That saves a quarter of an iteration and changes no
+ * result that matters. Refused: greedy colouring, so that no neighbours share a body. Solving, say, all left supports before all right ones
+ * leaves the same error in all rows of a pyramid: one of base 20 slides 0.3 m and never rests (with this order: 0.02 m, and it rests). What
+ * is hard to solve comes first, as it is swept over more often, and loops run over what lies side by side.
  */
 function packWindow(data: SolverData, count: number, stamp: number): void {
   const mark = markHard(data, count, stamp);
@@ -123,7 +126,7 @@ function packWindow(data: SolverData, count: number, stamp: number): void {
   packRuns(data, count, mark, false);
 }
 
-/** Packs the contacts of a window that are hard, or the others. */
+/** Packs those contacts of a window that are hard, or the others. */
 function packRuns(data: SolverData, count: number, mark: number, areHard: boolean): void {
   const { window } = data;
   for (let first = 0; first < d.RUN && first < count; first += 1) {
@@ -141,7 +144,7 @@ function packRuns(data: SolverData, count: number, mark: number, areHard: boolea
   }
 }
 
-/** Both points are near enough to matter. */
+/** Whether a contact has two points that are both near enough to matter. */
 function hasTwoPoints(pair: Arbiter): boolean {
   const { count, numbers: n, at: o } = pair;
   const limit = SPECULATIVE_MARGIN + (pair.foreseen > 0 ? Math.min(n[o + g.S0]!, n[o + g.S1]!) : 0);
@@ -149,8 +152,8 @@ function hasTwoPoints(pair: Arbiter): boolean {
 }
 
 /**
- * Arms, masses, friction and kept impulses of both points, straight-line: this runs once a step for every contact. Friction is at the points as their loads
- * share it; where nothing is carried yet, at the deeper one.
+ * Writes arms, effective masses, friction and kept impulses of both points. Straight-line: this runs once a step for every contact.
+ * Friction acts between the points as their loads share it; where nothing is carried yet, at the deeper one.
  */
 export function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
@@ -220,7 +223,7 @@ export function packTwo(data: SolverData, index: number): void {
   packPair(data, batch, index, a, b);
 }
 
-/** The same for a contact of one point; of two points the deeper one. */
+/** The same for a contact of one point, or for the deeper of two. */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
   const at = recordAt(index, d.ONE_STRIDE) & d.OFFSET;
@@ -247,7 +250,7 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.RT_A] = rtA;
   r[at + d.RT_B] = rtB;
   const separation = n[o + g.S0 + g.POINT * which]!;
-  // As `roundness`, which called from here would have to box its numbers.
+  // As `roundness`, which would have to box its numbers if it were called from here.
   const { shapeA, shapeB } = pair;
   r[at + d.PIVOT_A] = rtA;
   r[at + d.PIVOT_B] = rtB;
@@ -283,7 +286,7 @@ function packOne(data: SolverData, index: number): void {
   packPair(data, batch, index, a, b);
 }
 
-/** What the points of a pair share, once their arms are in the record; `a` and `b` are the offsets of the bodies' records. */
+/** Writes what the points of a pair share, once their arms are in the record; `a` and `b` are the offsets of the bodies' records. */
 function packPair(data: SolverData, batch: ContactBatch, index: number, a: number, b: number): void {
   const { records: r, bodies, arbiters, stride } = batch;
   const { velocity: v, drive, traits } = data;
@@ -328,7 +331,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
 
   let share = PUSH_SHARE_STATIC;
   if (mA > 0 && mB > 0) {
-    // What is of several shapes or linked to others may hook into its like; what is far heavier would fall through them.
+    // What has several shapes or joints may hook into its like; what is far heavier would fall through.
     const mayHook = (either & d.COMPOUND) !== 0 || (both & d.LINKED) !== 0;
     if (mayHook && mA < HEAVY * mB && mB < HEAVY * mA) {
       share = PUSH_SHARE_HOOKED;
@@ -351,7 +354,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   if (bodyA.kind !== DYNAMIC || bodyB.kind !== DYNAMIC || (either & d.RUBS) !== 0) {
     packSurfaces(data, batch, index, pair);
   }
-  // In heaps of single dynamic bodies it would only take its time.
+  // Not in heaps of single dynamic bodies, where it would only cost time.
   if (wA * wB > TURNS_TOGETHER && (mA === 0 || mB === 0 || (either & (d.LINKED | d.COMPOUND)) !== 0)) {
     keepNormal(data, contact);
   }
@@ -360,7 +363,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   }
 }
 
-/** Whether the bodies of a contact are those of the one before, other than slot 0. */
+/** Whether a contact shares a body, other than slot 0, with the one before. */
 function waits(bodies: Int32Array, index: number, a: number, b: number): boolean {
   const otherA = bodies[2 * index - 2]!;
   const otherB = bodies[2 * index - 1]!;
@@ -376,7 +379,10 @@ function addBounces(list: BounceList, batch: ContactBatch, index: number): void 
   }
 }
 
-/** Of bodies that are not dynamic, or whose surfaces move. What is carried or driven along, however slowly, is not to be brought to rest. */
+/**
+ * Writes surface velocities, where a body is not dynamic or its surface moves; and turns rest damping off for what such a body carries or
+ * drives, however slowly.
+ */
 function packSurfaces({ drive }: SolverData, batch: ContactBatch, index: number, { bodyA, bodyB }: Arbiter): void {
   const at = recordAt(index, batch.stride);
   batch.records[at + d.SURFACE_T] = -(bodyA.surfaceX + bodyB.surfaceX);
@@ -389,7 +395,7 @@ function packSurfaces({ drive }: SolverData, batch: ContactBatch, index: number,
   }
 }
 
-/** Share of overlap that is removed between two bodies of these inverse masses that move. */
+/** Share of the overlap that a position iteration removes between two bodies that move, of these inverse masses. */
 export function shareOfTwo({ shapeA, shapeB }: Arbiter, mA: number, mB: number): number {
   if (shapeA.kind !== POLYGON && shapeB.kind !== POLYGON) {
     return PUSH_SHARE_CIRCLES;

@@ -20,22 +20,23 @@ import { growBounds } from '../bounds.js';
 import { findNearby } from '../nearby.js';
 import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
 
-// What slides over a floor of tiles must not catch on the joints ("ghost collisions" at internal edges). The side of the next tile
-// may be the nearest way out of it, but it is no surface of the floor.
+// What slides over a floor of tiles must not catch on the seams ("ghost collisions" at internal edges). The side of the next tile may be
+// the nearest way out of it, but it is no surface of the floor. A ground is a static or kinematic shape; "up" is from the ground to the
+// body.
 
-/** Normals whose cosine is no less are of one direction. */
+/** The least cosine of the angle between normals that count as one direction. */
 const SAME_DIRECTION = 1 - 1e-10;
 
-/** m. What is so near to a corner of a ground is with that. */
+/** m. A contact point this near to a corner of a ground is at that corner. */
 const CORNER = 4 * FLUSH_TOLERANCE;
 
-/** m/s. What goes no faster against each other goes alike: velocities that are to bring bodies somewhere differ by rounding. */
+/** m/s. Bodies whose velocities differ by no more move alike: velocities that are to bring bodies somewhere differ by rounding. */
 const ALIKE_SPEED = 1e-6;
 
-/** m. How far above an edge it is to be open: faces that lie in each other carry as one. */
+/** m. An edge is open only if a point this far above it is: faces that lie in each other carry as one. */
 const CLEAR = 2 * FLUSH_TOLERANCE;
 
-/** A class of its own: a literal would be boxed into once any other one with these names holds something else. */
+/** A class of its own: V8 would box the fields of a literal as soon as another one with these names holds something else. */
 class Spot {
   x = 0.5;
   y = 0.5;
@@ -47,26 +48,28 @@ class Face {
 
 /** The direction that was found for a contact, from the ground to the body: scratch. */
 const up = /* @__PURE__ */ new Along();
-/** The direction that is looked along: scratch. */
+/** The direction along which something is measured: scratch. */
 const along = /* @__PURE__ */ new Along();
-/** How deep a shape is below the face that was found: scratch. */
+/** The separation of a shape from the face that was found: scratch. */
 const face = /* @__PURE__ */ new Face();
 const free = /* @__PURE__ */ new FreeDirections();
-/** A point on the surface of the ground, relative to its body, and one that is asked for: scratch. */
+/** A point on the surface of the ground, relative to its body, and another one that is asked about: scratch. */
 const point = /* @__PURE__ */ new Spot();
 const place = /* @__PURE__ */ new Spot();
 const asked = /* @__PURE__ */ new Float64Array(2);
-/** How far the grounds have come since the step began, x and y, and what a shape may be wider by in their eyes, as they turn: scratch. */
+/**
+ * How far the grounds have come since the step began, x and y, and by how much the shape has to be widened for them, as they turn: scratch.
+ */
 const came = /* @__PURE__ */ new Float64Array(3);
 /** Angle, cosine, sine: scratch. */
 const turned = /* @__PURE__ */ new Float64Array(3);
 const bounds = /* @__PURE__ */ new Float64Array(4);
 const near = { reach: 0.5 };
-/** All grounds that the shape that is looked at lies on or near: three and more may meet at one point. */
+/** All grounds that the present shape lies on or near: three and more may meet at one point. */
 const around = /* @__PURE__ */ new List<Shape>();
 let areAllKnown = false;
 
-/** Remembers which static or kinematic shapes a dynamic one lies on or near in this step. */
+/** Notes that a dynamic shape lies on or near a static or kinematic one in this step. */
 export function noteGround(world: World, pair: Arbiter): void {
   if (pair.bodyA.kind === DYNAMIC && pair.bodyB.kind === DYNAMIC) {
     return;
@@ -82,7 +85,7 @@ export function noteGround(world: World, pair: Arbiter): void {
   shape.grounds = pair;
 }
 
-/** Looks at all contacts of shapes that lie on or near more than one static or kinematic shape. */
+/** Smooths all contacts of shapes that lie on or near more than one static or kinematic shape. */
 export function smoothSeams(world: World): void {
   const { straddling } = world;
   for (let i = 0; i < straddling.count; i += 1) {
@@ -99,8 +102,8 @@ export function smoothSeams(world: World): void {
 }
 
 /**
- * Turns a contact to the direction `up`. What is only near is let go where another ground carries the shape in that direction already: turned, it would meet a surface
- * that it does not touch, and part from it in the next step.
+ * Turns a contact to the direction `up`. A speculative contact is dropped where another ground carries the shape in that direction already:
+ * turned, it would meet a surface that it does not touch, and leave it in the next step.
  */
 function smooth(pair: Arbiter): void {
   const ground = groundOf(pair);
@@ -109,7 +112,7 @@ function smooth(pair: Arbiter): void {
     const helps = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
     if (helps && carriesUp(other) && !standsOut(carrier, ground)) {
       pair.unmark(NEAR);
-      // Else foresight would take it for a contact that is known.
+      // Else foresight would take it for a known contact.
       pair.numbers[pair.at + g.COUNT] = 0;
       return;
     }
@@ -118,7 +121,7 @@ function smooth(pair: Arbiter): void {
   if (pair.count === 0) pair.unmark(NEAR);
 }
 
-/** Whether neither ground moves against the other in this step. */
+/** Whether two grounds do not move relative to each other in this step. */
 function moveAlike({ owner: a }: Shape, { owner: b }: Shape): boolean {
   return (
     a === b ||
@@ -131,7 +134,10 @@ function moveAlike({ owner: a }: Shape, { owner: b }: Shape): boolean {
   );
 }
 
-/** The same for a contact that was just found where bodies are in the course of the step, with all shapes there that move as its ground does. */
+/**
+ * As `smoothSeams`, for a contact that was just found during the step, where its bodies are then, with all shapes nearby that move as its
+ * ground does.
+ */
 export function smoothMeeting(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
   around.clear();
@@ -149,7 +155,7 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   came.fill(0);
 }
 
-/** Finds from where on since the step began a ground has carried the place at which a shape is. */
+/** Finds how far a ground has carried the place where a shape is since the step began. */
 function findWay({ movers }: World, { owner }: Shape, { numbers: n, at }: Shape): void {
   const { x, y, cos, sin } = owner!;
   const { startX, startY, startAngle } = movers.of(owner!);
@@ -164,20 +170,20 @@ function findWay({ movers }: World, { owner }: Shape, { numbers: n, at }: Shape)
   came[2] = Math.abs(turnSin) * Math.max(n[at + 2]! - n[at]!, n[at + 3]! - n[at + 1]!);
 }
 
-/** Lets go of grounds of earlier contacts. */
+/** Releases the grounds of earlier contacts. */
 export function releaseAround(): void {
   around.clear();
   around.release();
 }
 
-/** Places the other grounds around, which go as one does, where they are at a time. */
+/** Moves the other grounds around, which go as this one does, to where they are at a time in the step. */
 function putAround({ movers }: World, ground: Shape, time: number): void {
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
     if (other.owner !== ground.owner) {
       const mover = movers.of(other.owner!);
       mover.putAt(time);
-      // So that it is put to its end with what was met.
+      // So that the step moves it to its end together with what was met.
       mover.met = true;
     } else if (other !== ground && other.owner!.w !== 0) {
       other.place(other.owner!);
@@ -185,19 +191,21 @@ function putAround({ movers }: World, ground: Shape, time: number): void {
   }
 }
 
-/** After `smoothMeeting`: as the pair, the grounds around are where the step began again. */
+/** After `smoothMeeting`: puts the grounds around back to where they began the step, as is done with the pair. */
 export function putGroundsBack(world: World, pair: Arbiter): void {
   const ground = groundOf(pair);
   if (around.count > 0 && ground.owner!.isGoing()) putAround(world, ground, 0);
 }
 
-/** What the shape of a contact is near but need not touch: where it has left a face by a corner nothing tells of that. */
+/**
+ * Adds the grounds that the shape of a contact is near but need not touch: no pair tells of them where it has left a face over a corner.
+ */
 function addNearby(world: World, pair: Arbiter): void {
   const shape = dynamicOf(pair);
   const ground = groundOf(pair);
   near.reach = SPECULATIVE_MARGIN + halfWidthOf(shape) + came[2]!;
   growBounds(shape, near, bounds);
-  // Grounds that go are found where the step began.
+  // Grounds that move are in the broadphase where the step began.
   for (let i = 0; i < 4; i += 1) {
     bounds[i] = bounds[i]! - came[i & 1]!;
   }
@@ -211,7 +219,7 @@ function addNearby(world: World, pair: Arbiter): void {
   areAllKnown = true;
 }
 
-/** Whether what touches a shape is not let through. */
+/** Whether another shape may carry this one: not if it is a sensor, or filters or a handler let them pass through each other. */
 function bears(world: World, shape: Shape, other: Shape): boolean {
   if (other.sensor || !letsMeet(shape, other)) {
     return false;
@@ -247,7 +255,7 @@ function carriesUp(pair: Arbiter): boolean {
   return signOf(pair) * (up.x * n[o + g.NX]! + up.y * n[o + g.NY]!) >= SAME_DIRECTION;
 }
 
-/** Whether a static shape stands out of another, upwards. */
+/** Whether `to` stands out of `from` along `up`. */
 function standsOut(from: Shape, to: Shape): boolean {
   const dx = to.owner!.x - from.owner!.x;
   const dy = to.owner!.y - from.owner!.y;
@@ -258,8 +266,8 @@ function standsOut(from: Shape, to: Shape): boolean {
 }
 
 /**
- * Whether a contact is not with the surface that grounds which lie side by side have together, but with a side or corner that others hide. Then what carries the body is
- * a face beside it; or, if all of it lies within others, the face that the shape lies on.
+ * Whether a contact is not with the common surface of grounds that lie side by side, but with a side or corner that others hide. Then finds
+ * in `up` what carries the body instead: a face beside it; or, if all of it lies within others, the face that the shape lies on.
  */
 function isHidden(world: World, pair: Arbiter): boolean {
   const ground = groundOf(pair);
@@ -277,25 +285,28 @@ function isHidden(world: World, pair: Arbiter): boolean {
   );
 }
 
-/** Whether a shape is no deeper in a ground along a direction than half of that; or it lies on it. */
+/** Whether a shape is no deeper in a ground along a direction than half of the ground; or it lies on it. */
 function isInReach(shape: Shape, ground: Polygon, direction: Along): boolean {
   measureFrom(ground, shape, direction);
   return direction.found > -Math.max(lyingDepth(shape), halfWidthOf(ground));
 }
 
-/** Finds how far a shape is from a ground along a direction that points out of the ground. */
+/** Finds the separation of a shape from a ground along a direction that points out of the ground. */
 function measureFrom(ground: Polygon, shape: Shape, direction: Along): void {
   direction.dx = shape.owner!.x - ground.owner!.x;
   direction.dy = shape.owner!.y - ground.owner!.y;
   separationAlong(ground, shape, direction);
 }
 
-/** m. How deep below a face a shape that lies on it may be. */
+/** How deep below a face a shape that lies on it may be, m. */
 function lyingDepth(shape: Shape): number {
   return Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
 }
 
-/** What the direction of a contact is, as `FreeDirections.judge` tells: right at one of its points is enough. If it is wrong, `up` is the next right one. */
+/**
+ * What the direction of a contact is, as `FreeDirections.judge` tells; it is right if it is at one of its points. If it is wrong, `up` is
+ * the next right one.
+ */
 function judge(pair: Arbiter, ground: Polygon): number {
   const { count, numbers: n, at: o } = pair;
   const sign = signOf(pair);
@@ -322,7 +333,7 @@ function judge(pair: Arbiter, ground: Polygon): number {
   return found;
 }
 
-/** Moves `point` to the corner of a ground that it is near. */
+/** Moves `point` to the corner of a ground that it is near, if there is one. */
 function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
   for (let k = at + EDGES + EDGE_STRIDE * (offsets.length - 1); k >= at + EDGES; k -= EDGE_STRIDE) {
     const dx = edges[k]! - point.x;
@@ -335,7 +346,7 @@ function goToCorner({ numbers: edges, at, offsets }: Polygon): void {
   }
 }
 
-/** What the grounds around fill at `point`. */
+/** Adds what the grounds around fill at `point`. */
 function addAround(ground: Polygon): void {
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
@@ -344,9 +355,9 @@ function addAround(ground: Polygon): void {
 }
 
 /**
- * Finds the face of a ground that a shape reaches the least below, but not deeper than half the ground. If it has none that is open, as what lies below the surface, a
- * face of those around that the shape lies on, that a contact with the unit vector that `free` has looks towards, and above which this ground does not reach
- * far: an underside over the shape is no such face.
+ * Finds the face of a ground below which a shape reaches least, but not deeper than half the ground. If the ground has none that is open,
+ * as what lies below the surface: a face of those around that the shape lies on, that the direction of the contact in `free` does not turn
+ * away from, and above which this ground does not reach far. So an underside above the shape is no such face.
  */
 function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
   const shape = dynamicOf(pair);
@@ -366,7 +377,7 @@ function findOpenFace(pair: Arbiter, ground: Polygon): boolean {
   return isFound;
 }
 
-/** Finds where a contact has the surface of its ground, at one of its points: `at` is the record, plus POINT for the second. */
+/** Finds the surface of the ground at a point of a contact: `at` is the record, plus POINT for the second. */
 function findPoint({ numbers: n, at: o, bodyA }: Arbiter, at: number): void {
   const isSecond = bodyA.kind === DYNAMIC;
   const half = (isSecond ? 0.5 : -0.5) * n[g.S0 + at]!;
@@ -375,8 +386,8 @@ function findPoint({ numbers: n, at: o, bodyA }: Arbiter, at: number): void {
 }
 
 /**
- * Takes the face of a ground that a shape lies on, or reaches the least below, if it reaches less below that than below the one before, and is in reach of the
- * ground that is to carry it there.
+ * Takes a face of a ground that a shape lies on, or below which it reaches least, if it reaches less deep there than below the face before,
+ * and is in reach of the ground that is to carry it there.
  */
 function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, least: number): boolean {
   const { numbers: edges, at } = ground;
@@ -410,7 +421,8 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
   const next = edge + EDGE_STRIDE === endOfEdges(ground) ? at + EDGES : edge + EDGE_STRIDE;
   const nx = edges[edge + EDGE_NX]!;
   const ny = edges[edge + EDGE_NY]!;
-  // From one end of the edge to the other, as far as the shape reaches, but not so near to an end that what hides it is no thicker than the surface there.
+  // Coordinates along the edge, from one end to the other: as far as the shape reaches, but not so near to an end that what hides the edge
+  // is no thicker than the surface there.
   along.x = -ny;
   along.y = nx;
   const from = along.x * edges[edge]! + along.y * edges[edge + 1]!;
@@ -433,7 +445,7 @@ function isOpen(shape: Shape, ground: Polygon, edge: number): boolean {
   return !isInAnother(ground);
 }
 
-/** Whether `place` is within another ground than that to whose body it is relative. */
+/** Whether `place` is within another ground than the one to whose body it is relative. */
 function isInAnother(ground: Polygon): boolean {
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
@@ -444,13 +456,16 @@ function isInAnother(ground: Polygon): boolean {
   return false;
 }
 
-/** Whether a point, given relative to the body of one ground, may be in another one that is placed: most of many are told from it by their bounds. If so, `asked` is where it is relative to the body of that. */
+/**
+ * Whether a point, given relative to the body of one ground, may be in another one, which is placed: bounds exclude most. If so, writes to
+ * `asked` where the point is relative to the body of the other.
+ */
 function mayHold(ground: Shape, from: Polygon, spot: Spot): ground is Polygon {
   const { numbers: n, at } = ground;
   const x = spot.x + from.owner!.x;
   const y = spot.y + from.owner!.y;
   const isOut = x < n[at]! - CORNER || x > n[at + 2]! + CORNER || y < n[at + 1]! - CORNER || y > n[at + 3]! + CORNER;
-  // What has come from there has left its bounds behind.
+  // What has moved from where the step began has left its bounds behind.
   if (ground.kind !== POLYGON || (isOut && came[0] === 0 && came[1] === 0)) {
     return false;
   }

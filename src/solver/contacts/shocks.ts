@@ -7,13 +7,15 @@ import * as d from '../layout.js';
 import { solveVelocityTwo } from '../loops.js';
 import { solveVelocityOne } from './one-point.js';
 
-// What strikes something is stopped in one sub-step, whose impulses the next one would start with once more: they throw it back, and a few sweeps cannot take that away again where one body lies between two others.
-// So where what was struck is no heap its contacts, and the joints of what hangs on it, are swept over until they are solved, and what they bear is forgotten, but for what they bore as the step began.
-// Frames that stand on something, as a table under a load, are solved as well, but go on with what they bear: see `isBent` in `joint-data.ts`.
+// What strikes something is stopped within one sub-step, and the next one would start with the same impulses once more: they throw it back,
+// and a few sweeps cannot undo that where one body lies between two others. So, where what was struck is no heap, its contacts, and the
+// joints of what hangs on it, are swept over until they are solved, and their impulses are forgotten, except those with which the step
+// began. Frames that stand on something, such as a table under a load, are solved as well, but keep their impulses: see `isBent` in
+// `joint-data.ts`.
 
-/** The end of a chain of ends; of a body that hangs on what cannot be solved. */
+/** The end of a list of ends; also marks a body that hangs on what cannot be solved. */
 const NONE = -1;
-/** Of a body that is part of a heap or a mechanism, for the whole step. */
+/** Marks a body that is part of a heap or a mechanism, for the whole step. */
 const REFUSED = 1;
 
 /** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
@@ -32,7 +34,10 @@ export function solveShocks(data: SolverData, jointSolver: JointSolver | null): 
   jointSolver?.solveFrames(data, jointSolver);
 }
 
-/** Solves what hangs together with a body, given by the offset of its record. @returns whether it does: not what is a heap, has too many groups of joints, or was found before. */
+/**
+ * Solves what hangs together with a body, given by the offset of its record. @returns whether it was solved: not if it is a heap, has too
+ * many groups of joints, or was found before.
+ */
 export function solveAround(
   data: SolverData,
   body: number,
@@ -68,7 +73,10 @@ function linkAll({ first, next }: ShockList, { count, bodies }: ContactBatch, ki
   }
 }
 
-/** Finds what hangs together with a body: contacts that bear something, and joints. @returns how many contacts; 0 if it is a heap, or was found before. */
+/**
+ * Finds what hangs together with a body: contacts that bear something, and joints. @returns how many contacts there are; 0 if it is a heap,
+ * or was found before.
+ */
 function gather(data: SolverData, start: number): number {
   const { shocks } = data;
   const { known, slots, contacts, groups } = shocks;
@@ -100,7 +108,7 @@ function visit(shocks: ShockList, slot: number): void {
   }
 }
 
-/** Joints that have callbacks, or cannot be met, cannot be solved once more. */
+/** Adds the joints of a body. Those that have callbacks, or cannot be met, cannot be solved once more. */
 function gatherJoints(data: SolverData, slot: number): void {
   const { shocks, joints } = data;
   const { groupOf, groups } = shocks;
@@ -129,7 +137,7 @@ function gatherContacts(data: SolverData, slot: number): void {
     }
     const other = batch.bodies[(contact & d.EVEN) + 1 - (end & 1)]! & d.OFFSET;
     const moves = canMove(data, other);
-    // Of two that can move, from one of them.
+    // A contact of two bodies that can move is added from one of them.
     if (!moves || (end & 1) === 0) {
       contacts.add(contact);
       shocks.room -= 1;
@@ -138,24 +146,24 @@ function gatherContacts(data: SolverData, slot: number): void {
   }
 }
 
-/** By the offset of its record. */
+/** Whether the body whose record has this offset can be moved. */
 export function canMove({ velocity }: SolverData, body: number): boolean {
   return velocity[body + d.INV_MASS]! > 0;
 }
 
-/** N·s. The normal impulse of the sub-step. */
+/** The normal impulse of a contact in the sub-step, N·s. */
 function loadOf({ records, stride }: ContactBatch, contact: number): number {
   const i = recordAt(contact >> 1, stride);
   return records[i + d.NORMAL1]! + (stride === d.TWO_STRIDE ? records[i + d.NORMAL2]! : 0);
 }
 
-/** Where the pair has the normal impulse of the contact, or of its first point. */
+/** Where a pair keeps the normal impulse of a contact, or of its first point. */
 export function keptAt({ at, point }: ContactBatch, contact: number): number {
   const k = contact >> 1;
   return at[k]! + c.NORMAL + ((contact & 1) === 1 ? c.IMPULSES * (point[k]! & 1) : 0);
 }
 
-/** N·s. That with which the step began, or that it bore when a frame was solved since. */
+/** The normal impulse with which the step began, or that it bore when a frame was solved since, N·s. */
 function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: number): number {
   const n = batch.numbers[contact >> 1]!;
   const first = keptAt(batch, contact);
@@ -164,8 +172,9 @@ function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: 
 }
 
 /**
- * Whether it bears so much more than as the step began that one of its bodies was stopped by it: the lighter one, as what lies between two heavy ones lets pass only what
- * stops itself, sub-step by sub-step. With joints the heavier one, else decks that tremble under a load never come to rest.
+ * Whether a contact bears so much more than when the step began that it has stopped one of its bodies. The lighter one, as what lies
+ * between two heavy ones lets pass only what stops itself, sub-step by sub-step; with joints the heavier one, else decks that tremble under
+ * a load never come to rest.
  */
 function isShock(data: SolverData, contact: number): boolean {
   const batch = batchOf(data, contact);
@@ -181,7 +190,7 @@ function isShock(data: SolverData, contact: number): boolean {
   return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
 }
 
-/** Sweeps over the contacts that were found, and the joints, until no contact changes a velocity by more than is worth it. */
+/** Sweeps over the contacts and joints that were found, until no contact changes a velocity by more than is worth it. */
 function solve(data: SolverData, jointSolver: JointSolver | null): void {
   const { shocks } = data;
   const { contacts, groups } = shocks;
@@ -196,13 +205,13 @@ function solve(data: SolverData, jointSolver: JointSolver | null): void {
       const contact = contacts.items[i]!;
       const k = contact >> 1;
       const solveVelocity = (contact & 1) === 1 ? solveVelocityOne : solveVelocityTwo;
-      // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would in that.
+      // As in a sub-step of 1 s: until nothing changes by more than CALM_ACCELERATION would change it in 1 s.
       changed = solveVelocity(data, k, k + 1, 1) || changed;
     }
   }
 }
 
-/** Of all that was just solved: joints are told, and forget when the sub-step ends. */
+/** Makes everything that was just solved forget its impulses: joints are told, and do so when the sub-step ends. */
 function forgetAll(data: SolverData): void {
   const { contacts, groups, struckGroups } = data.shocks;
   for (let i = 0; i < groups.count; i += 1) {
@@ -213,7 +222,7 @@ function forgetAll(data: SolverData): void {
   }
 }
 
-/** What a contact bears beyond what it bore as the step began is counted, but nothing starts with it. */
+/** Counts towards the step what a contact bears beyond what it bore as the step began, so that nothing starts with it. */
 function forget(data: SolverData, contact: number): void {
   const batch = batchOf(data, contact);
   const { records: r, stride } = batch;

@@ -16,8 +16,9 @@ import * as c from '../../contact/layout.js';
 import { type ContactBatch, recordAt, remember, type SolverData } from '../data.js';
 import * as d from '../layout.js';
 
-// Straight-line, as packing is: they run once a step for every contact. Zeros are never negative, as users and snapshots read them. The next step does not start from
-// all that this one changed, see IMPULSE_MEMORY; of an impact, which is over, nothing is to be left.
+// Straight-line, like packing: these functions run once a step for every contact. Zeros are never negative, as users and snapshots read
+// them. The warm start of the next step does not take over all of the change in this one, see IMPULSE_MEMORY; of an impact, which is over,
+// it takes nothing.
 
 /** Writes the outcome of a contact of two points back to its pair. A point that was apart from the start and met nothing was not used. */
 export function storeTwo(data: SolverData, index: number, stamp: number): void {
@@ -96,8 +97,8 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
 }
 
 /**
- * Which points the solver used, and since when the contact is hard to solve: since it bears far more than its bodies weigh, and they are unlike or it bears much of what either does. The arbiter is
- * only waited for if something is new.
+ * Notes which points the solver used, and for how long the contact has been strained: it bears far more than its bodies weigh, and these
+ * are of unlike mass, or it bears much of what one of them bears. The memory of the arbiter is waited for only if something changed.
  */
 function noteUse(
   { bits, arbiters }: ContactBatch,
@@ -128,7 +129,10 @@ function areUnlike({ velocity: v }: SolverData, a: number, b: number, share: num
   return Math.abs(mA - mB) > share * (mA + mB);
 }
 
-/** Whether two edges turn against each other, slowly, and bear about half of all that either body does: as in a column that sways. */
+/**
+ * Whether two edges rock: they turn slowly relative to each other, and bear about half of all that either body does, as in a column that
+ * sways.
+ */
 function isRocking({ velocity: v, drive }: SolverData, a: number, b: number, load: number): boolean {
   const spin = Math.abs(v[b + d.W]! - v[a + d.W]!);
   const loadA = drive[a + d.LOAD]!;

@@ -2,11 +2,15 @@ import { BOUNCE_THRESHOLD, MOST_BEND } from '../../config.js';
 import { batchOf, recordAt, type SolverData } from '../data.js';
 import * as d from '../layout.js';
 
-// Normals and arms of contacts are those with which the step began. Two bodies that turn together at a rate w, their centres d apart, would so be told to come together at w²·d·t after a time t: what contacts make of that takes from the turn, and in seconds stops a ship of welded blocks.
-// So the normal of such a contact turns with them; arms, as seen from it, stay what they were, and with them all effective masses. Then bodies that move as one neither come together there nor slide, and what it gives to both is given at one place.
-// Refused: arms that turn under a normal that stays (what presses on a wheel would turn it, and masses are those of other arms); a point half-way between where either body has carried it, which of a large and a small one is far from the small one, and throws it off.
+// Contacts have the normals and arms with which the step began. Of two bodies that turn together at a rate w, with a distance d between
+// their centres, they would find after a time t that these approach at w²·d·t. What they make of that takes from the turn, and stops a ship
+// of welded blocks within seconds. So the normal of such a contact turns with the bodies; arms, as seen from it, stay what they were, and
+// with them all effective masses. Then bodies that move as one neither approach there nor slide, and both get the impulse at one place.
+// Refused: arms that turn under a normal that stays (what presses on a wheel would turn it, and effective masses are those of other arms);
+// a point half-way between where either body has carried it, which for a large and a small body is far from the small one, and throws it
+// off.
 
-/** Keeps the normal of a contact, both separations, what its surfaces move by, and how far its points are from the pivots of circles. */
+/** Keeps the normal of a contact, both separations, its surface velocities, and how far its points are from the pivots of circles. */
 export function keepNormal(data: SolverData, contact: number): void {
   const { turning } = data;
   const { records: r, stride } = batchOf(data, contact);
@@ -24,7 +28,7 @@ export function keepNormal(data: SolverData, contact: number): void {
     stride === d.TWO_STRIDE ? 0 : r[at + d.RT_B]! - r[at + d.PIVOT_B]! - r[at + d.RT_A]! + r[at + d.PIVOT_A]!;
 }
 
-/** Turns them with their bodies, before a sub-step of length h. */
+/** Turns these contacts with their bodies, before a sub-step of length h. */
 export function turnContacts(data: SolverData, h: number): void {
   const { contacts, count } = data.turning;
   for (let i = 0; i < count; i += 1) {
@@ -33,9 +37,11 @@ export function turnContacts(data: SolverData, h: number): void {
 }
 
 /**
- * What moves as one turns as both bodies do, and as the line between their centres: two wheels that rub on each other do not. Separations are found from what they were as the step began, by the normal of then: what the new one
- * would change of them goes into that, as does what a circle, whose pivot is its centre, would seem to sink by while it goes along. What moves as one goes along arcs, in a sub-step by −w²·h/2 times the way between the centres off the tangents: by its velocity alone what sits on a platform that rocks would creep
- * outwards, by 2 mm a second at 2 m. What bounces does not.
+ * Turns a contact. What moves as one turns as both bodies do, and as the line between their centres; two wheels that rub on each other do
+ * not. Separations are found from those at the start of the step along the normal of then: the difference that the new normal would make
+ * goes into them, and so does what a circle, whose pivot is its centre, would seem to sink by while it moves along. What moves as one moves
+ * along arcs, in a sub-step by −w²·h/2 times the distance between the centres off the tangents: by its velocity alone, what sits on a
+ * platform that rocks would creep outwards, by 2 mm a second at 2 m. What bounces does not turn.
  */
 function turn(data: SolverData, contact: number, k: number, h: number): void {
   const { velocity: v, motion: q, substeps } = data;
@@ -80,7 +86,7 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   r[at + d.SURFACE_T] = kept[k + d.TURNING_SURFACE_T]! + bend * (c * alongT - s * alongN);
 }
 
-/** That which is nearest to 0 of three of one sign, else 0. */
+/** The one nearest to 0 of three numbers of one sign, else 0. */
 function leastOf(one: number, two: number, three: number): number {
   const least = Math.min(Math.abs(one), Math.abs(two), Math.abs(three));
   return one > 0 && two > 0 && three > 0 ? least : one < 0 && two < 0 && three < 0 ? -least : 0;

@@ -46,7 +46,7 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
     const surface = r[i + d.SURFACE_N]!;
     r[i + d.SEPARATION1] = s1;
     r[i + d.SEPARATION2] = s2;
-    // What is not positive is left out by absolute values: which it is is a matter of chance, see `solveVelocityOne`.
+    // The positive part by absolute values: the sign is a matter of chance, see `solveVelocityOne`.
     const gap1 = s1 + TOUCH_DEPTH;
     const gap2 = s2 + TOUCH_DEPTH;
     r[i + d.BIAS1] = 0.5 * (gap1 + Math.abs(gap1)) * inverseH + surface;
@@ -76,11 +76,11 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
 
 /**
  * One sweep over the contacts from one index to another. Friction, within ± μ · both normal impulses; then both normals as one linear
- * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and
- * Solving Constraints", GDC 2009):  K x + β ≥ 0,  x ≥ 0,  with β = vₙ + bias − K · p, p the impulse so far. When both push, x = p − K⁻¹(vₙ + bias).
- * What bears nothing, and whose surfaces do not come together, is passed by.
+ * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and Solving
+ * Constraints", GDC 2009): K x + β ≥ 0, x ≥ 0, with β = vₙ + bias − K · p, where p is the impulse so far. When both push, x = p − K⁻¹(vₙ +
+ * bias). A contact without impulses whose surfaces do not approach is skipped.
  *
- * @returns whether any velocity changed by more than tiny accelerations would change it in the sub-step, of length h.
+ * @returns whether any velocity changed by more than CALM_ACCELERATION would change it in the sub-step, of length h.
  */
 export function solveVelocityTwo(data: SolverData, from: number, to: number, h: number): boolean {
   const { records: r, bodies } = data.two;
@@ -183,9 +183,10 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
 }
 
 /**
- * One position sweep over the contacts from one index to another: moves the bodies apart by a share of the overlap beyond the slop, both points together; if one of
- * them would have to pull, the deeper one alone. A point that is not too deep may come nearer by as much as that: were it held where it is, what is pressed together at one end
- * would be levered up at the other, as the one push turns it and the other does not turn it back. Velocities are not touched.
+ * One position sweep over the contacts from one index to another. Moves the bodies apart by a share of the overlap beyond the slop, at both
+ * points together; if one of them would have to pull, at the deeper one alone. A point that is not too deep may come nearer by as much as
+ * that. Were it held where it is, what is pressed together at one end would be levered up at the other, as the one correction turns it and
+ * the other does not turn it back. Velocities are not touched.
  *
  * @returns whether anything was pushed; if not, further iterations would find the same.
  */
