@@ -7,29 +7,30 @@ import { findNearby } from '../nearby.js';
 
 const bounds = /* @__PURE__ */ new Float64Array(4);
 
-/** Centre and half the side of a square. */
+/** Numbers of a square: centre and half the side. */
 const STRIDE = 3;
 
 /**
- * Squares in which nothing stands still, as long as nothing comes to stand anywhere: a body need not be looked ahead for while it goes about in one, which is as if nothing had been found.
- * One is looked for around each dynamic body that is awake, by its place among those; but what is known of it is of the world, not of the body.
+ * Squares in which nothing stands still, which hold until something comes to rest anywhere. A body within its square need not be looked
+ * ahead for, as if a search had found nothing. A square is searched around each awake dynamic body, and kept by the index of that body in
+ * `liveDynamics`; but what is known of a square is true of the world, whichever body it was searched for.
  */
 export class ClearSpace {
-  /** A negative half is minus the step in which to look again, as something was found. */
+  /** Where something was found, half the side is minus the step in which to search again. */
   private squares: Float64Array = new Float64Array(0);
-  /** Something came to stand somewhere since the last step, … */
+  /** Whether something came to rest somewhere since the last step, … */
   private isStale = true;
   /** … or before that, since the one before. */
   private wasStale = true;
-  /** m. How far the body goes in a step that is asked about. Here, as an argument it would be boxed. */
+  /** How far the body that is asked about goes in a step, m. A field, as an argument would be boxed. */
   reach = 0.5;
 
-  /** Something that stands still, or sleeps, comes to be somewhere. */
+  /** To be called when something that stands still, or sleeps, comes to be somewhere. */
   forget(): void {
     this.isStale = true;
   }
 
-  /** Begins a step. Where something comes to stand in each, a wide look would be for nothing. */
+  /** Begins a step. If something comes to rest in each, wide searches would be for nothing. */
   begin(): void {
     this.wasStale = this.isStale;
     this.isStale = false;
@@ -48,7 +49,7 @@ export class ClearSpace {
     );
   }
 
-  /** Looks for a square around a body in which it can go about for some steps. */
+  /** Searches a square around a body in which it can move for some steps. */
   search(world: World, { liveIndex, x, y, radius }: RigidBody): void {
     const at = STRIDE * liveIndex;
     if (at >= this.squares.length) {

@@ -20,9 +20,10 @@ import { squareOfWay } from './swept-bounds.js';
 const bounds = /* @__PURE__ */ new Float64Array(4);
 
 /**
- * What moved so far in this step that it may have passed something is swept from where the step began to where it ended, against everything that
- * was not in contact with it and so not known to the solver: dynamic bodies against static and kinematic ones, bullets against all. The first
- * impact stops a dynamic body there for the rest of the step, with its impulse; a kinematic partner that goes on carries it along.
+ * Continuous collision at the end of a step. What moved so far that it may have passed something is swept from where the step began to
+ * where it ended, against everything that was not in contact with it and so not known to the solver: dynamic bodies against static and
+ * kinematic ones, bullets against all. The first impact stops a dynamic body there for the rest of the step, with its impulse; a kinematic
+ * partner that goes on carries it along.
  */
 export function continuous(world: World, dt: number): void {
   const { movers } = world;
@@ -45,13 +46,13 @@ export function continuous(world: World, dt: number): void {
   movers.clear();
 }
 
-/** No impact has stopped the shape before that time. */
+/** Whether no impact stopped the shape before that time. */
 function comesTo(world: World, shape: Shape, time: number): boolean {
   const mover = world.movers.of(shape.owner!);
   return !mover.stopped || time <= mover.from;
 }
 
-/** Lets the impacts happen in the order in which they come; each changes what comes after it. */
+/** Solves the impacts in the order of their times; each changes those that come after it. */
 function strikeInOrder(world: World): void {
   const { movers } = world;
   const { meetings } = movers;
@@ -79,7 +80,10 @@ function strikeInOrder(world: World): void {
   }
 }
 
-/** Takes out of the queue, to `together`, a meeting and those of its dynamic bodies that come at once with it, and puts all bodies to where they are then. */
+/**
+ * Takes a meeting, and those of its dynamic bodies that come at once with it, from the queue to `together`, and moves all their bodies to
+ * where they are then.
+ */
 function takeTogether(world: World, first: Meeting): void {
   world.movers.together.clear();
   take(world, first, first);
@@ -94,7 +98,7 @@ function addThoseOf(world: World, body: RigidBody, first: Meeting): void {
   }
 }
 
-/** Whether a meeting waits for its turn, and comes at once with the first: its surfaces are as near then as those that touch. */
+/** Whether a meeting is in the queue and comes at once with the first: its surfaces are then as close as those that touch. */
 function isDue(world: World, meeting: Meeting, first: Meeting): boolean {
   if (meeting.slot >= 0 && meeting.isOpen && meeting.time <= first.time + SAME_TIME) {
     findTime(world, meeting);
@@ -103,7 +107,7 @@ function isDue(world: World, meeting: Meeting, first: Meeting): boolean {
   return meeting.slot >= 0 && !meeting.isOpen && wait <= SAME_TIME && wait * wayOf(world, meeting) <= CONTACT_SLOP;
 }
 
-/** How far two shapes may come nearer to each other in the step. */
+/** By how much two shapes may approach each other in the step at most, m. */
 function wayOf({ movers }: World, { a, b }: Meeting): number {
   const one = movers.of(a.owner!);
   const two = movers.of(b.owner!);
@@ -118,14 +122,17 @@ function take({ movers }: World, meeting: Meeting, first: Meeting): void {
   come(movers.of(meeting.b.owner!), first);
 }
 
-/** Puts a body to where it is when something meets it. The meeting in place of its time, which would be boxed. */
+/** Moves a body to where it is at the time of a meeting. Takes the meeting, as its time would be boxed. */
 function come(mover: Mover, { time }: Meeting): void {
   mover.at = time;
   mover.put();
   mover.met = mover.body.kind !== STATIC;
 }
 
-/** A dynamic body stays where an impact came, for the rest of the step; if the partner is kinematic and goes on, that carries it along, also after something else met it. */
+/**
+ * Stops a dynamic body at an impact for the rest of the step. A kinematic partner that goes on carries it along, also after something else
+ * met it.
+ */
 function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter): void {
   if (mover.body.kind !== DYNAMIC) {
     return;
@@ -148,8 +155,9 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter): void {
 }
 
 /**
- * What touched before, and only got too deep as it turned, goes on along the surface and out of it, without turning: else it would never get away.
- * The surface itself may turn until the end of the step: no farther than where half-way, on the straight, that would lead to its other side.
+ * Lets a body go on along a surface that it touched before and only got too deep in as it turned, and out of it, without turning: else it
+ * would never get away. The surface itself may turn until the end of the step: so the body goes no farther than to where half-way, on the
+ * straight, it would come to the other side of the surface.
  */
 function slide({ movers }: World, mover: Mover, under: Mover, pair: Arbiter): void {
   const { numbers: n, at: o, bodyA } = pair;
@@ -175,8 +183,8 @@ function slide({ movers }: World, mover: Mover, under: Mover, pair: Arbiter): vo
 }
 
 /**
- * Such a way ends at the next thing on it that is not on its own way: what the body has to do with that comes in the next step. It is not even begun by a body
- * that is carried along.
+ * Ends such a way at the next thing on it that is not on its own way: the contact with that is for the next step. A body that is carried
+ * along does not even begin such a way.
  */
 function stopShort(world: World, mover: Mover, under: Shape): void {
   const { carrier } = mover;
@@ -191,7 +199,10 @@ function stopShort(world: World, mover: Mover, under: Shape): void {
   }
 }
 
-/** When a body meets the first static, sleeping or kinematic shape on its way, but for one and those of another body; 1 if it meets none. */
+/**
+ * Finds when a body first meets a static, sleeping or kinematic shape on its way, except `under` and the shapes of `not`; 1 if it meets
+ * none.
+ */
 function findEnd(world: World, mover: Mover, under: Shape, not: RigidBody | null): number {
   const { ways, nearby } = world.movers;
   const { body } = mover;
@@ -209,7 +220,7 @@ function findEnd(world: World, mover: Mover, under: Shape, not: RigidBody | null
   return end;
 }
 
-/** 1 if they do not meet, or take no notice of each other. */
+/** Finds when a body meets a shape; 1 if they do not meet, or do not interact. */
 function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Shape): number {
   let time = 1;
   for (let i = 0; i < shapes.length && other !== under; i += 1) {
@@ -224,7 +235,7 @@ function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Sh
   return time;
 }
 
-/** Of the meetings of a body that has stopped some come at another time now, and some not at all. */
+/** Finds the times of the meetings of a body that has stopped once more: some come at another time now, and some not at all. */
 function lookAgain(world: World, mover: Mover): void {
   for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
     if (meeting.slot >= 0) {

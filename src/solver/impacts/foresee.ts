@@ -21,9 +21,10 @@ import { findMeetings, isClear, listWays } from './meetings.js';
 import { goesFar, type Mover, type Movers } from './movers.js';
 
 /**
- * Before the step is solved: where a fast body would meet something first, if nothing else happened, is given to the solver as a contact that is
- * still open. So it lands within the step, together with whatever it is tied to or carries, and none of the step is lost. What bounces,
- * turns fast or has to be asked first, and whatever this does not see, is left to the sweep of the step's true motion at its end.
+ * Looks ahead before the step is solved. Where a fast body would first meet something, if nothing else happened, the contact is given to
+ * the solver as a speculative one. So the body lands within the step, together with whatever it is joined to or carries, and no part of the
+ * step is lost. What bounces, turns fast or needs a handler's consent, and whatever this misses, is left to the sweep of the true motion at
+ * the end of the step, see `continuous.ts`.
  */
 export function foresee(world: World, dt: number): void {
   const { movers, closing } = world;
@@ -55,7 +56,7 @@ export function foresee(world: World, dt: number): void {
     }
     for (let i = 0; i < closing.count; i += 1) {
       if (!closing.items[i]!.is(NEAR)) {
-        // It slides onto something that it will not get deep into: the contact is that of the end of the step, when it lies on it.
+        // It slides onto something in which it will not get deep: the contact is that of the end of the step, when it lies on it.
         openAt(world, closing.items[i]!, 1);
       }
     }
@@ -65,7 +66,7 @@ export function foresee(world: World, dt: number): void {
   movers.clear();
 }
 
-/** What others are swept against comes first: of these most are clear of it. */
+/** Adds the bullets first, as others are swept against them: most bodies are clear of them. */
 function foreseeBullets(world: World): void {
   const { movers, liveDynamics } = world;
   for (let i = 0; i < liveDynamics.length; i += 1) {
@@ -77,7 +78,10 @@ function foreseeBullets(world: World): void {
   }
 }
 
-/** A function of its own, as one that is called for each body is soon compiled, and what loops over them all again and again is not. */
+/**
+ * Looks where a dynamic body is going. A function of its own: one that is called for each body is soon compiled, and one that loops over
+ * them again and again is not.
+ */
 function foreseeDynamic(world: World, body: RigidBody): void {
   const { ahead, pull } = world.movers;
   if (body.isBullet) {
@@ -96,12 +100,12 @@ function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void 
   }
 }
 
-/** Of a dynamic body, with what forces add on the average of the step. */
+/** Adds a dynamic body that goes far, with what forces add on the average of the step. */
 function foreseeFalling(world: World, body: RigidBody): void {
   const { movers } = world;
   const { ahead, gain } = movers;
   body.refreshMass();
-  // As `inverseMass` and `inverseInertia`, which called from here would have to box their results, and as `goesFar`.
+  // As `inverseMass` and `inverseInertia`, which would have to box their results if they were called from here; below as `goesFar`.
   const mass = body.mass > 0 ? 1 / body.mass : 0;
   const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
   findForces(body);
@@ -120,7 +124,10 @@ function foreseeFalling(world: World, body: RigidBody): void {
   }
 }
 
-/** Takes from the velocity of a mover what goes into the static bodies that it touches; whatever does not bounce, or is a bullet in a contact whose elasticity a handler may have set, ends what `bouncy` says of the step. */
+/**
+ * Takes from the velocity of a mover what goes into the static bodies that it touches. Also sets `bouncy` to false if some of its shapes do
+ * not bounce, or if it is a bullet and a handler may have set the elasticity of one of its contacts.
+ */
 function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, isBullet }: RigidBody): void {
   for (let i = 0; i < shapes.length; i += 1) {
     const { material, arbiters, groundStamp, grounds } = shapes[i]!;
@@ -144,8 +151,8 @@ function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, i
 }
 
 /**
- * Of the meetings, as they come, the first of each dynamic body counts, and those with what is near it already: what lies behind the first,
- * such as the next tile of a floor, it may never come to.
+ * Whether a meeting, in the order of their times, is the first of each of its dynamic bodies, or is of shapes that are close already. What
+ * lies behind the first, such as the next tile of a floor, the body may never get to.
  */
 function isFirst(world: World, { a, b, time }: Meeting): boolean {
   const { movers } = world;
@@ -154,7 +161,7 @@ function isFirst(world: World, { a, b, time }: Meeting): boolean {
   return ((isFirstOfA && isFirstOfB) || isClose(world, a, b)) && canGiveWay(a.owner!) && canGiveWay(b.owner!);
 }
 
-/** Found within the margin in this step. */
+/** Whether two shapes were found within the speculative margin in this step. */
 function isClose(world: World, a: Shape, b: Shape): boolean {
   const pair = world.pairs.find(a, b);
   return pair !== null && pair.seen === world.timeStamp && pair.count > 0;
@@ -192,7 +199,7 @@ function openAt(world: World, pair: Arbiter, time: number): void {
     touchAtPoint(pair);
   }
   works?.smoothMeeting(world, pair);
-  // Turned by that, it would meet a surface that it does not touch.
+  // If `smoothMeeting` turned the contact, it would meet a surface that it does not touch.
   findLeastSeparation(pair.numbers, pair.at);
   const isLost = isApart && time === 1 && leastSeparation[0]! <= 0;
   if (world.events.isHitHeard(pair)) {
@@ -209,7 +216,9 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   if (!pair.is(NEAR)) pair.foreseen = 0;
 }
 
-/** Gives the points the separation that makes them meet at that time, as the solver follows them from the start of the step. */
+/**
+ * Gives the points of a contact the separation with which they meet at that time, as the solver follows them from the start of the step.
+ */
 function moveBack(
   { foresight }: Movers,
   { shapeA, shapeB, count, numbers: n, at: o, foreseen }: Arbiter,
@@ -236,12 +245,12 @@ function moveBack(
   }
 }
 
-/** How far an arm moves along a direction by a turn: the lengths of the arm along and across it. */
+/** How far a turn moves the end of an arm along a direction. `length` and `across` are the components of the arm along and across it. */
 function along(turn: number, length: number, across: number): number {
   return (cos(turn) - 1) * length + sin(turn) * across;
 }
 
-/** The shapes have met: the separation is again that of the placement that the points were found for. */
+/** Of shapes that have met: restores the separations of the placement for which the points were found. */
 export function endForesight({ foresight }: Movers, { count, numbers: n, at: o, foreseen }: Arbiter): void {
   for (let i = 0; i < count; i += 1) {
     n[o + g.S0 + g.POINT * i] = n[o + g.S0 + g.POINT * i]! + foresight[2 * foreseen + i]!;

@@ -8,19 +8,22 @@ import type { PointConstraint } from '../../constraint/point.js';
 import type { List } from '../../math/list.js';
 import type { Impact } from './impact.js';
 
-// A pendulum, a door, a flipper: what hangs on one point of something static can only turn about that, also when it is struck. As a free body it would come away from its hinge,
-// and lose a quarter of its energy as it is put back.
+// A pendulum, a door, a flipper: what hangs on one point of something static can only turn about that point, also when it is struck. As a
+// free body it would come away from its hinge, and lose a quarter of its energy when it is put back.
 
-/** m. Where something is, relative to the origin of a body; or N·s, an impulse. */
+/** A position relative to the origin of a body, m; or an impulse, N·s. */
 interface Spot {
   x: number;
   y: number;
 }
 
-/** What a hinge gave: scratch. */
+/** The impulse of a hinge: scratch. */
 const reaction: Spot = { x: 0.5, y: 0.5 };
 
-/** Finds the only point of a body that is held, by what is static and gives way to nothing, and writes where it is to `at`. Motors and angles do not count. @returns what holds it, or `null`. */
+/**
+ * Finds the only point at which a body is held, if what holds it is static, rigid and does not break; writes the position of the point to
+ * `at`. Motors and angles do not count. @returns the constraint, or `null`.
+ */
 export function findHinge(body: RigidBody, at: Spot): PointConstraint | null {
   let point: PointConstraint | null = null;
   for (let i = 0; i < body.constraints.length; i += 1) {
@@ -36,7 +39,10 @@ export function findHinge(body: RigidBody, at: Spot): PointConstraint | null {
   return point !== null && isOn(point, body, at) ? point : null;
 }
 
-/** Of what each of the bodies that impacts moved got in all, its hinge, if it has one, gave what its contacts did not. `before` has the velocities of before, three numbers a body. */
+/**
+ * Adds the impulses of the hinges of all bodies that were moved by impacts: of all that such a body got, the part that did not come from
+ * its contacts. `before` has the velocities before, three numbers a body.
+ */
 export function noteHinges(
   impacts: readonly Impact[],
   count: number,
@@ -66,7 +72,7 @@ function hingeOf(impacts: readonly Impact[], count: number, body: RigidBody): Po
   return null;
 }
 
-/** Takes from `reaction` what the points of an impact gave a body. */
+/** Subtracts from `reaction` the impulses of an impact on a body. */
 function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
   const { numbers: n, at: o } = pair;
   const sign = a.body === body ? -1 : b.body === body ? 1 : 0;
@@ -76,7 +82,7 @@ function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
   }
 }
 
-/** A hinge gave `reaction` to a body that hangs on it, and the opposite to what it hangs on. */
+/** Adds `reaction` to what a hinge gave the body that hangs on it, and the opposite to what it hangs on. */
 function noteReaction({ members, anchors, given }: PointConstraint, body: RigidBody): void {
   const { x, y } = reaction;
   for (let k = 0; k < 2; k += 1) {
@@ -94,7 +100,7 @@ function turnsOnly({ type }: Constraint): boolean {
   return type === 'MOTOR' || type === 'ANGLE';
 }
 
-/** Whether it is a point that holds whatever comes. */
+/** Whether a constraint is a point that holds whatever comes. */
 function isFirm({ type, stiff, maxForce, breakUnderForce, breakUnderError }: Constraint): boolean {
   return type === 'POINT' && stiff && maxForce === Infinity && !breakUnderForce && !breakUnderError;
 }

@@ -16,15 +16,21 @@ import { CIRCLE } from '../../shape/shape-kind.js';
 import { isInTrain } from '../ties.js';
 import type { Mover, Movers } from './movers.js';
 
-// How deep into each other shapes that meet in a step have to get for an impact: contacts see to what gets less deep.
+// How deep shapes that meet in a step have to overlap for an impact: what gets less deep is left to contacts.
 
-/** What was found: how far two shapes turn against each other in the step, rad, and how deep they have to get, m. Scratch. */
+/**
+ * The result of `findRequired`: how far two shapes turn relative to each other in the step, rad, and how deep they have to get, m. Scratch.
+ */
 export const required = { turn: 0.5, depth: 0.5 };
 
 /**
- * How deep two shapes have to get for an impact, to `required`, and how far they turn: circles do not. What is foreseen less deep. What the solver does not see, or is never foreseen, no deeper than a share of the thinner one, which
- * else would slip into the end of a thick one, from which it is parted along that, or between two; unless they turn fast, and would be stopped again and again. Small shapes that land on each other, rather than slide over from
- * another ground, less, as they would be seen to sink in. Jointed bodies more, as stopping one of them alone opens its joints.
+ * Finds how deep two shapes have to get for an impact, and how far they turn (circles do not), to `required`.
+ * - Less deep where the meeting is foreseen.
+ * - No deeper than a share of the thinner one where the solver does not see the pair, or it is never foreseen: that shape would slip into
+ * the end of a thick one, which would then push it along instead of out, or between two. Not if they turn fast: they would be stopped again
+ * and again.
+ * - Less deep for small shapes that land on each other, rather than slide over from another ground, as they would be seen to sink in.
+ * - Deeper for bodies with joints, as stopping one of them alone opens its joints.
  */
 export function findRequired(
   { ahead }: Movers,
@@ -50,8 +56,9 @@ export function findRequired(
 }
 
 /**
- * Lessens the depth that is `required` for what comes from outside, has no joints and is never foreseen: it would graze a corner, or pass a gap that is too narrow for it. Still no less than what slides over the joints of tiles gets into them, and
- * corners that turn. Two circles cannot slide over each other without being found first.
+ * Lessens the required depth for what comes from outside, has no joints and is never foreseen: it would graze a corner, or pass a gap that
+ * is too narrow for it. But it stays at what sliding shapes get into seams of tiles, and corners as they turn. Two circles cannot slide
+ * over each other without being found first.
  */
 export function requireLess(a: Shape, b: Shape, one: Mover, two: Mover): void {
   if (!mayBeForeseen(a, b) && !isEitherInTrain(a, b)) {
@@ -60,27 +67,30 @@ export function requireLess(a: Shape, b: Shape, one: Mover, two: Mover): void {
   }
 }
 
-/** m. How much deeper the corners of a shape may get than its sides, as far as it turns. */
+/** How much deeper the corners of a shape may get than its sides, as far as it turns, m. */
 function dip(shape: Shape, { body, spin }: Mover): number {
   return shape.isRound() ? 0 : Math.min(spin * body.radius, body.radius - halfWidthOf(shape));
 }
 
-/** What bounces is not, nor what handlers are asked about. */
+/** Whether a meeting of two shapes may be foreseen: not if they bounce, or handlers are asked about it. */
 function mayBeForeseen(a: Shape, b: Shape): boolean {
   return !mayBeRefused(a, b) && !areElastic(a, b);
 }
 
-/** Handlers are asked about what meets. */
+/** Whether handlers are asked when two shapes meet, and may refuse the contact. */
 export function mayBeRefused(a: Shape, b: Shape): boolean {
   return ((a.listeners.types | b.listeners.types) & PRE_SOLVE) !== 0;
 }
 
-/** Whether what meets bounces, as their materials say. */
+/** Whether two shapes that meet bounce, as their materials say. */
 export function areElastic(a: Shape, b: Shape): boolean {
   return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
 }
 
-/** One of both is tied to another body that may move: put back alone it would open joints. What only hangs on static bodies, as a flipper does, stays on its way when it is put back. */
+/**
+ * Whether one of the two is joined to another body that may move: putting it back alone would open joints. What only hangs on static
+ * bodies, as a flipper does, stays on its way when it is put back.
+ */
 export function isEitherInTrain(a: Shape, b: Shape): boolean {
   return isInTrain(a.owner!) || isInTrain(b.owner!);
 }

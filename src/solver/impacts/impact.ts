@@ -23,53 +23,56 @@ import * as d from '../layout.js';
 
 /** One point of an impact. */
 class Point {
-  /** Whether it takes part. */
+  /** Whether it takes part in the impact. */
   isUsed = false;
   /** Arms, as in the records of contacts. */
   rnA = 0.5;
   rnB = 0.5;
   rtA = 0.5;
   rtB = 0.5;
-  /** What an impulse along the normal adds to the velocity there, and what impulse adds one along the tangent. */
+  /** The inverse effective mass along the normal, and the effective mass along the tangent. */
   give = 0.5;
   tangentMass = 0.5;
-  /** What has to be reached along the normal, with the sign changed. */
+  /** The normal velocity to be reached, with the sign changed. */
   leave = 0.5;
   friction = 0.5;
-  /** Velocity of B against A there. */
+  /** Velocity of B relative to A there, along the normal and the tangent. */
   comes = 0.5;
   slides = 0.5;
-  /** What has been given, and what is to be. */
+  /** The impulses so far, and those to be reached. */
   normal = 0.5;
   tangent = 0.5;
   nextNormal = 0.5;
   nextTangent = 0.5;
-  /** What was given with friction, while it is solved without. */
+  /** The impulses with friction, while it is solved without. */
   normalRubbed = 0.5;
   tangentRubbed = 0.5;
 }
 
-/** A body, as an impact moves it: by its inverse mass and inertia, with arms from its origin; or, where it can only turn about a hinge, as one that turns about that and is held there. */
+/**
+ * A body, as an impact moves it: a free one with its inverse mass and inertia, and arms from its origin; or one on a hinge, which is held
+ * there and can only turn about it, with arms from the hinge.
+ */
 class Side {
   body!: RigidBody;
   mass = 0.5;
   inertia = 0.5;
   hinge: PointConstraint | null = null;
-  /** Where arms begin, relative to the origin. */
+  /** Where arms begin, relative to the origin of the body. */
   x = 0.5;
   y = 0.5;
 
   begin(body: RigidBody, joints: JointSolver | null): void {
     body.refreshMass();
     this.body = body;
-    // As `inverseMass` and `inverseInertia`, which called from here would have to box what they return.
+    // As `inverseMass` and `inverseInertia`, which would have to box what they return if they were called from here.
     this.mass = body.kind === DYNAMIC && body.mass > 0 ? 1 / body.mass : 0;
     this.inertia = body.kind === DYNAMIC && body.inertia > 0 ? 1 / body.inertia : 0;
     this.hinge = joints !== null && this.mass > 0 && this.inertia > 0 ? joints.findHinge(body, this) : null;
     if (this.hinge !== null) {
       this.mass = 0;
       this.inertia = 1 / (body.inertia + body.mass * (this.x * this.x + this.y * this.y));
-      // Of all that it has about the hinge nothing is lost, also where its velocity does not fit that.
+      // Keeps the angular momentum about the hinge, also where the velocity does not fit a turn about it.
       body.w = this.inertia * (body.inertia * body.w + body.mass * (this.y * body.vx - this.x * body.vy));
       this.hold();
     } else {
@@ -78,7 +81,7 @@ class Side {
     }
   }
 
-  /** While an impact is solved the velocity of a body on a hinge is that at the hinge, none. */
+  /** While an impact is solved, the velocity of a body on a hinge is that at the hinge, which is 0. */
   hold(): void {
     if (this.hinge !== null) {
       this.body.vx = 0;
@@ -86,7 +89,7 @@ class Side {
     }
   }
 
-  /** Then it is that at its origin again, of turning about the hinge. */
+  /** After that it is the velocity at the origin again, of turning about the hinge. */
   release(): void {
     const { body } = this;
     if (this.hinge !== null) {
@@ -96,7 +99,7 @@ class Side {
   }
 }
 
-/** What two shapes that meet give each other. */
+/** The impact of two shapes that meet. */
 export class Impact {
   pair!: Arbiter;
   readonly points = [new Point(), new Point()] as const;
@@ -104,18 +107,19 @@ export class Impact {
   readonly b = new Side();
 }
 
-/** Those that come at once: scratch. What lies beyond the count is for later. */
+/** The impacts that are solved at once: scratch. What lies beyond the count is used again. */
 const impacts: Impact[] = [];
 let count = 0;
 
-/** All bodies that these move, and their energy: scratch. */
+/** All bodies that these move, and their energies: scratch. */
 const bodies = /* @__PURE__ */ new List<RigidBody>();
 const ledger = /* @__PURE__ */ new Ledger();
 
 /**
- * Gives the bodies of pairs that meet at once, and have to do with each other, the impulses of their impacts: restitution and friction as in the solver, of each pair first the friction of each point, then both normals
- * together, and so on, until nothing changes. One after the other a box that falls flat on two tiles would be thrown over by the first. They are added to those of the step, and nothing is kept for the next one to start
- * from, as an impact does not go on.
+ * Solves the impacts of pairs that meet at once and share bodies. Restitution and friction as in the solver: of each pair first the
+ * friction of each point, then both normals together, and so on, until nothing changes. Solved one after the other, the first of two tiles
+ * would turn over a box that falls flat on both. The impulses are added to those of the step, and none are kept for warm start, as an
+ * impact does not go on.
  */
 export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter>): void {
   count = pairs.count;
@@ -131,7 +135,7 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
   solve();
   noteVelocities(ledger.after);
   if (!ledger.isFinite()) {
-    // Of masses up to 1e308 impulses overflow.
+    // With masses up to 1e308 impulses overflow.
     setVelocities(ledger.before);
     return;
   }
@@ -142,7 +146,7 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
   jointSolver?.noteHinges(impacts, count, bodies, ledger.before);
 }
 
-/** Lets go of the bodies of impacts that are over. */
+/** Releases the bodies of impacts that are over. */
 export function releaseImpacts(): void {
   release(bodies.items, 0);
   for (const { a, b } of impacts) {
@@ -159,7 +163,7 @@ function begin(data: SolverData, joints: JointSolver | null, impact: Impact, pai
   for (let which = 0; which < 2; which += 1) {
     setPoint(data, impact, which, which < pair.count && n[o + g.S0 + g.POINT * which]! <= CONTACT_SLOP);
   }
-  // Another impact of the same body begins with all that it has.
+  // Another impact of the same body begins with all of its velocity.
   impact.a.release();
   impact.b.release();
   listBody(a);
@@ -218,14 +222,17 @@ function solve(): void {
   }
 }
 
-/** @returns as `push`. */
+/** One iteration over an impact. @returns as `push`. */
 function solveOne(impact: Impact): boolean {
   const rubbed = rub(impact, impact.points[0]);
   const rubs = rub(impact, impact.points[1]) || rubbed;
   return solveNormals(impact) || rubs;
 }
 
-/** Takes as much of friction from the impacts as makes energy; what drives or is set to bounce higher may make it. */
+/**
+ * If the impacts make energy, takes away as much of the friction as makes it. Not where something drives a body, or is set to bounce faster
+ * than it came: these may make energy.
+ */
 function keepEnergy(): void {
   noteWeights();
   for (let i = 0; i < count; i += 1) {
@@ -244,7 +251,7 @@ function keepEnergy(): void {
   setVelocities(ledger.without);
   for (let i = 0; i < count; i += 1) {
     for (const point of impacts[i]!.points) {
-      // Rounding would make it negative where hardly anything is left.
+      // By rounding it might be negative where hardly anything is left.
       point.normal = Math.max(0, point.normal + kept * (point.normalRubbed - point.normal));
       point.tangent = kept * point.tangentRubbed;
     }
@@ -255,7 +262,7 @@ function mayGain({ pair: { bodyA, bodyB, numbers: n, at: o } }: Impact): boolean
   return addsEnergy(bodyA) || addsEnergy(bodyB) || n[o + c.ELASTICITY]! > 1;
 }
 
-/** By a motion that nothing stops, or by its surface. */
+/** Whether a body may add energy, by a motion that nothing stops or by its surface velocity. */
 function addsEnergy(body: RigidBody): boolean {
   return body.kind === DYNAMIC ? body.surfaceX !== 0 || body.surfaceY !== 0 : body.drives();
 }
@@ -281,7 +288,7 @@ function storeImpulses({ pair, points }: Impact): void {
   }
 }
 
-/** Velocities of B against A at a point. */
+/** Finds the velocities of B relative to A at a point. */
 function measure({ pair }: Impact, point: Point): void {
   const { bodyA: a, bodyB: b, numbers: n, at: o } = pair;
   const nx = n[o + g.NX]!;
@@ -292,7 +299,7 @@ function measure({ pair }: Impact, point: Point): void {
   point.slides = nx * dvy - ny * dvx + point.rtB * b.w - point.rtA * a.w;
 }
 
-/** One that takes no part has no arms and no friction, and never comes. */
+/** Prepares a point. One that takes no part gets no arms and no friction, and never approaches. */
 function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boolean): void {
   const { pair, points, a: sideA, b: sideB } = impact;
   const point = points[which]!;
@@ -326,17 +333,17 @@ function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boole
 }
 
 /**
- * The least velocity that a bounce ends with, with the sign changed: −e times the one before, also for a point that is leaving and that the bounce of
- * another turns back, to bounce in its turn (Moreau 1988). If it had to keep from coming back, both would leave faster than they came.
- * A velocity that the next sub-step starts from is by half of what forces add in one behind the true one: so that is added for the bounce, which
- * keeps the height of a bouncing ball.
+ * The least normal velocity with which a bounce ends, with the sign changed: −e times the one before. That also holds for a point that is
+ * leaving and is turned back by the bounce of another point, to bounce in its turn (Moreau 1988); if it only had to keep from coming back,
+ * both would leave faster than they came. The velocity with which the next sub-step starts is behind the true one by half of what forces
+ * add in a sub-step. So that is added for the bounce, which keeps the height of a bouncing ball.
  */
 function bounceSpeed(elasticity: number, comes: number, gain: number): number {
   const leaves = elasticity * comes;
   return leaves > BOUNCE_THRESHOLD ? leaves : leaves < -BOUNCE_THRESHOLD ? leaves + 0.5 * (elasticity + 1) * gain : 0;
 }
 
-/** Friction at a point. @returns as `push`. */
+/** Solves the friction of a point. @returns as `push`. */
 function rub(impact: Impact, point: Point): boolean {
   const { pair } = impact;
   measure(impact, point);
@@ -347,7 +354,10 @@ function rub(impact: Impact, point: Point): boolean {
   return push(impact, point);
 }
 
-/** Both normals, as `solveVelocityTwo`: one after the other they would come near very slowly where points lie close together. @returns as `push`. */
+/**
+ * Solves both normals together, as `solveVelocityTwo`: one after the other they would converge very slowly where points lie close together.
+ * @returns as `push`.
+ */
 function solveNormals(impact: Impact): boolean {
   const { points, a, b } = impact;
   const [one, two] = points;
@@ -374,14 +384,17 @@ function solveNormals(impact: Impact): boolean {
   return push(impact, two) || pushed;
 }
 
-/** Gives B what a point is to have more than it has, and A the opposite. @returns whether that changed a velocity. */
+/**
+ * Applies the difference between the impulses to be reached and those so far, to B, and the opposite to A. @returns whether that changed a
+ * velocity.
+ */
 function push({ pair, a, b }: Impact, point: Point): boolean {
   const { bodyA, bodyB, numbers: n, at: o } = pair;
   const p = point.nextNormal - point.normal;
   const t = point.nextTangent - point.tangent;
   const x = n[o + g.NX]! * p - n[o + g.NY]! * t;
   const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
-  // What overflows shall not reach what cannot move.
+  // What overflows must not reach bodies that cannot move.
   if (bodyA.kind === DYNAMIC) {
     bodyA.vx -= x * a.mass;
     bodyA.vy -= y * a.mass;

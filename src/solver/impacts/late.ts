@@ -8,15 +8,19 @@ import type { World } from '../../world.js';
 import { solveImpacts } from './impact.js';
 import { beginLate } from './strike.js';
 
-// Surfaces that were apart when the step began and met during it, as the solver foresaw: the interaction begins late in the step. If it was in the last sub-step they still have the speed that brought them together by
-// the end of it, which is an impact, of all at once that meet the same bodies.
+// Surfaces that were apart when the step began and met during it, as the solver expected: the interaction begins late in the step. If they
+// met in the last sub-step, they still have the speed at which they approached at its end. That is an impact, solved together with all
+// others at once that are of the same bodies.
 
-/** The pairs that met: scratch, as all that follows. */
+/** The pairs that met: scratch, like everything below. */
 const met = /* @__PURE__ */ new List<Arbiter>();
-/** Of each whether its impact is solved, and those that are to be solved at once. */
+/** For each whether its impact is solved; and those that are solved at once. */
 const isSolved: boolean[] = [];
 const pairs = /* @__PURE__ */ new List<Arbiter>();
-/** The sides of pair k are 2 k and 2 k + 1. Of the slot of each dynamic body the last side with it, plus 1, and of each side the one before. */
+/**
+ * The sides of pair k are 2 k and 2 k + 1. Linked lists of the sides of each dynamic body: by slot the last side, plus 1, and by side the
+ * one before.
+ */
 let lastSide = /* @__PURE__ */ new Int32Array(0);
 const sideBefore: number[] = [];
 
@@ -24,7 +28,7 @@ export function noteMet(pair: Arbiter): void {
   met.add(pair);
 }
 
-/** Gives all that met the impulses of their impacts, and tells of them. */
+/** Solves the impacts of all pairs that met, and tells of them. */
 export function strikeMet(world: World): void {
   if (met.count === 0) {
     return;
@@ -60,7 +64,10 @@ function link(side: number, { kind, slot }: RigidBody): void {
   }
 }
 
-/** Lists, as `pairs`, a pair and all others of its dynamic body that are with the same partner or, if that partner does not give way, with any other that does not. */
+/**
+ * Lists in `pairs` a pair and all others of its dynamic body with the same partner or, if that partner does not give way, with any other
+ * that does not.
+ */
 function listTogether(first: number): void {
   pairs.clear();
   const { bodyA, bodyB } = met.items[first]!;

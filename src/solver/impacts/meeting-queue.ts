@@ -2,13 +2,16 @@ import { DYNAMIC, KINEMATIC } from '../../body-kind.js';
 import { isOlder, type Shape } from '../../shape/shape.js';
 import type { Mover } from './movers.js';
 
-/** Two shapes that meet on their ways, and when. Used again and again. */
+/** Two shapes that meet on their ways, and when. The object is used again and again. */
 export class Meeting {
-  /** 0 where the step began, 1 where it ended; infinite: they do not meet unless something stops one of them before. */
+  /** From 0 where the step began to 1 where it ended. Infinite: they do not meet unless something stops one of them before. */
   time = 0.5;
-  /** The time is not yet known, only that it is no earlier. */
+  /** The exact time is not known yet, only that it is no earlier than `time`. */
   isOpen = false;
-  /** One lands on the other: they were close as the step began, or neither is near any ground, from which it would slide over to the other. */
+  /**
+   * Whether one lands on the other: they were close as the step began, or neither is near any ground, from which it would slide over to the
+   * other.
+   */
   lands = false;
   /** Place in the heap, −1 while it is not in it. */
   slot = -1;
@@ -27,7 +30,10 @@ export class Meeting {
   }
 }
 
-/** In time; of equal ones those with kinematic bodies first, then by the ids of the shapes; those that never come in no order. */
+/**
+ * The order of meetings: by time; of equal times those with kinematic bodies first, then by the ids of the shapes. Those that never come
+ * have no order.
+ */
 function comesBefore(one: Meeting, two: Meeting): boolean {
   if (one.time !== two.time || one.time === Infinity) {
     return one.time < two.time;
@@ -44,11 +50,11 @@ function isKinematic({ a, b }: Meeting): boolean {
 }
 
 /**
- * The meetings of a step, in a binary heap that gives the first one, and in a list for each dynamic body. The heap is only made when the first is asked for: of
- * those that are added many are taken out before.
+ * The meetings of a step: in a binary heap that gives the first one, and in a list for each dynamic body. The heap is only made when the
+ * first is asked for, as many of those that are added are removed before.
  */
 export class MeetingQueue {
-  /** In the order in which they were found. What lies beyond the count is for later. */
+  /** In the order in which they were found. What lies beyond the count is used again. */
   readonly all: Meeting[] = [];
   count = 0;
   private readonly heap: Meeting[] = [];
@@ -61,7 +67,7 @@ export class MeetingQueue {
     this.isHeap = false;
   }
 
-  /** Lets go of shapes of earlier steps. */
+  /** Releases shapes of earlier steps. */
   release(): void {
     for (const meeting of this.all) {
       meeting.a = null!;
@@ -84,7 +90,7 @@ export class MeetingQueue {
     return meeting;
   }
 
-  /** Adds the draft; one that `comes` waits for its turn. */
+  /** Adds the draft. If it `comes`, it waits in the heap. */
   add(meeting: Meeting, one: Mover, two: Mover, comes: boolean): void {
     this.count += 1;
     if (!comes) {
@@ -102,7 +108,7 @@ export class MeetingQueue {
     this.put(meeting, this.size - 1);
   }
 
-  /** The meeting that comes first; `null` if there is none. */
+  /** The meeting with the earliest time; `null` if there is none. */
   first(): Meeting | null {
     if (!this.isHeap) {
       this.isHeap = true;
@@ -113,7 +119,7 @@ export class MeetingQueue {
     return this.size > 0 ? this.heap[0]! : null;
   }
 
-  /** Takes out a meeting that comes now, or will not be. */
+  /** Takes a meeting out of the heap. */
   remove(meeting: Meeting): void {
     const { slot } = meeting;
     meeting.slot = -1;
@@ -123,7 +129,7 @@ export class MeetingQueue {
     }
   }
 
-  /** To be called when the time of a meeting has changed. */
+  /** Puts a meeting into its place in the heap; to be called when its time has changed. */
   put(meeting: Meeting, slot = meeting.slot): void {
     if (this.isHeap) {
       this.rise(meeting, slot);

@@ -39,20 +39,20 @@ export function isSensed(a: Shape, b: Shape): boolean {
   return a.sensor || b.sensor;
 }
 
-/** Lets go of the shapes that were swept last. */
+/** Releases the shapes that were swept last. */
 export function releaseMeetings(): void {
   sweep.release();
   middle.shape = null;
 }
 
 /**
- * Finds everything that meets if nothing else does, and would get deep into each other. Kinematic bodies that are awake have movers, and
- * while a step is foreseen the ways are listed.
+ * Finds everything that meets, and would get deep into each other, if nothing else met before. Kinematic bodies that are awake have movers;
+ * while a step is foreseen, the ways are listed.
  */
 export function findMeetings(world: World): void {
   const { movers } = world;
   const { count } = movers;
-  // What bounces is never foreseen: here no two of all that move far.
+  // Then no two of the bodies that move far are foreseen to meet, as what bounces never is.
   const isBouncy = movers.bouncy && world.liveKinematics.length === 0;
   movers.meetings.clear();
   for (let i = 0; i < count; i += 1) {
@@ -68,7 +68,7 @@ export function findMeetings(world: World): void {
   }
 }
 
-/** Lists the ways of kinematic bodies and fast bullets, which are swept against what moves, of the first `count` movers. */
+/** Lists the ways of those of the first `count` movers against which moving bodies are swept: kinematic bodies and fast bullets. */
 export function listWays(movers: Movers, count: number): void {
   const { ways } = movers;
   ways.clear();
@@ -86,8 +86,9 @@ export function listWays(movers: Movers, count: number): void {
 }
 
 /**
- * Nothing that a body which is no bullet might be swept against is near it, wherever it goes in this step, which is no farther than `reach` of the clear space: then
- * it need not be looked at, now or at the end of the step. Bullets that come all the same are swept themselves.
+ * Whether nothing against which a body that is no bullet might be swept is near it, wherever it goes in this step, which is no farther than
+ * `reach` of the clear space. Then it need not be looked at, now or at the end of the step. Bullets that reach it all the same are swept
+ * themselves.
  */
 export function isClear(world: World, body: RigidBody): boolean {
   const { alone, space } = world.movers;
@@ -104,7 +105,10 @@ export function isClear(world: World, body: RigidBody): boolean {
   return true;
 }
 
-/** All that is still and may come into `bounds` is sensors that the shape is in already: zones, which take no notice of its way. */
+/**
+ * Whether everything that is still and may come into `bounds` is a sensor that the shape is in already: zones, which take no notice of its
+ * way.
+ */
 function isAmidSensors(world: World, shape: Shape): boolean {
   const { nearby } = world.movers;
   for (let k = findNearby(world, bounds, false) - 1; k >= 0; k -= 1) {
@@ -128,7 +132,9 @@ function comesNear({ all, ways }: Movers): boolean {
   return false;
 }
 
-/** What sweeps with what has no way: static and sleeping bodies, and others that were not looked at if it meets those. */
+/**
+ * Notes what a mover may meet that has no way: static and sleeping bodies, and other bodies that do not look, if it is swept against those.
+ */
 function meetStill(world: World, mover: Mover, count: number): void {
   const { movers } = world;
   const { shapes, kind } = mover.body;
@@ -148,8 +154,9 @@ function meetStill(world: World, mover: Mover, count: number): void {
 }
 
 /**
- * What meets something static stops there for the rest of the step, unless something stops it before, and where nothing is kinematic nothing carries it on. So of two bullets
- * in rooms of their own neither can come to the other, and of several walls in a row only the first is met.
+ * Shortens the search of a mover. What meets something static stops there for the rest of the step, unless something stops it before, and
+ * where nothing is kinematic nothing carries it on. So two bullets in rooms of their own cannot reach each other, and of several walls in a
+ * row only the first is met.
  */
 function shorten(world: World, mover: Mover): void {
   const { meetings } = world.movers;
@@ -174,7 +181,10 @@ function shorten(world: World, mover: Mover): void {
   }
 }
 
-/** Of what the solver kept apart, that which was farther away as the step began: it may meet from another side than the solver took it to. What touched is left to it, which knows all that touch. */
+/**
+ * Finds the times of those meetings with shapes that the solver kept apart, and that were farther away as the step began: they may meet
+ * from another side than the solver assumed. What touched is left to the solver, which knows everything that touches.
+ */
 function findApart(world: World, mover: Mover): void {
   for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
     const pair = meeting.isOpen ? world.pairs.find(meeting.a, meeting.b) : null;
@@ -185,7 +195,7 @@ function findApart(world: World, mover: Mover): void {
   }
 }
 
-/** A meeting with something static that begins in this step, and that no handler is asked about. */
+/** Whether a meeting is with something static, begins in this step, and no handler is asked about it. */
 function stops(world: World, meeting: Meeting): boolean {
   const { a, b } = meeting;
   return isWithStatic(meeting) && !mayBeRefused(a, b) && world.pairs.find(a, b)?.active !== true;
@@ -195,18 +205,21 @@ function isWithStatic({ a, b }: Meeting): boolean {
   return a.owner!.kind === STATIC || b.owner!.kind === STATIC;
 }
 
-/** What a sensor will be crossed by is not foreseen. */
+/** Whether a shape is not looked ahead for: what will cross a sensor is not foreseen. */
 function isUnforeseen({ ahead }: Movers, { sensor }: Shape): boolean {
   return sensor && ahead > 0;
 }
 
-/** Whether a kinematic shape certainly misses one that was not looked at. */
+/** Whether a kinematic shape certainly misses one that does not look. */
 function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): boolean {
   widenBounds(other, movers.ahead > 0, around);
   return isBeyondEdge(mover, shape, around);
 }
 
-/** A mover with all ways that were listed; one of both sweeps. What is kinematic is found by what is not: of its own kind it only senses. */
+/**
+ * Notes what a mover may meet of all ways that were listed, if one of the two is swept. A meeting of a kinematic body with another one is
+ * noted by the other; of its own kind it only senses.
+ */
 function meetWays(world: World, index: number): void {
   const { movers } = world;
   const { ways } = movers;
@@ -237,7 +250,7 @@ function meetWays(world: World, index: number): void {
   }
 }
 
-/** Is swept against dynamic bodies: a bullet that is fast, or kinematic. */
+/** Whether a mover is swept against dynamic bodies: a fast bullet, or a kinematic one. */
 function meetsMovers({ body, sweeps }: Mover): boolean {
   return (body.isBullet && sweeps) || body.kind !== DYNAMIC;
 }
@@ -246,7 +259,7 @@ function isSwept(one: Mover, two: Mover): boolean {
   return meetsMovers(one) || meetsMovers(two);
 }
 
-/** Notes two shapes that may interact, do not yet in this step, and meet. What will bounce is not foreseen. */
+/** Notes a meeting of two shapes, if they may interact, do not yet in this step, and meet. What will bounce is not foreseen. */
 function note(world: World, one: Shape, two: Shape): void {
   const { movers, pairs } = world;
   const meeting = movers.meetings.draft(one, two);
@@ -269,8 +282,9 @@ function note(world: World, one: Shape, two: Shape): void {
 }
 
 /**
- * At the end of a step the times of meetings are found as they come: most are behind the first of a body, and never do. Others wait for something to stop
- * one of both: those that would pass each other, and those that the solver kept apart as if nothing would.
+ * Lists a meeting. At the end of a step exact times are found only when a meeting is the next: most are behind the first of a body, and
+ * never come. Others wait for something to stop one of the two bodies: those that would pass each other, and those that the solver kept
+ * apart on the assumption that nothing would.
  */
 function list(world: World, meeting: Meeting, waits: boolean): void {
   const { movers } = world;
@@ -287,7 +301,7 @@ function list(world: World, meeting: Meeting, waits: boolean): void {
   }
 }
 
-/** Finds the time of a meeting that waits for its turn; of one that does not come as things are it is infinite. */
+/** Finds the exact time of a meeting in the heap; infinite if it does not come as things are. */
 export function findTime(world: World, meeting: Meeting): void {
   const { movers } = world;
   const { a, b } = meeting;
@@ -304,17 +318,20 @@ export function findTime(world: World, meeting: Meeting): void {
   }
 }
 
-/** Kinematic, and goes on whatever it meets. */
+/** Whether a mover is kinematic, and goes on whatever it meets. */
 export function carries(mover: Mover): boolean {
   return mover.body.kind === KINEMATIC && !isStill(mover);
 }
 
-/** Stopped, and not carried along. */
+/** Whether a mover is stopped, and not carried along. */
 function isStill({ dx, dy, turn }: Mover): boolean {
   return dx === 0 && dy === 0 && turn === 0;
 }
 
-/** Whether a shape, if nothing met it, does not come to where another body may be, from where it was stopped on; that of a static one has no radius. */
+/**
+ * Whether a shape, if nothing met it, does not come to where another body may be, from where that was stopped. The body of a static shape
+ * has no radius.
+ */
 function isElsewhere(mover: Mover, shape: Shape, { x, y, dx, dy, body }: Mover): boolean {
   if (mover.met || body.kind === STATIC) {
     return false;
@@ -338,8 +355,8 @@ function add({ movers }: World, meeting: Meeting): void {
 }
 
 /**
- * The solver has seen to the pair, or need not. A contact keeps its normal for the whole step: where bodies turn meanwhile, surfaces get as deep
- * as they go sideways, times the turn.
+ * Whether the solver has dealt with a pair, or need not. A contact keeps its normal for the whole step: where bodies turn meanwhile,
+ * surfaces get as deep as they go sideways, times the turn.
  */
 function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   if (!isSeen(pair)) {
@@ -365,7 +382,10 @@ function isGrounded({ timeStamp }: World, { groundStamp }: Shape): boolean {
   return groundStamp === timeStamp;
 }
 
-/** Whether the bodies of a contact came no nearer to each other than its surfaces were apart, and than is `required`: what is hit hard towards a wall may not stop there. */
+/**
+ * Whether the bodies of a contact approached by no more than the gap between its surfaces plus the `required` depth: what is hit hard
+ * towards a wall may not stop there.
+ */
 function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boolean {
   const came = n[o + g.NX]! * (a.dx - b.dx) + n[o + g.NY]! * (a.dy - b.dy);
   findLeastSeparation(n, o);
@@ -373,8 +393,8 @@ function holds({ count, numbers: n, at: o }: Arbiter, a: Mover, b: Mover): boole
 }
 
 /**
- * Sweeps the middle of the thinner of two shapes from a time on. What turns fast may get deep with its corners again and again, but where it could slip into the joint of two tiles, of which it is
- * not deep in either, its middle gets there too.
+ * Sweeps the middle of the thinner of two shapes from a time on. What turns fast may get deep with its corners again and again; but where
+ * it could slip into the seam of two tiles, of which it is not deep in either, its middle gets there, too.
  */
 function middleMeets(a: Shape, b: Shape, time: number): boolean {
   const isA = halfWidthOf(a) < halfWidthOf(b);
@@ -386,9 +406,9 @@ function middleMeets(a: Shape, b: Shape, time: number): boolean {
 }
 
 /**
- * Finds when two shapes first touch, not before they were last stopped, if they do, and will get deeper than contacts leave: what slides over the joint of
- * two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which would open by as much as they
- * are put back: when they are that deep.
+ * Finds when two shapes first touch, not before they were last stopped, if they do, and will get deeper than contacts leave: what slides
+ * over the seam of two tiles meets the second one, but no deeper than it lies on the first. If they touch already, or have joints, which
+ * would open by as much as they are put back, finds when they are that deep.
  */
 export function meets({ movers }: World, meeting: Meeting): boolean {
   const { a, b } = meeting;

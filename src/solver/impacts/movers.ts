@@ -18,26 +18,26 @@ import { Ways } from './ways.js';
 const TURN = 2 * Math.PI;
 
 /**
- * A body on its way through a step, from time 0 to 1: one that is foreseen, or one that was just solved, seen from its end. Its numbers are fractions before they are set: where the
- * first one comes late, all that was compiled for integers would be thrown away.
+ * A body on its way through a step, from time 0 to 1: a way that is foreseen, or one that was just solved, seen from its end. Its numbers
+ * are fractions before they are set: if the first fraction came late, everything that was compiled for integers would be thrown away.
  */
 export class Mover {
   body!: RigidBody;
-  /** Looks for what it may meet; others are only met. */
+  /** Whether it looks for what it may meet; others are only met. */
   looks = false;
-  /** Moved so far that it may have passed something. */
+  /** Whether it moves so far that it may pass something. */
   sweeps = false;
-  /** Something met it on its way. */
+  /** Whether something met it on its way. */
   met = false;
-  /** An impact ended its way. */
+  /** Whether an impact ended its way. */
   stopped = false;
   /** Velocities at the start of the step. */
   vx = 0.5;
   vy = 0.5;
   w = 0.5;
-  /** The time for which the body was put somewhere last. */
+  /** The time in the step to which the body was moved last. */
   at = 0.5;
-  /** Where the body was at time `from`, and how it goes on from there to time 1. */
+  /** Where the body was at time `from`, and by how much it moves from there until time 1. */
   from = 0.5;
   x = 0.5;
   y = 0.5;
@@ -45,22 +45,22 @@ export class Mover {
   dx = 0.5;
   dy = 0.5;
   turn = 0.5;
-  /** How far it turns in the step, with whole turns. */
+  /** How far it turns in the step, with whole turns, rad. */
   spin = 0.5;
-  /** Where it was at time 0. */
+  /** Where it was at time 0, and where it is at the end of the step if nothing meets it. */
   startX = 0.5;
   startY = 0.5;
   startAngle = 0.5;
   endX = 0.5;
   endY = 0.5;
   endAngle = 0.5;
-  /** What it meets, if it is dynamic: the first of a list. */
+  /** The first in the list of what it meets, if it is dynamic. */
   meetings: Meeting | null = null;
   /** When it first met something. */
   first = Infinity;
-  /** When it stops for the rest of the step at the latest: at something static that it meets; 1 if that is not known. */
+  /** When it stops for the rest of the step at the latest, at something static that it meets; 1 if that is not known. */
   until = 0.5;
-  /** What carries it along since it was stopped. */
+  /** What has carried it along since it was stopped. */
   carrier: Mover | null = null;
 
   private begin(body: RigidBody, sweeps: boolean): void {
@@ -77,7 +77,7 @@ export class Mover {
     this.from = 0;
   }
 
-  /** The way of the step that is over, to where the body is now. */
+  /** Sets the way of the step that is over, to where the body is now. */
   retrace(body: RigidBody, sweeps: boolean): void {
     this.begin(body, sweeps);
     this.dx = body.lastDx;
@@ -90,7 +90,7 @@ export class Mover {
     this.start();
   }
 
-  /** The way that the body would go from here with its velocities. */
+  /** Sets the way that the body would go from here with its velocities. */
   aim(body: RigidBody, movers: Movers): void {
     this.dx = body.vx;
     this.dy = body.vy;
@@ -98,7 +98,7 @@ export class Mover {
     this.foresee(body, movers);
   }
 
-  /** The same at the averages that are set as `dx`, `dy` and `turn`. */
+  /** The same with the average velocities in `dx`, `dy` and `turn`. */
   foresee(body: RigidBody, { ahead }: Movers): void {
     // As `scale`, for which the number would be boxed.
     this.dx *= ahead;
@@ -112,7 +112,7 @@ export class Mover {
     }
     this.unwind();
     const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
-    // As `goesFar`, which called from here would have to box its numbers.
+    // As `goesFar`, which would have to box its numbers if it were called from here.
     this.begin(body, body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2);
     this.x = body.x;
     this.y = body.y;
@@ -120,7 +120,7 @@ export class Mover {
     this.start();
   }
 
-  /** Takes whole turns from `turn`, but for the first one, in which it comes by all that is around. */
+  /** Takes whole turns from `turn`, except the first one, in which the body passes everything around it. */
   private unwind(): void {
     this.spin = Math.abs(this.turn);
     if (this.spin >= TURN) {
@@ -128,7 +128,10 @@ export class Mover {
     }
   }
 
-  /** The way starts where it was set to. Without arguments, as `unwind`: numbers with a fraction are boxed for each call that is not inlined. */
+  /**
+   * Starts the way where it was set to. Without arguments, as `unwind`: numbers with a fraction are boxed for each call that is not
+   * inlined.
+   */
   private start(): void {
     this.startX = this.x;
     this.startY = this.y;
@@ -138,7 +141,7 @@ export class Mover {
     this.endAngle = this.body.angle;
   }
 
-  /** Sets a travel on the way from `from` on, relative to where another one is then. */
+  /** Sets a travel to the way from `from` on, relative to where another mover is then. */
   follow(travel: Travel, shape: Shape, origin: Mover): void {
     const rest = 1 - this.from;
     const rate = rest > 0 ? 1 / rest : 0;
@@ -152,9 +155,10 @@ export class Mover {
   }
 
   /**
-   * Gives the body the velocity it has where it was put, before the first stop: what forces added in the step came evenly, and so did what contacts added, unless
-   * it turned the body back: then it bounced before. What it got from another dynamic body it keeps, as the other one keeps the opposite. What joints to static bodies
-   * added came as the way tells that it went: a motor may do it all at once.
+   * Gives the body the velocity that it had at the time to which it was moved, before the first stop. What forces added in the step came
+   * evenly, and so did what contacts added, unless it turned the body back: then it bounced before. What it got from another dynamic body
+   * it keeps, as the other one keeps the opposite. When joints to static bodies added what they added is told by the way: a motor may do it
+   * all at once.
    */
   slow({ solver, movers, jointSolver }: World): void {
     if (this.stopped) {
@@ -174,7 +178,7 @@ export class Mover {
     const left = (isHeld ? jointSolver.shareOfChange(this, movers, substeps) : this.at) - 1;
     const wasGiven = square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain && wasPushed(body);
     if (isHeld && (wasGiven || isInTrain(body))) {
-      // As much of what forces added as there is: what hangs at rest got it back.
+      // At most as much of what forces added as there is: what hangs at rest got it back from its joints.
       const share = gain > 0 ? Math.min(Math.max((dx * gainX + dy * gainY) / gain, 0), 1) : 0;
       body.vx += (this.at - 1) * share * gainX;
       body.vy += (this.at - 1) * share * gainY;
@@ -186,17 +190,17 @@ export class Mover {
       body.vy += left * (bounced ? gainY : dy);
       body.w += left * (bounced ? gainW : body.w - this.w);
     }
-    // Another one that comes at once has it already.
+    // Another impact at the same time finds this done.
     this.stopped = true;
   }
 
-  /** Whether nothing met the body before that time, as far as was asked; static and kinematic bodies do not mind. */
+  /** Whether nothing met the body before that time, as far as was asked; true for static and kinematic bodies. */
   comesFirst(time: number): boolean {
     this.first = Math.min(this.first, time);
     return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
   }
 
-  /** Of its meetings that wait for their turn the one that is due first, at the earliest. */
+  /** The earliest of its meetings in the heap. */
   firstMeeting(): Meeting | null {
     let first: Meeting | null = null;
     for (let next = this.meetings; next !== null; next = next.nextOf(this)) {
@@ -205,13 +209,16 @@ export class Mover {
     return first;
   }
 
-  /** Puts the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is without arguments. */
+  /**
+   * Moves the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is
+   * without arguments.
+   */
   putAt(time: number): void {
     this.at = time;
     this.put();
   }
 
-  /** The same, at the time that is set as `at`. */
+  /** The same, for the time that is set as `at`. */
   put(): void {
     const { body } = this;
     if (body.kind === STATIC) {
@@ -225,14 +232,14 @@ export class Mover {
     body.refreshTurn();
   }
 
-  /** Goes so many times as far. */
+  /** Scales the rest of the way. */
   scale(share: number): void {
     this.dx *= share;
     this.dy *= share;
     this.turn *= share;
   }
 
-  /** Stops where the body was put; from there on it stays. */
+  /** Stops the body where it was moved to; from there on it stays. */
   stop(): void {
     const { body } = this;
     this.stopped = true;
@@ -243,7 +250,7 @@ export class Mover {
     this.scale(0);
   }
 
-  /** From where the body was put on it goes the rest of its way. */
+  /** Lets the body go the rest of its way from where it was moved to. */
   goOn(): void {
     const { at, from, dx, dy, turn } = this;
     this.stop();
@@ -253,7 +260,7 @@ export class Mover {
     this.scale(from < 1 ? (1 - at) / (1 - from) : 0);
   }
 
-  /** From a stop on is carried along by another body, as if it were part of that. */
+  /** From its stop on, moves the body along with another one, as if it were part of that. */
   ride(carrier: Mover): void {
     const { body } = this;
     const { body: under } = carrier;
@@ -285,7 +292,7 @@ export class Mover {
   }
 }
 
-/** Whether another dynamic body gave it an impulse in this step. */
+/** Whether another dynamic body gave this one an impulse in this step. */
 function wasPushed({ shapes }: RigidBody): boolean {
   return shapes.some(isPushed);
 }
@@ -300,14 +307,17 @@ function pushes(pair: Arbiter): boolean {
   return hasPushed && pair.isSolved() && bodyA.kind === DYNAMIC && bodyB.kind === DYNAMIC;
 }
 
-/** A body that moves by more than half the margin within which pairs are solved may meet something that is not: whether it does with its velocities. */
+/**
+ * Whether a body, with its velocities, moves by more than half the speculative margin in a step: then it may meet something that is not
+ * solved.
+ */
 export function goesFar({ vx, vy, w, radius }: RigidBody, dt: number): boolean {
   return Math.abs(vx * dt) + Math.abs(vy * dt) + Math.abs(w * dt) * radius > SPECULATIVE_MARGIN / 2;
 }
 
-/** The movers of a step: those that sweep, and others that were met. Used again and again. */
+/** The movers of a step: those that look, and others that were met. Used again and again. */
 export class Movers {
-  /** What lies beyond the count is for later. */
+  /** What lies beyond the count is used again. */
   readonly all: Mover[] = [];
   count = 0;
   /** How many of them look for what they may meet. */
@@ -316,28 +326,40 @@ export class Movers {
   readonly ways = new Ways();
   readonly nearby = new Nearby();
   readonly space = new ClearSpace();
-  /** What comes at once, and the pairs of it that are not refused. Of each world its own: handlers are asked in between, and may step another. */
+  /**
+   * The meetings that come at once, and those of their pairs that are not refused. Each world has its own: handlers are called in between,
+   * and may step another world.
+   */
   readonly together = new List<Meeting>();
   readonly struck = new List<Arbiter>();
-  /** s. While a step is foreseen its length, else 0. */
+  /** Length of the step while it is foreseen, else 0, s. */
   ahead = 0;
-  /** s. Of the step that is over, at its end. Here, as handed from function to function it would be boxed for each impact. */
+  /**
+   * Length of the step that is over, at its end, s. A field, as it would be boxed for each impact if it were passed from function to
+   * function.
+   */
   duration = 0.5;
-  /** While a step is foreseen: whatever moves far bounces off all else that does, which then need not be foreseen. */
+  /**
+   * While a step is foreseen: whether everything that moves far bounces off everything else that does, so that their meetings need not be
+   * foreseen.
+   */
   bouncy = false;
-  /** While a step is foreseen: there is no kinematic body and no bullet, so that bodies only meet what stands still. */
+  /** While a step is foreseen: whether there is no kinematic body and no bullet, so that bodies only meet what stands still. */
   alone = false;
-  /** s. So long what forces give a body acts on the average of that step. */
+  /** For how long forces act on a body, on the average of the step, s. */
   gain = 0;
-  /** m/s. What gravity may add to a velocity, on that average. */
+  /** By how much gravity may change a velocity, on that average, m/s. */
   pull = 0;
 
-  /** m. Of contacts that are foreseen, two each: what the separations of their points are less than those at the time when it comes. The first are no one's. */
+  /**
+   * Two numbers for each foreseen contact: by how much the separations of its points are less than those at the time when the shapes meet,
+   * m. The first two are not used.
+   */
   foresight = new Float64Array(64);
-  /** How many contacts are foreseen in this step, or were tried. */
+  /** How many contacts were foreseen in this step, or tried. */
   foreseenCount = 0;
 
-  /** A place for what a contact is foreseen by. */
+  /** A place in `foresight` for a contact. */
   foreseeContact(): number {
     this.foreseenCount += 1;
     if (2 * this.foreseenCount + 1 >= this.foresight.length) {
@@ -346,7 +368,7 @@ export class Movers {
     return this.foreseenCount;
   }
 
-  /** A mover for a body, which looks for what it meets or does not, and whose way is to be set. */
+  /** Adds a mover for a body, whose way is still to be set. */
   add(body: RigidBody, looks: boolean): Mover {
     if (this.count === this.all.length) {
       this.all.push(new Mover());
@@ -360,7 +382,7 @@ export class Movers {
     return mover;
   }
 
-  /** The mover of a body; if it has none it gets one, which does not look. */
+  /** The mover of a body; if it has none, it gets one that does not look. */
   of(body: RigidBody): Mover {
     if (body.mover >= 0) {
       return this.all[body.mover]!;
@@ -384,7 +406,7 @@ export class Movers {
     this.bouncy = false;
   }
 
-  /** Lets go of bodies and shapes of earlier steps. To be called between steps. */
+  /** Releases bodies and shapes of earlier steps. To be called between steps. */
   release(): void {
     for (const mover of this.all) {
       mover.body = null!;

@@ -1,14 +1,15 @@
 import type { Mover, Movers } from './movers.js';
 
 /**
- * How much of what a step changed of the velocity of a body had come where it was put on its way. How far the body went in the step tells when that came: a motor, or a
- * stop, may do it all at once. It is taken for one that came at a constant rate, early or late; where all of it went on evenly, in each sub-step as much, the speed
- * grows with the root of the way, as that of what falls.
+ * The share of the change of a body's velocity in the step that had happened by the time to which it was moved on its way. How far the body
+ * went in the step tells when it happened: a motor, or a stop, may do it all at once. It is assumed to have happened at a constant rate,
+ * early or late in the step. Where the change was even, by as much in each sub-step, the speed grows with the root of the way, as that of
+ * what falls.
  */
 export function shareOfChange(mover: Mover, { duration }: Movers, substeps: number): number {
   const { body, at } = mover;
   const { radius } = body;
-  // All three of them as speeds, m/s: before, after, and on the average.
+  // All three as speeds, m/s: before, after, and on the average.
   const [x, y, w] = [mover.vx, mover.vy, mover.w * radius];
   const [endX, endY, endW] = [body.vx, body.vy, body.w * radius];
   const [wayX, wayY, wayW] = [body.lastDx / duration, body.lastDy / duration, (body.lastTurn * radius) / duration];

@@ -10,12 +10,16 @@ import { halfWidthOf } from '../../shape/shape.js';
 import { CIRCLE } from '../../shape/shape-kind.js';
 import { goesFar } from './movers.js';
 
-// What would bounce may go past instead: a contact keeps its direction for the whole step, along which two bodies come near each other all the same.
+// Two shapes that seem to collide and bounce may only pass each other: a contact keeps its normal for the whole step, and the bodies may
+// approach along it all the same.
 
 /** Scratch of `passes`. */
 const way = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
 
-/** Whether two elastic shapes go past each other within a step, as their bodies move now. If two circles will meet, their contact gets the direction in which they do. */
+/**
+ * Whether two elastic shapes pass each other within a step, as their bodies move now. If two circles will meet, their contact gets the
+ * normal with which they do.
+ */
 export function passes(pair: Arbiter, dt: number): boolean {
   const { shapeA, shapeB, numbers, at } = pair;
   const a = shapeA.owner!;
@@ -40,7 +44,10 @@ export function passes(pair: Arbiter, dt: number): boolean {
   return isPassed;
 }
 
-/** Whether two circles meet within a step; turns their contact so that it closes when they do, along the line of their centres of then: |d + v·t| = r. */
+/**
+ * Whether two circles meet within a step: |d + v·t| = r. If so, turns their contact so that it closes when they meet, along the line of
+ * their centres then.
+ */
 function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
   const ax = shapeA.numbers[shapeA.at + CENTRE_X]!;
   const ay = shapeA.numbers[shapeA.at + CENTRE_Y]!;
@@ -68,7 +75,10 @@ function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBod
   return true;
 }
 
-/** Whether a contact seems to close in a step in which its surfaces go some way along each other: else it does no harm, or there is no doubt. */
+/**
+ * Whether a contact seems to close in a step in which its surfaces slide along each other by some distance: else it does no harm, or there
+ * is no doubt.
+ */
 function slipsBy(
   { shapeA, shapeB, count, numbers: n, at: o }: Arbiter,
   a: RigidBody,

@@ -18,7 +18,7 @@ import { wakeBody } from '../sleep.js';
 import { solveImpacts } from './impact.js';
 import type { Meeting } from './meeting-queue.js';
 
-/** An interaction begins in the course of a step. */
+/** Begins an interaction in the course of a step. */
 export function beginLate(world: World, pair: Arbiter): void {
   if (!pair.is(LISTED)) {
     world.pairs.list(pair);
@@ -31,12 +31,15 @@ export function beginLate(world: World, pair: Arbiter): void {
   world.events.interaction(BEGIN, pair, FOUND_LATE);
 }
 
-/** A sensor is crossed. */
+/** Begins the interaction of a sensor that was crossed. */
 export function beginSensing(world: World, a: Shape, b: Shape): void {
   beginLate(world, world.pairs.obtain(a, b));
 }
 
-/** Shapes meet on their ways, all at once, where their bodies are now, or get too deep into each other. @returns the pairs, as long as nothing else is struck; those that are refused are not among them. */
+/**
+ * Solves the impacts of shapes that meet on their ways, all at once, where their bodies are now, or that get too deep into each other.
+ * @returns the pairs, without those that were refused; the list is used again by the next call.
+ */
 export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
   const { struck } = world.movers;
   struck.clear();
@@ -67,7 +70,7 @@ export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
   return struck;
 }
 
-/** Finds the contact of two shapes that meet; it is struck unless it is refused. */
+/** Finds the contact of two shapes that meet; it is struck unless a handler refuses it. */
 function meet(world: World, { a, b }: Meeting): void {
   const pair = world.pairs.obtain(a, b);
   const isNew = !pair.active;
@@ -87,12 +90,12 @@ function meet(world: World, { a, b }: Meeting): void {
   if (preSolve(world, pair)) world.movers.struck.add(pair);
 }
 
-/** The interaction is of this step, and has not met before in it. */
+/** Whether the interaction is of this step, and has not met before in it. */
 function begins(pair: Arbiter): boolean {
   return !pair.metAgain();
 }
 
-/** A dynamic body that is struck is awake; at the first impact of a pair it has the velocity of that time of the step. */
+/** Wakes a dynamic body that is struck. At the first impact of a pair it gets the velocity of that time of the step. */
 function rouse(world: World, body: RigidBody, begins: boolean): void {
   if (body.kind === DYNAMIC) {
     if (body.asleep) wakeBody(world, body, false);
@@ -103,8 +106,8 @@ function rouse(world: World, body: RigidBody, begins: boolean): void {
 }
 
 /**
- * A body that touched before may whirl so fast that what touches is leaving, and so gets no impulse, while the rest of it comes on. Many impacts in a
- * step would stop that; here the velocity of its origin into the surface is taken from it.
+ * A body that touched before may turn so fast that the point which touches is leaving, and so gets no impulse, while the rest of the body
+ * approaches. Many impacts in a step would stop that; here the velocity of its origin into the surface is taken from it.
  */
 function stopComing(pair: Arbiter): void {
   const { numbers: n, at: o } = pair;

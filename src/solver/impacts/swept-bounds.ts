@@ -7,7 +7,7 @@ import { POLYGON } from '../../shape/shape-kind.js';
 import { growBounds, HALF_MARGIN, squareAround } from '../bounds.js';
 import type { Mover } from './movers.js';
 
-// Shapes are placed where the step began; from there their bodies go straight on and turn.
+// Shapes are placed where the step began; from there their bodies move straight on and turn.
 
 /** Writes the bounds of all places that a shape can have on the way of its body. */
 export function sweepBounds({ body, dx, dy, turn, until }: Mover, { numbers: n, at }: Shape, out: Float64Array): void {
@@ -20,9 +20,12 @@ export function sweepBounds({ body, dx, dy, turn, until }: Mover, { numbers: n, 
   out[3] = n[at + 3]! + Math.max(y, 0) + swing;
 }
 
-/** Whether the bounds of two shapes may meet at one time, and when at the earliest: seen from B, A's go along the way of both. */
+/**
+ * Whether the bounds of two shapes may meet at one time, and when at the earliest: seen from B, the bounds of A move by the difference of
+ * both ways.
+ */
 export function mayMeet(one: Mover, { numbers: a, at: i }: Shape, two: Mover, { numbers: b, at: j }: Shape): boolean {
-  // As for the bounds in the broadphase: more than shapes may be apart when they meet, and than rounding can make of it.
+  // As for the bounds in the broadphase: more than the distance at which shapes still count as meeting, and than rounding.
   crossing[0] = one.dx - two.dx;
   crossing[1] = one.dy - two.dy;
   crossing[2] = Math.abs(one.turn) * one.body.radius + Math.abs(two.turn) * two.body.radius + SPECULATIVE_MARGIN / 2;
@@ -43,7 +46,10 @@ export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): vo
   growBounds(shape, ahead ? HALF_MARGIN : way, out);
 }
 
-/** Whether bounds lie beyond an edge of a polygon for as long as that is on its way: a long one that is turned has bounds that are much larger. */
+/**
+ * Whether bounds lie beyond an edge of a polygon all the time that it is on its way: the bounds of a long one that is turned are much
+ * larger than it.
+ */
 export function isBeyondEdge(mover: Mover, shape: Shape, bounds: Float64Array): boolean {
   if (shape.kind !== POLYGON) {
     return false;

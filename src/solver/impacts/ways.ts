@@ -5,35 +5,35 @@ import type { Shape } from '../../shape/shape.js';
 
 /** How many boxes are put into a larger one. */
 const FAN = 4;
-/** Places along each axis, less one. */
+/** Largest coordinate of the grid along each axis. */
 const PLACES = 0x7fff;
 
 /**
- * Shapes on their ways, by the bounds of all places that each has on it. Once all are added and the first is looked for, they are put in Morton order, by the
- * bits of their centres' coordinates by turns (Morton 1966), so that those next to each other lie near each other; and each few of them into a larger box, and
- * each few of these, up to one (a packed tree; Roussopoulos & Leifker 1985). Sorted from the left to the right a wide one, or many above each other, would make
- * each search one through all of them.
+ * Shapes on their ways, with the bounds of all places that each has on it. Once all are added, at the first search, they are sorted in
+ * Morton order, by the interleaved bits of their centres' coordinates (Morton 1966), so that neighbours in the order are near each other.
+ * Every `FAN` of them are put into a larger box, and every `FAN` of these, up to one (a packed tree; Roussopoulos & Leifker 1985). Refused:
+ * sorting from left to right, where a wide one, or many above each other, would make each search go through all of them.
  */
 export class Ways {
   count = 0;
-  /** What lies beyond the count is for later, here and in the other lists. */
+  /** What lies beyond the count is used again, here and in the other lists. */
   readonly shapes: Shape[] = [];
   /** Index of the mover of each shape. */
   readonly movers: number[] = [];
-  /** Of the last search: which, in the order in which they were added. */
+  /** The result of the last search: indices, in the order in which the shapes were added. */
   readonly found: number[] = [];
   /** minX, minY, maxX, maxY of each. */
   private boxes = new Float64Array(0);
-  /** Which, in Morton order, and the places of all in it. */
+  /** The indices in Morton order, and the Morton code of each. */
   private readonly order: number[] = [];
   private readonly codes: number[] = [];
-  /** The boxes in that order, then those around each few of them, and so on; in the end those of one group. */
+  /** The boxes in that order, then those around each group of them, and so on; the last are those of one group. */
   private tree = new Float64Array(0);
-  /** Of each of these the first of the group that it is around, or of one way −1 − which. */
+  /** For each box in the tree the first of the group that it encloses, or for a single way minus its index, minus 1. */
   private below = new Int32Array(0);
   private top = 0;
   private isBuilt = false;
-  /** One of them is a sensor. */
+  /** Whether one of them is a sensor. */
   hasSensors = false;
   private readonly stack: number[] = [];
   private readonly comesBefore = (a: number, b: number): boolean => this.codes[a]! < this.codes[b]!;
@@ -67,7 +67,9 @@ export class Ways {
     this.below = new Int32Array(2 * room + 64);
   }
 
-  /** Looks for those whose bounds overlap others, when all are added, but those of a mover. @returns how many were found. */
+  /**
+   * Finds the ways whose bounds overlap these, without those of one mover; to be called when all are added. @returns how many were found.
+   */
   find(bounds: Float64Array, not = -1): number {
     if (this.count === 0) {
       return 0;
@@ -87,7 +89,7 @@ export class Ways {
       const first = stack[height]!;
       for (let i = first; i < first + FAN; i += 1) {
         const at = BOX * i;
-        // Combined as numbers: branches that go either way would cost more than the comparisons.
+        // Combined as numbers: branches that may go either way would cost more than the comparisons.
         if (+(tree[at]! <= maxX) & +(tree[at + 1]! <= maxY) & +(tree[at + 2]! >= minX) & +(tree[at + 3]! >= minY)) {
           const next = below[i]!;
           if (next >= 0) {
@@ -129,7 +131,7 @@ export class Ways {
     this.isBuilt = true;
   }
 
-  /** Fills a group with boxes that nothing overlaps. @returns where it ends. */
+  /** Fills up a group with boxes that overlap nothing. @returns where it ends. */
   private fill(from: number): number {
     const to = FAN * Math.ceil(from / FAN);
     this.tree.fill(NaN, BOX * from, BOX * to);
@@ -150,7 +152,7 @@ export class Ways {
     }
   }
 
-  /** Finds the place of each in the order: that of its centre among those of all. */
+  /** Finds the Morton code of each: from the place of its centre among those of all. */
   private encode(): void {
     const { count, boxes, order, codes } = this;
     let minX = Infinity;
@@ -181,7 +183,7 @@ function isLess(a: number, b: number): boolean {
   return a < b;
 }
 
-/** The lower 15 bits of a number, a zero between each two. */
+/** The lower 15 bits of a number, with a zero between each two. */
 function spread(value: number): number {
   let bits = value & PLACES;
   bits = (bits | (bits << 8)) & 0x00ff00ff;
