@@ -61,13 +61,14 @@ export const SEEN = 16;
 export const HELD = 32;
 
 /**
- * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the
- * solver needs of r: n · (R(θ) r) = RT·cos θ + RN·sin θ.
+ * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the solver needs of r:
+ * n · (R(θ) r) = RT·cos θ + RN·sin θ.
  *
- * Records lie two by two, their numbers by turns, as kernels that solve two at a time want them: that of contact k begins at (k & EVEN) · stride + (k & 1), and
- * from a number of it to the next it is two.
+ * Records lie two by two with their numbers interleaved, as kernels that solve two at a time need them: the record of contact k begins at
+ * (k & EVEN) · stride + (k & 1), and its numbers are two apart.
  *
- * Two points lie on a line along t, or nearly so; friction at either does the same. So there is one friction for both, at a point between them, with both their loads.
+ * Two points lie on a line along t, or nearly so, and friction does the same at either. So there is one friction for both, at a point
+ * between them, with the load of both.
  */
 /** A mask: of two neighbours the even one. */
 export const EVEN = -2;
