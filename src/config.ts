@@ -15,10 +15,7 @@ export const SPECULATIVE_MARGIN = 0.02;
 /** m. The depth at which surfaces are stopped: more than rounding, so that what rests on something is found touching it. */
 export const TOUCH_DEPTH = 1e-4;
 
-/**
- * m. Two reference faces whose depths differ by less count as equally deep, and that of shape A is taken. So noise does not make the choice
- * flip.
- */
+/** m. Two reference faces whose depths differ by less count as equally deep: that of shape A is taken, so that noise does not flip it. */
 export const FACE_TIE = 1e-6;
 
 /**
@@ -177,10 +174,7 @@ export const SLEEP_DELAY = 60;
 /** Hz. … Of shorter steps, only as many count as there would be at this rate. */
 export const REST_RATE = 60;
 
-/**
- * m/s. A body at rest is woken if the forces that are set for one step, changed from those of the step before, change its velocity in a
- * step by more.
- */
+/** m/s. Forces set for one step wake a body at rest if their change since the step before adds more to its velocity in a step. */
 export const FORCE_CHANGE = 0.0024;
 
 /** (m/s)². A body is at rest if its squared speed is no larger, and the square of its motion in the last step divided by dt², … */
@@ -213,7 +207,7 @@ export const CAST_TOLERANCE = 1e-9;
 
 /**
  * Iterations of a sweep (a cast or time of impact) after which the axis along which two shapes are separate turns with one or the other of
- * them by turns: else what rides on a bar of 20 km that turns takes thousands. Most sweeps end long before. With 16, the mean of all is 24
+ * them by turns: else what rides on a bar of 20 km that turns takes thousands. Most sweeps end long before. With 16 the mean is 24
  * iterations instead of 22.
  */
 export const STILL_LOOKS = 256;
@@ -227,10 +221,7 @@ export const SWEEP_TOLERANCE = 1e-6;
  */
 export const MEET_PATIENCE = 1000;
 
-/**
- * What would bounce is followed, to find whether it passes, if in a step it slides along the other shape by more than this share of half
- * the width of the thinner one.
- */
+/** What would bounce is followed, to see if it passes, if in a step it slides by more than this share of the thinner one's half-width. */
 export const PASS_SHARE = 0.1;
 
 /**
@@ -267,22 +258,13 @@ export const IMPACT_TURN = 0.3;
 /** m. IMPACT_DEPTH for contacts that are foreseen. These stop nothing, so it only has to be more than sliding bodies overlap. */
 export const FORESIGHT_DEPTH = 0.005;
 
-/**
- * rad. If two bodies together turn by more in a step, a contact between them does not hold for all of it: it is not foreseen, and they are
- * swept anyway.
- */
+/** rad. If two bodies together turn by more in a step, their contact does not hold for all of it: it is not foreseen, but swept. */
 export const SOLVED_TURN = 0.2;
 
-/**
- * A share of the step: impacts of a body that come so soon after the first are solved at once with it, as for a box that falls flat on
- * tiles.
- */
+/** A share of the step: impacts of a body so soon after the first are solved at once with it, as where a box falls flat on tiles. */
 export const SAME_TIME = 2e-3;
 
-/**
- * m. How much farther than foreseen a body may go in a step before what is near it is searched again. With more, more bodies are near
- * something.
- */
+/** m. How much farther than foreseen a body may go in a step before what is near it is searched again. More: more have something near. */
 export const CLEARANCE = 0.1;
 
 /**
@@ -306,10 +288,7 @@ export const DEEPER_SHARE = 0.1;
  */
 export const DEEPER_CARRIED = 1e-5;
 
-/**
- * m. Static shapes whose faces differ by no more than this are one surface for what slides over them. With less, things catch on real
- * tiles.
- */
+/** m. Static shapes whose faces differ by no more are one surface for what slides over them. With less, real tiles catch things. */
 export const FLUSH_TOLERANCE = 5e-4;
 
 /** At most so many times friction and normal impulses of an impact are solved, by turns. */
@@ -337,8 +316,7 @@ export const MAX_SIZE = 1e75;
 
 /**
  * How many interactions a shape has before further shapes whose centres it covers, and which cover its own, have to wait, if they have as
- * many as well. Four thousand boxes at one point are then a quarter of a million pairs instead of eight million, for which no memory has
- * room.
+ * many. Four thousand boxes at one point are then a quarter of a million pairs instead of eight million, which do not fit into memory.
  */
 export const CROWD = 64;
 
@@ -377,10 +355,7 @@ export const SHOCK_WORK = 2000;
  */
 export const HARD_SWEEPS = 4;
 
-/**
- * A part is hard as a whole if more than this share of its contacts is new and slow: then it was just put there, and is not a heap that is
- * falling.
- */
+/** A part is hard as a whole if more than this share of its contacts is new and slow: it was just put there, and is no falling heap. */
 export const NEW_SHARE = 0.5;
 
 /** Steps for which a contact is new: at first its impulses are far off. */
@@ -420,8 +395,7 @@ export const ROCK_LEAST = 0.04;
 /**
  * If more than this share of the contacts of a part is strained, these are hard, and those next to them. With 0.08 a heavy top that stands
  * among 100 other boxes falls; with 0.06 twice as much of a drum of 1,000 boxes is hard. Refused: the whole part, which is most of a heap
- * of ragdolls, and lets that top fall, too; and only bodies with two strained contacts, with which a pyramid of base 100 overlaps by 4.7
- * mm.
+ * of ragdolls, and lets that top fall, too; only bodies with two strained contacts: a pyramid of base 100 overlaps by 4.7 mm.
  */
 export const STRAIN_SHARE = 0.075;
 
@@ -446,8 +420,7 @@ export const STRAIN_UNLIKE = 0.05;
 
 /**
  * STRAIN_UNLIKE for contacts of one point, of which only those between unlike bodies are strained: one has to be three times as heavy. That
- * is for a light wedge between heavy discs, which swings for ever without it. With 0.05 a barrel of mixed shapes takes an eighth longer for
- * nothing.
+ * is for a light wedge between heavy discs, which else swings for ever. With 0.05 barrels of mixed shapes take an eighth longer.
  */
 export const STRAIN_UNLIKE_ONE = 0.5;
 
