@@ -79,19 +79,19 @@ export const CROWD_SWEEPS = 4;
 
 /**
  * m. How deep bodies that are squeezed, as in a press, may overlap before their contacts start a sub-step with less than their normal
- * impulse of the last one: with the square of this divided by the overlap, as a share of it. See `squeezes.ts`.
+ * impulse of the last one: with the share (this / overlap)² of it. See `squeezes.ts`.
  */
 export const SQUEEZE_DEPTH = 0.01;
 
 /**
- * m/s². Times the effective mass of a contact, the force that it may start with in any case. A claw that is 5 cm too narrow for what it
- * grips holds it by that.
+ * m/s². Times the effective mass of a contact and the sub-step, the normal impulse with which it may start in any case. A claw that is 5 cm
+ * too narrow for what it grips holds it by that.
  */
 export const SQUEEZE_ACCELERATION = 240;
 
 /**
- * m/s². A squeezed contact may also start with the weight of all that hangs together with it, at this gravity or more. Without it, a pusher
- * in a world without gravity went through light boxes in front of a heavy one. With 20, presses there throw their crates out at 2 m/s.
+ * m/s². It may also start with the weight of all that hangs together with it, at this gravity or more. Without that, a pusher in a world
+ * without gravity went through light boxes in front of a heavy one. With 20, presses there throw their crates out at 2 m/s.
  */
 export const SQUEEZE_GRAVITY = 10;
 
@@ -168,10 +168,10 @@ export const ARBITER_CACHE = 30;
 /** Steps. ARBITER_CACHE of a sensor, which has nothing to keep: just long enough to tell a pause from the end of the interaction. */
 export const SENSOR_CACHE = 1;
 
-/** Steps. A body falls asleep when it, and its island, have been at rest for longer than this. … */
+/** Steps. A body falls asleep when it, and its island, have been at rest for longer than this … */
 export const SLEEP_DELAY = 60;
 
-/** Hz. … Of shorter steps, only as many count as there would be at this rate. */
+/** Hz. … where of shorter steps only as many count as there would be at this rate. */
 export const REST_RATE = 60;
 
 /** m/s. Forces set for one step wake a body at rest if their change since the step before adds more to its velocity in a step. */

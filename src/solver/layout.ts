@@ -12,7 +12,7 @@ export const BODY_STRIDE = 8;
 export const VX = 0;
 export const VY = 1;
 export const W = 2;
-/** Inverse mass and inertia, in `velocity` and in `motion` at the same offsets. */
+/** Inverse mass and inertia, in `velocity` and in `motion` at the same offsets. Loops read them into mA, mB, iA and iB. */
 export const INV_MASS = 3;
 export const INV_INERTIA = 4;
 /** Cosine − 1 and sine of the turn since the start of the step; in `velocity`, where contacts read anyway. */

@@ -218,13 +218,13 @@ function collect({ bounces: list, velocity: v }: SolverData, count: number, roun
   const { weights } = ledger;
   for (let n = 0; n < bodyCount; n += 1) {
     const at = involved[n]!;
-    const mass = v[at + d.INV_MASS]!;
-    const inertia = v[at + d.INV_INERTIA]!;
+    const inverseMass = v[at + d.INV_MASS]!;
+    const inverseInertia = v[at + d.INV_INERTIA]!;
     v[at + d.MARK] = -round;
-    weights[3 * n] = mass > 0 ? 1 / mass : 0;
+    weights[3 * n] = inverseMass > 0 ? 1 / inverseMass : 0;
     weights[3 * n + 1] = weights[3 * n]!;
-    weights[3 * n + 2] = inertia > 0 ? 1 / inertia : 0;
-    isFree &&= mass > 0 || inertia > 0 || (v[at + d.VX] === 0 && v[at + d.VY] === 0 && v[at + d.W] === 0);
+    weights[3 * n + 2] = inverseInertia > 0 ? 1 / inverseInertia : 0;
+    isFree &&= inverseMass > 0 || inverseInertia > 0 || (v[at + d.VX] === 0 && v[at + d.VY] === 0 && v[at + d.W] === 0);
   }
   return isFree;
 }

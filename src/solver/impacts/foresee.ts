@@ -106,12 +106,12 @@ function foreseeFalling(world: World, body: RigidBody): void {
   const { ahead, gain } = movers;
   body.refreshMass();
   // As `inverseMass` and `inverseInertia`, which would have to box their results if they were called from here; below as `goesFar`.
-  const mass = body.mass > 0 ? 1 / body.mass : 0;
-  const inertia = body.inertia > 0 ? 1 / body.inertia : 0;
+  const inverseMass = body.mass > 0 ? 1 / body.mass : 0;
+  const inverseInertia = body.inertia > 0 ? 1 / body.inertia : 0;
   findForces(body);
-  const vx = body.vx + (mass > 0 ? world.gravityX * body.gravityScale + forces[0]! * mass : 0) * gain;
-  const vy = body.vy + (mass > 0 ? world.gravityY * body.gravityScale + forces[1]! * mass : 0) * gain;
-  const w = body.w + forces[2]! * inertia * gain;
+  const vx = body.vx + (inverseMass > 0 ? world.gravityX * body.gravityScale + forces[0]! * inverseMass : 0) * gain;
+  const vy = body.vy + (inverseMass > 0 ? world.gravityY * body.gravityScale + forces[1]! * inverseMass : 0) * gain;
+  const w = body.w + forces[2]! * inverseInertia * gain;
   const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
   movers.space.reach = way + CLEARANCE;
   if (way > SPECULATIVE_MARGIN / 2 && (body.isBullet || !isClear(world, body))) {

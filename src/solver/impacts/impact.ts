@@ -55,6 +55,7 @@ class Point {
  */
 class Side {
   body!: RigidBody;
+  /** The inverse mass and inertia. */
   mass = 0.5;
   inertia = 0.5;
   hinge: PointConstraint | null = null;

@@ -120,17 +120,17 @@ function stopComing(pair: Arbiter): void {
   const across = n[o + g.DX]! * ny - n[o + g.DY]! * nx;
   const turning = a.kind === DYNAMIC ? across * b.w : across * a.w;
   const coming = nx * (a.vx - b.vx) + ny * (a.vy - b.vy) + turning;
-  const massA = a.inverseMass();
-  const massB = b.inverseMass();
-  if (coming > 0 && massA + massB > 0) {
-    const share = massB / (massA + massB);
+  const inverseA = a.inverseMass();
+  const inverseB = b.inverseMass();
+  if (coming > 0 && inverseA + inverseB > 0) {
+    const share = inverseB / (inverseA + inverseB);
     const x = nx * coming;
     const y = ny * coming;
     a.vx -= x * (1 - share);
     a.vy -= y * (1 - share);
     b.vx += x * share;
     b.vy += y * share;
-    before.x += x / (massA + massB);
-    before.y += y / (massA + massB);
+    before.x += x / (inverseA + inverseB);
+    before.y += y / (inverseA + inverseB);
   }
 }
