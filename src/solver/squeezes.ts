@@ -1,4 +1,5 @@
 import { SQUEEZE_ACCELERATION, SQUEEZE_DEPTH, SQUEEZE_GRAVITY, SQUEEZE_LEVERAGE } from '../config.js';
+import type { Constraint } from '../constraint/constraint.js';
 import { rootOf, unite } from '../math/sets.js';
 import type { World } from '../world.js';
 import { batchOf, type ContactBatch, recordAt, type SolverData } from './data.js';
@@ -129,10 +130,11 @@ function joinContacts(data: SolverData, { records, bodies, count, stride }: Cont
 }
 
 /**
- * Finds for each set the impulse of its weight in a sub-step of length h, N·s, and whether constraints are in it. The weight is from forces
- * and gravity, but no less than by SQUEEZE_GRAVITY, as it may be pushed.
+ * Finds for each set the impulse of its weight in a sub-step of length h, N·s, and whether constraints hold something in it. The weight is
+ * from forces and gravity, but no less than by SQUEEZE_GRAVITY, as it may be pushed.
  */
-function weigh({ solver, liveDynamics }: World, h: number): void {
+function weigh(world: World, h: number): void {
+  const { solver, liveDynamics } = world;
   const { velocity: v, drive } = solver;
   const { parent, weight, tied } = solver.squeezes;
   const count = liveDynamics.length;
@@ -146,6 +148,11 @@ function weigh({ solver, liveDynamics }: World, h: number): void {
       const gain = Math.abs(drive[at + d.GAIN_X]!) + Math.abs(drive[at + d.GAIN_Y]!);
       weight[root]! += Math.max(gain, SQUEEZE_GRAVITY * h) / inverseMass;
     }
-    if (liveDynamics[i]!.constraints.length > 0) tied[root] = 1;
+    if (liveDynamics[i]!.constraints.some(isLive, world)) tied[root] = 1;
   }
+}
+
+/** In this world, enabled and awake: others do nothing. */
+function isLive(this: World, { owner, liveIndex }: Constraint): boolean {
+  return owner === this && liveIndex >= 0;
 }
