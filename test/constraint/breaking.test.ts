@@ -185,3 +185,27 @@ it.each([1, 4])('of two cords that one blow is too much for one breaks first, su
     expect(last > 0.1).toBe(cords.every((cord) => cord.world === null));
   }
 });
+
+// Each sub-step that was left gave as much as it may once more: 1.2 times what a cord bears, which was still whole.
+it('a cord that is spared gives no more in a step than it bears, whatever it gave before the other broke', () => {
+  const world = weightless({ substeps: 4 });
+  const body = plainBody({ velocity: [0.95, 0] });
+  const cord = phys2D.createPointConstraint({ bodyA: staticBody(), bodyB: body, maxForce: 60, breakUnderForce: true });
+  // Ropes that become taut in the second and in the third sub-step, of which the first one tears.
+  const [weak, strong] = [1, 2].map((x) => {
+    const bodyB = plainBody({ position: [x, 0], velocity: [10, 0] });
+    world.addRigidBody(bodyB);
+    const upperBound = x + (x + 0.5) * 10 * (DT / 4);
+    const maxForce = x === 1 ? 30 : Infinity;
+    return phys2D.createDistanceConstraint({ bodyA: body, bodyB, upperBound, maxForce, breakUnderForce: true });
+  });
+  world.addRigidBody(body);
+  [cord, weak!, strong!].forEach((rope) => void world.addConstraint(rope));
+  for (const shape of world.rigidBodies.flatMap(({ shapes }) => shapes)) {
+    shape.setMask(0);
+  }
+  world.step(DT);
+  expect([cord.world, weak!.world, strong!.world]).toEqual([world, null, world]);
+  expect(Math.abs(cord.getImpulseForBody(body)[0])).toBeGreaterThan(0.9 * 60 * DT);
+  expect(Math.abs(cord.getImpulseForBody(body)[0])).toBeLessThanOrEqual(60 * DT + 1e-9);
+});

@@ -55,14 +55,17 @@ export function tear(data: SolverData, joint: Joint): void {
  * others are limited to their breaking force, though, and give way. So they are not pushed into place in this step, and in the next one, in
  * which they may break, only without momentum.
  */
-function spareOthers({ joints: { groups, joints, records: r, h } }: SolverData, broken: Joint): void {
+function spareOthers({ joints: { groups, joints, records: r, h, substepsLeft } }: SolverData, broken: Joint): void {
   const index = joints.indexOf(broken);
   const { start, end } = groups.find((group) => group.start <= index && index < group.end)!;
   for (let k = start; k < end; k += 1) {
-    const { at, constraint } = joints[k]!;
+    const { at, constraint, layout } = joints[k]!;
     if (constraint.breakUnderForce) {
+      findLength(r, at + layout.total, layout.rows);
+      // This sub-step and those to come share what it may still give in the step.
+      const left = Math.max(0, r[at + j.BREAK]! - length[0]!) / (substepsLeft + 1);
       r[at + j.BREAK] = Infinity;
-      r[at + j.LIMIT] = constraint.maxForce * h;
+      r[at + j.LIMIT] = Math.min(constraint.maxForce * h, left);
       r[at + j.PUSH] = 0;
       constraint.fresh = true;
     }
