@@ -30,6 +30,7 @@ export function cutOrBreak(data: SolverData, joint: Joint): boolean {
   for (let n = 0; n < rows && size > limit; n += 1) {
     r[at + work + n] = (r[at + work + n]! * limit) / size;
   }
+  if (size > limit && joint.constraint.breakUnderForce) r[at + j.PUSH] = 0;
   return false;
 }
 
@@ -52,8 +53,8 @@ export function tear(data: SolverData, joint: Joint): void {
 
 /**
  * In this step, no other joint of the group breaks by force, as the break may relieve it; else a blow would shatter a whole bridge. The
- * others are limited to their breaking force, though, and give way. So they are not pushed into place in this step, and in the next one, in
- * which they may break, only without momentum.
+ * others are limited to their breaking force, and one that gives way is not pushed into place in this step. In this step and the next one, in
+ * which they may break, all are pushed without momentum.
  */
 function spareOthers({ joints: { groups, joints, records: r, h, substepsLeft } }: SolverData, broken: Joint): void {
   const index = joints.indexOf(broken);
@@ -66,8 +67,8 @@ function spareOthers({ joints: { groups, joints, records: r, h, substepsLeft } }
       const left = Math.max(0, r[at + j.BREAK]! - length[0]!) / (substepsLeft + 1);
       r[at + j.BREAK] = Infinity;
       r[at + j.LIMIT] = Math.min(constraint.maxForce * h, left);
-      r[at + j.PUSH] = 0;
-      constraint.fresh = true;
+      r[at + j.CARRY] = 0;
+      constraint.touch();
     }
   }
 }

@@ -88,6 +88,8 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
         continue;
       }
       const limit = r[i + j.LIMIT]!;
+      // One that was spared gives way: see `breaking.ts`.
+      if (Math.abs(next) > limit && joints[m]!.constraint.breakUnderForce) r[i + j.PUSH] = 0;
       next = next > limit ? limit : next < -limit ? -limit : next;
     }
     const lambda = next - old;
