@@ -36,7 +36,7 @@ export const SHOWN = 20;
 export const USED_BEFORE = 25;
 
 /** What the solver writes after a step. */
-export const USE = ROCKS | (3 << USED) | (3 << FRESH);
+const USE = ROCKS | (3 << USED) | (3 << FRESH);
 
 /** The same with what it knows of the step before. */
 export const NOTED = USE | (3 << USED_BEFORE);
