@@ -173,6 +173,19 @@ export const JOINT_FAR = 0.016;
 export const JOINT_FAR_TURN = 0.001;
 
 /**
+ * m, rad. Only if a joint other than points has a larger error as a position iteration starts, it is looked for what turns far, see
+ * BLOCK_FAR_TURN. With 0.002 half as many more loads that gently pull light links straight make energy; with 0 hardly fewer.
+ */
+export const BLOCK_FAR = 0.0005;
+
+/**
+ * rad. If a body has been turned by more since the errors of its joints other than points were taken as linear in the turn, that is done
+ * anew before the next sweep. Else a rope that is jerked tight by a load turns the light link that it is fixed to round and round, as one
+ * that is nearly straight seems to get longer by turning on.
+ */
+export const BLOCK_FAR_TURN = 0.02;
+
+/**
  * Share of a joint's position correction that becomes momentum. 0 makes pendulums lose half their height in a minute, 1 is neutral; a
  * little less never gains. Where a group touches something it is 0, or this times TOUCHED_MOMENTUM.
  */
@@ -224,8 +237,8 @@ export const ALONE_ERROR = 0.005;
 export const EXCESS_SHARE = 0.1;
 
 /**
- * EXCESS_SHARE of joints that may break, which are swept over less: what is more than that is taken from heavy bodies, too, as they were
- * flung.
+ * EXCESS_SHARE of what is taken from heavy bodies, too, as they were flung. With 0.1 heavy balls on thin chains lose half as much again:
+ * where a swing turns round there is little energy that this could be a share of.
  */
 export const EXCESS_WILD = 0.25;
 

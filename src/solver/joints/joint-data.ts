@@ -242,7 +242,7 @@ export class JointData {
    * where it is passed on.
    */
   readonly share = new Float64Array(1);
-  /** m, rad. The largest error that is left, found by the `measure…` functions. */
+  /** m, rad. The largest error that is left, found by the `measure…` functions and as blocks are linearised. */
   readonly left = new Float64Array(1);
   /** The pose of each member of one joint. */
   pose = new Float64Array(4 * POSE);

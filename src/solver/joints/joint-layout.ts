@@ -156,9 +156,12 @@ export class BlockLayout {
   readonly work: number;
   readonly total: number;
   readonly carried: number;
-  /** Range of the last row's impulse. */
+  /** Range of the last row's impulse … */
   readonly low: number;
   readonly high: number;
+  /** … and what the farther of its two bounds adds to `bias`, and to `error`; infinite if there is none, and for springs. */
+  readonly room: number;
+  readonly span: number;
   /** The Jacobian of velocity iterations, and that of position iterations. */
   readonly jacobian: number;
   readonly turned: number;
@@ -166,6 +169,8 @@ export class BlockLayout {
   readonly matrix: number;
   /** What the step gave to each member so far. */
   readonly given: number;
+  /** rad. By how much each member had turned in the sub-step when `turned` was written. */
+  readonly placed: number;
   readonly size: number;
 
   constructor(
@@ -181,10 +186,13 @@ export class BlockLayout {
     this.carried = HEAD + 6 * rows;
     this.low = HEAD + 7 * rows;
     this.high = this.low + 1;
-    this.jacobian = this.low + 2;
+    this.room = this.low + 2;
+    this.span = this.low + 3;
+    this.jacobian = this.low + 4;
     this.turned = this.jacobian + 3 * members * rows;
     this.matrix = this.turned + 3 * members * rows;
     this.given = this.matrix + rows * rows;
-    this.size = this.given + 3 * members;
+    this.placed = this.given + 3 * members;
+    this.size = this.placed + members;
   }
 }

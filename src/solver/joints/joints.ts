@@ -1,4 +1,12 @@
-import { EASE_STEPS, FIRM_ERROR, FIRM_STEPS, JOINT_FAR, JOINT_PUSHES, SWEPT_ONCE } from '../../config-joints.js';
+import {
+  BLOCK_FAR,
+  EASE_STEPS,
+  FIRM_ERROR,
+  FIRM_STEPS,
+  JOINT_FAR,
+  JOINT_PUSHES,
+  SWEPT_ONCE,
+} from '../../config-joints.js';
 import type { World } from '../../world.js';
 import type { SolverData } from '../data.js';
 import { findHinge, noteHinges } from '../impacts/hinge.js';
@@ -30,6 +38,7 @@ import { advancePoses, hidePoses, packPoses } from './kernels/pose.js';
 import {
   finishRun,
   linearise,
+  lineariseTurned,
   packRun,
   pushRun,
   pushRunLinearly,
@@ -293,18 +302,21 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
 
 /**
  * Position sweeps, until errors are small. After the first, the sweeps take the errors of point joints as linear in the motion, unless
- * contacts came in between or the bodies are to be moved without turning.
+ * contacts came in between or the bodies are to be moved without turning; those of other joints are linearised, anew where much turned.
  * @returns whether the last sweep found an error that was worth another one.
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
-  const { worst } = data.joints;
+  const { worst, left } = data.joints;
+  left[0] = 0;
   linearise(data, group);
+  const isFar = left[0] > BLOCK_FAR;
   const isBegun = before === 0 && group.isBeside;
   if (group.isFirm) beginGradients(data, group, true);
   if (isBegun && group.pushed === 0) {
     return false;
   }
   for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
+    if (isFar && sweep > before && lineariseTurned(data, group) && group.isFirm) beginGradients(data, group, true);
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
     // The last exact sweep found errors so large that linear ones are not enough where bodies have turned since.
     const pushAgain = group.pushed > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;

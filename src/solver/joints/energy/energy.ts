@@ -95,7 +95,7 @@ export function takeExcesses(data: SolverData): void {
     if (group.isUnmet || group.touched) goAsMoved(data, group);
     else group.untrue = 0;
     noteUnmet(data, group);
-    if (group.isWatched && group.settling === 0) {
+    if (group.isWatched) {
       takeExcess(data, group);
     } else if (!group.touched) {
       group.excess = 0;
@@ -117,31 +117,36 @@ function noteUnmet({ joints: { joints } }: SolverData, { isUnmet, error, anchors
 }
 
 /**
- * Takes back the energy that the joints of a group made beyond a share of all there is, from the velocities of the light bodies, and bit by
- * bit, so that nothing halts in the air. Only for groups of which no joint was changed or had to be closed. Bodies that nothing holds keep
- * their common velocity.
+ * Takes back the energy that the joints of a group made beyond a share of all there is, bit by bit, so that nothing halts in the air: from
+ * the velocities of the light bodies, and what is far beyond from all. Not in steps in which a joint of the group was changed. Bodies that
+ * nothing holds keep their common velocity.
  */
 function takeExcess(data: SolverData, group: Group): void {
   measure(data, group);
   const kinetic = sums[KINETIC]!;
-  const made = kinetic + sums[AHEAD]! - sums[WORK]! - group.energy;
+  const grown = kinetic + sums[AHEAD]! - group.energy;
+  const made = grown - sums[WORK]!;
   if (isCarried || !Number.isFinite(made)) {
     group.excess = 0;
     return;
   }
-  const excess = group.touched ? made : made + (group.excess < 0 ? EXCESS_FADES * group.excess : group.excess);
-  const share = group.touched ? TOUCHED_EXCESS : EXCESS_SHARE;
+  const { touched, settling } = group;
+  // Contacts, and corrections without momentum, may raise bodies, which counts as energy made.
+  const flung = touched || settling > 0 ? Math.min(made, grown) : made;
+  const before = touched ? 0 : group.excess < 0 ? EXCESS_FADES * group.excess : group.excess;
+  const excess = before + (settling > 0 ? flung : made);
   const x = sums[PX]! / sums[MASS]!;
   const y = sums[PY]! / sums[MASS]!;
   const isCalm = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!;
   const right = Math.max(0, kinetic - excess);
-  let removed = isCalm ? 0 : slowDown(data, group, excess - share * right, made, x, y);
-  if (!isCalm && group.mayBreak && !group.touched) {
-    // From here on, all bodies count as light.
+  let removed = 0;
+  if (!isCalm) {
+    removed = slowDown(data, group, excess - (touched ? TOUCHED_EXCESS : EXCESS_SHARE) * right, made, x, y);
+    // What the light bodies do not have was made in the heavy ones. From here on, all count as light.
     sums[LIGHTEST] = 0;
-    removed += slowDown(data, group, excess - removed - EXCESS_WILD * right, made, x, y);
+    removed += slowDown(data, group, before + flung - removed - EXCESS_WILD * right, made - removed, x, y);
   }
-  if (!group.touched) {
+  if (!touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
   }
 }

@@ -1,5 +1,5 @@
 import { MIN_INVERSE_MASS } from '../../../config.js';
-import { BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../../../config-joints.js';
+import { BLOCK_FAR_TURN, BOUND_SLOP, JOINT_SNAP, ROW_TURN } from '../../../config-joints.js';
 import { isCustom } from '../../../constraint/constraint.js';
 import type { CustomConstraint } from '../../../constraint/custom.js';
 import { backward, forward } from '../../../math/solve.js';
@@ -27,6 +27,8 @@ export function packBlock(data: SolverData, joint: Joint): boolean {
   }
   r[at + layout.low] = -Infinity;
   r[at + layout.high] = Infinity;
+  r[at + layout.room] = Infinity;
+  r[at + layout.span] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
     r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
   }
@@ -62,16 +64,25 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   } else if (isElastic) {
     beginSpring(data, joint);
   } else {
-    const last = rows - 1;
-    const distance = r[at + layout.error + last]!;
-    const rests = Math.abs(distance) < BOUND_SLOP && r[at + layout.impulse + last] !== 0;
-    r[at + layout.bias + last] = isSlack(r, joint, layout.error) && !rests ? distance / data.joints.h : 0;
+    beginBound(data, joint);
   }
   if (r[at + j.PUSH] !== 0) {
     findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
     noteError(data, index);
   }
   applyRows(data, joint, layout.jacobian, layout.impulse, 1, false);
+}
+
+/** Starts a sub-step of a rigid joint: if its last row has bounds, it may go up to these, but no farther. */
+export function beginBound({ joints: { records: r, h } }: SolverData, joint: Joint): void {
+  const { at, layout } = joint;
+  const last = layout.rows - 1;
+  const distance = r[at + layout.error + last]!;
+  const rests = Math.abs(distance) < BOUND_SLOP && r[at + layout.impulse + last] !== 0;
+  const bias = isSlack(r, joint, layout.error) && !rests ? distance / h : 0;
+  const beyond = distance / h - bias;
+  r[at + layout.bias + last] = bias;
+  r[at + layout.room] = r[at + layout.span]! / h + (r[at + layout.high] === 0 ? beyond : -beyond);
 }
 
 /** Starts a sub-step of a spring: writes its bias, or makes it only damp. */
@@ -186,7 +197,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = -softness * (r[at + work + n]! + r[at + layout.bias + n]!);
   }
-  solve(r, joint, impulse, feedback);
+  solve(r, joint, impulse, layout.room, feedback);
   for (let n = 0; n < rows; n += 1) {
     const old = r[at + impulse + n]!;
     r[at + work + n] = (1 - feedback) * old + r[at + work + n]!;
@@ -205,8 +216,20 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   applyRows(data, joint, jacobian, work, 1, false);
 }
 
-/** Multiplies the numbers at `work` by K⁻¹, but so that the last row's impulse, at the offset `so`, stays within its range. */
-function solve(r: Float64Array, joint: Joint, so: number, feedback: number): void {
+/**
+ * Clamps an impulse that is out of its range, which is that of the nearer bound. To get to the farther bound takes the impulse `way` more in
+ * the other direction; if that still is one that pushes back from there, it is the result.
+ */
+export function clampToBounds(impulse: number, low: number, high: number, way: number): number {
+  // Also if `way` is not a number, for rows that nothing can move.
+  return impulse < low ? (impulse + way < low ? impulse + way : low) : impulse - way > high ? impulse - way : high;
+}
+
+/**
+ * Multiplies the numbers at `work` by K⁻¹, but so that the last row's impulse, at the offset `so`, stays within its range; at the offset
+ * `apart` is `room` or `span`.
+ */
+function solve(r: Float64Array, joint: Joint, so: number, apart: number, feedback: number): void {
   const { at, layout, constraint } = joint;
   const { rows, work, matrix } = layout;
   forward(r, at + matrix, rows, r, at + work);
@@ -216,7 +239,11 @@ function solve(r: Float64Array, joint: Joint, so: number, feedback: number): voi
     const next = kept + r[at + work + last]!;
     const low = r[at + layout.low]!;
     const high = r[at + layout.high]!;
-    r[at + work + last] = (next < low ? low : next > high ? high : next) - kept;
+    const bounded =
+      next < low || next > high
+        ? clampToBounds(next, low, high, r[at + matrix + rows * rows - 1]! * r[at + apart]!)
+        : next;
+    r[at + work + last] = bounded - kept;
   }
   backward(r, at + matrix, rows, r, at + work);
 }
@@ -243,13 +270,13 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
 }
 
 /**
- * Starts a position iteration: finds the error and Jacobian, from which the sweeps that follow take the error as linear. A joint whose
+ * Finds the error and Jacobian, from which the sweeps that follow take the error as linear, and raises `left` to the error. A joint whose
  * error breaks it is not corrected. This is done in each iteration, though it takes a third of a step. Refused: leaving it out in the
  * second one where errors were below 4 mm: small pulleys gained up to 28 times as much energy; and with a bound so low that none gains,
  * hardly any joint is left out.
  */
 export function lineariseBlock(data: SolverData, joint: Joint): void {
-  const { records: r } = data.joints;
+  const { records: r, left } = data.joints;
   const { at, layout } = joint;
   if (r[at + j.PUSH] === 0) {
     return;
@@ -258,13 +285,35 @@ export function lineariseBlock(data: SolverData, joint: Joint): void {
   if (r[at + j.PUSH] === 0) {
     return;
   }
+  for (let k = 0; k < layout.members; k += 1) {
+    r[at + layout.placed + k] = data.motion[data.joints.bodies[joint.first + k]! + d.QW]!;
+  }
   findLength(r, at + layout.error, violatedRows(r, joint, layout.error));
   const error = length[0]!;
   if (error > r[at + j.MAX_ERROR]!) {
     breakJoint(data.joints, joint);
     return;
   }
+  left[0] = Math.max(left[0]!, error);
   correct(data, joint, error);
+}
+
+/**
+ * Whether a member of a joint has turned by more than BLOCK_FAR_TURN since the joint was linearised. Not if that would allow it more than it
+ * may be corrected by at once.
+ */
+export function hasTurned({ joints, motion: q }: SolverData, { at, layout, first }: Joint): boolean {
+  const { records: r, bodies } = joints;
+  const reach = r[at + j.REACH]!;
+  if (r[at + j.PUSH] === 0 || (reach > 0 && reach < Infinity)) return false;
+  let n = first & d.OFFSET;
+  const from = (at + layout.placed) & d.OFFSET;
+  const to = from + layout.members;
+  for (let i = from; i < to; i += 1, n += 1) {
+    const turn = q[(bodies[n]! & d.OFFSET) + d.QW]! - r[i]!;
+    if (turn > BLOCK_FAR_TURN || turn < -BLOCK_FAR_TURN) return true;
+  }
+  return false;
 }
 
 /** Writes K for corrections, and the part of an error of the length `error` that is to be corrected, without its linear part. */
@@ -317,7 +366,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = -(r[at + layout.error + n]! + r[at + work + n]!);
   }
-  solve(r, joint, push, 0);
+  solve(r, joint, push, layout.span, 0);
   if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
     showPoses(data, joint, true);
     constraint.clamp('positionClamp', r, at + work);

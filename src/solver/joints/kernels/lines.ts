@@ -1,6 +1,7 @@
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import * as j from '../joint-layout.js';
+import { clampToBounds } from './blocks.js';
 import { cutOrBreak } from './breaking.js';
 
 /** The sweeps of block joints for lines, two rows between two bodies, straight-line. All else is done in `blocks.ts`. */
@@ -12,7 +13,7 @@ import { cutOrBreak } from './breaking.js';
 export function sweepLines(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;
-  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, work } = joints[start]!.layout;
+  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, room, span, work } = joints[start]!.layout;
   for (let m = start; m < end; m += 1) {
     const joint = joints[isBack ? start + end - 1 - m : m]!;
     const i = joint.at & d.OFFSET;
@@ -53,8 +54,11 @@ export function sweepLines(data: SolverData, start: number, end: number, isBack:
     const begun = kept * old1;
     const least = r[i + low]!;
     const most = r[i + high]!;
-    const wanted = begun + (c1 - l * c) * r[i + matrix + 3]!;
-    let lambda1 = (wanted < least ? least : wanted > most ? most : wanted) - begun;
+    let wanted = begun + (c1 - l * c) * r[i + matrix + 3]!;
+    if (wanted < least || wanted > most) {
+      wanted = clampToBounds(wanted, least, most, r[i + matrix + 3]! * r[i + (moving ? span : room)]!);
+    }
+    let lambda1 = wanted - begun;
     let lambda = c * r[i + matrix]! - l * lambda1;
     let next = kept * old + lambda;
     let next1 = begun + lambda1;

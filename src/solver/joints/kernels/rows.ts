@@ -1,8 +1,8 @@
-import { BOUND_SLOP, ROW_TURN } from '../../../config-joints.js';
+import { ROW_TURN } from '../../../config-joints.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import * as j from '../joint-layout.js';
-import { beginSpring, isSlack, noteError } from './blocks.js';
+import { beginBound, beginSpring, clampToBounds, isSlack, noteError } from './blocks.js';
 import { tear } from './breaking.js';
 import { applyRows, length, writeMatrix } from './jacobian.js';
 import { measure } from './pose.js';
@@ -14,25 +14,22 @@ import { measure } from './pose.js';
 
 /** Starts a sub-step, as `warmStartBlock`. */
 export function warmStartRows(data: SolverData, start: number, end: number): void {
-  const { records: r, joints, h } = data.joints;
+  const { records: r, joints } = data.joints;
   for (let m = start; m < end; m += 1) {
     const joint = joints[m]!;
     const { layout, constraint } = joint;
-    const { impulse, push, bias, error, jacobian } = layout;
+    const { impulse, push, error, jacobian } = layout;
     const i = joint.at & d.OFFSET;
     measure(data, joint, false);
     writeMatrix(data, joint, jacobian);
     r[i + push] = 0;
-    const distance = r[i + error]!;
-    const isFree = isSlack(r, joint, error);
     if (constraint.isElastic) {
       beginSpring(data, joint);
     } else {
-      const rests = Math.abs(distance) < BOUND_SLOP && r[i + impulse] !== 0;
-      r[i + bias] = isFree && !rests ? distance / h : 0;
+      beginBound(data, joint);
     }
     if (r[i + j.PUSH] !== 0) {
-      length[0] = isFree ? 0 : Math.abs(distance);
+      length[0] = isSlack(r, joint, error) ? 0 : Math.abs(r[i + error]!);
       noteError(data, m);
     }
     applyRows(data, joint, jacobian, impulse, 1, false);
@@ -46,7 +43,8 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
 export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;
-  const { size, impulse, push, bias, error, jacobian, turned, matrix, low, high, total } = joints[start]!.layout;
+  const { size, impulse, push, bias, error, jacobian, turned, matrix, low, high, room, span, total } =
+    joints[start]!.layout;
   const step = isBack ? -1 : 1;
   let m = isBack ? end - 1 : start;
   let i = joints[m]!.at & d.OFFSET;
@@ -79,7 +77,8 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
     const least = r[i + low]!;
     const most = r[i + high]!;
     let next = old - feedback * old - softness * r[i + matrix]! * c;
-    next = next < least ? least : next > most ? most : next;
+    if (next < least || next > most)
+      next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (moving ? span : room)]!);
     if (!moving && r[i + j.CHECKED] !== 0) {
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;

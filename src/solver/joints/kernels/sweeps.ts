@@ -4,6 +4,7 @@ import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout
 import { finishAnchored, sweepAnchored } from './anchored.js';
 import {
   finishBlock,
+  hasTurned,
   lineariseBlock,
   packBlock,
   pushBlock,
@@ -184,6 +185,22 @@ export function linearise(data: SolverData, { runs }: Group): void {
       lineariseBlock(data, joints[k]!);
     }
   }
+}
+
+/** Linearises those joints anew whose bodies have turned since. @returns whether there were any. */
+export function lineariseTurned(data: SolverData, { runs }: Group): boolean {
+  const { joints } = data.joints;
+  let found = false;
+  for (let i = 0; i < runs.length; i += 1) {
+    const { kernel, start, end } = runs[i]!;
+    for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
+      if (hasTurned(data, joints[k]!)) {
+        lineariseBlock(data, joints[k]!);
+        found = true;
+      }
+    }
+  }
+  return found;
 }
 
 /** Ends a sub-step. */

@@ -234,7 +234,7 @@ function measureChange(v: Float64Array): void {
   sums[MASS] = total;
 }
 
-/** Finds the constant part of each row. For an angle with bounds, it is that of the bound that holds it. */
+/** Finds the constant part of each row. If a row has bounds, it is that of the bound that holds it. */
 function findConstants({ joints: data, points }: SolverData, group: Group, isPush: boolean): void {
   const { joints, records: r } = data;
   let n = 0;
@@ -248,6 +248,10 @@ function findConstants({ joints: data, points }: SolverData, group: Group, isPus
         constants[n] = isPush ? r[at + TURN_VALUE]! - bound : r[at + TURN_BIAS]!;
       } else {
         constants[n] = r[at + (isPush ? layout.error : layout.bias) + row]!;
+        const held = r[places[n]!]!;
+        const apart = r[at + (isPush ? layout.span : layout.room)]!;
+        if (bounds[n] === 1 && held > 0 && r[at + layout.high] === 0) constants[n] = constants[n]! + apart;
+        if (bounds[n] === 1 && held < 0 && r[at + layout.low] === 0) constants[n] = constants[n]! - apart;
       }
     }
   }
