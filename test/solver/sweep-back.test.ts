@@ -43,7 +43,7 @@ it.each([
 ])('a sweep back over %s is over the joints one by one, from the last to the first', (_, solve) => {
   const data = hub();
   const { joints } = data;
-  linearise(data, joints.groups[0]!);
+  linearise(data, joints.groups[0]!, false);
   const arrays = [data.velocity, data.motion, data.points, joints.records];
   const before = arrays.map((array) => array.slice());
   const outcome = (sweep: (kernel: number, start: number, end: number) => boolean) => {

@@ -38,7 +38,6 @@ import { advancePoses, hidePoses, packPoses } from './kernels/pose.js';
 import {
   finishRun,
   linearise,
-  lineariseTurned,
   packRun,
   pushRun,
   pushRunLinearly,
@@ -308,7 +307,7 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
   const { worst, left } = data.joints;
   left[0] = 0;
-  linearise(data, group);
+  linearise(data, group, false);
   const isFar = left[0] > BLOCK_FAR;
   const isBegun = before === 0 && group.isBeside;
   if (group.isFirm) beginGradients(data, group, true);
@@ -316,7 +315,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     return false;
   }
   for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
-    if (isFar && sweep > before && lineariseTurned(data, group) && group.isFirm) beginGradients(data, group, true);
+    if (isFar && sweep > before && linearise(data, group, true) && group.isFirm) beginGradients(data, group, true);
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
     // The last exact sweep found errors so large that linear ones are not enough where bodies have turned since.
     const pushAgain = group.pushed > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;

@@ -217,12 +217,14 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
 }
 
 /**
- * Clamps an impulse that is out of its range, which is that of the nearer bound. To get to the farther bound takes the impulse `way` more in
- * the other direction; if that still is one that pushes back from there, it is the result.
+ * Clamps an impulse to its range, which is that of the nearer bound. If it is out of it, and to get to the farther bound takes the impulse
+ * `way` more in the other direction, that may still leave one which pushes back from there: then this is the result.
  */
 export function clampToBounds(impulse: number, low: number, high: number, way: number): number {
-  // Also if `way` is not a number, for rows that nothing can move.
-  return impulse < low ? (impulse + way < low ? impulse + way : low) : impulse - way > high ? impulse - way : high;
+  // If `way` is not a number, as for rows that nothing can move, the comparisons with it are false.
+  if (impulse < low) return impulse + way < low ? impulse + way : low;
+  if (impulse > high) return impulse - way > high ? impulse - way : high;
+  return impulse;
 }
 
 /**
@@ -239,11 +241,8 @@ function solve(r: Float64Array, joint: Joint, so: number, apart: number, feedbac
     const next = kept + r[at + work + last]!;
     const low = r[at + layout.low]!;
     const high = r[at + layout.high]!;
-    const bounded =
-      next < low || next > high
-        ? clampToBounds(next, low, high, r[at + matrix + rows * rows - 1]! * r[at + apart]!)
-        : next;
-    r[at + work + last] = bounded - kept;
+    const way = r[at + matrix + rows * rows - 1]! * r[at + apart]!;
+    r[at + work + last] = clampToBounds(next, low, high, way) - kept;
   }
   backward(r, at + matrix, rows, r, at + work);
 }

@@ -54,11 +54,9 @@ export function sweepLines(data: SolverData, start: number, end: number, isBack:
     const begun = kept * old1;
     const least = r[i + low]!;
     const most = r[i + high]!;
-    let wanted = begun + (c1 - l * c) * r[i + matrix + 3]!;
-    if (wanted < least || wanted > most) {
-      wanted = clampToBounds(wanted, least, most, r[i + matrix + 3]! * r[i + (moving ? span : room)]!);
-    }
-    let lambda1 = wanted - begun;
+    const wanted = begun + (c1 - l * c) * r[i + matrix + 3]!;
+    const way = r[i + matrix + 3]! * r[i + (moving ? span : room)]!;
+    let lambda1 = clampToBounds(wanted, least, most, way) - begun;
     let lambda = c * r[i + matrix]! - l * lambda1;
     let next = kept * old + lambda;
     let next1 = begun + lambda1;

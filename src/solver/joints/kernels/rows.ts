@@ -77,8 +77,7 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
     const least = r[i + low]!;
     const most = r[i + high]!;
     let next = old - feedback * old - softness * r[i + matrix]! * c;
-    if (next < least || next > most)
-      next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (moving ? span : room)]!);
+    next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (moving ? span : room)]!);
     if (!moving && r[i + j.CHECKED] !== 0) {
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;

@@ -177,24 +177,17 @@ export function pushTurnedRun(data: SolverData, kernel: number, start: number, e
   return kernel === POINT ? pushTurnedPoints(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
 }
 
-export function linearise(data: SolverData, { runs }: Group): void {
-  const { joints } = data.joints;
-  for (let i = 0; i < runs.length; i += 1) {
-    const { kernel, start, end } = runs[i]!;
-    for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
-      lineariseBlock(data, joints[k]!);
-    }
-  }
-}
-
-/** Linearises those joints anew whose bodies have turned since. @returns whether there were any. */
-export function lineariseTurned(data: SolverData, { runs }: Group): boolean {
+/**
+ * Linearises the joints of a group that are not points or turns or, if `isAnew`, those of them whose bodies have turned far since that was
+ * done last. @returns whether there were any.
+ */
+export function linearise(data: SolverData, { runs }: Group, isAnew: boolean): boolean {
   const { joints } = data.joints;
   let found = false;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
     for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
-      if (hasTurned(data, joints[k]!)) {
+      if (!isAnew || hasTurned(data, joints[k]!)) {
         lineariseBlock(data, joints[k]!);
         found = true;
       }
