@@ -57,8 +57,7 @@ export const LINKED = 1;
 export const COMPOUND = 2;
 export const RUBS = 4;
 export const MEMBER = 8;
-export const SEEN = 16;
-export const HELD = 32;
+export const HELD = 16;
 
 /**
  * Contacts. With normal n, tangent t = (−n.y, n.x) and arm r, `RN` = r × n and `RT` = r × t = r · n are all that the solver needs of r:

@@ -29,6 +29,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'error',
       'pushed',
       'touched',
+      'neighbours',
       'isBeside',
       'branches',
       'isIndeterminate',

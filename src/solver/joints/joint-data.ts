@@ -154,6 +154,8 @@ export class Group {
 
   /** One of its bodies is in contact. */
   touched = false;
+  /** What its bodies touch, as bits of `touching/neighbours.ts`. */
+  neighbours = 0;
   /** So few of its bodies are in contact that it stands on something, rather than lies in a heap. Set for mechanisms only. */
   stands = false;
   /** It is a frame that stands on something, and its joints were open as the step began: see `touching/momentum.ts`. */

@@ -1,6 +1,6 @@
 import type { Constraint } from '../../constraint/constraint.js';
 import { recordAt, type SolverData } from '../data.js';
-import { BODY_STRIDE, MEMBER, SEEN } from '../layout.js';
+import { BODY_STRIDE, MEMBER } from '../layout.js';
 import type { Group, Joint } from './joint-data.js';
 import {
   CARRY,
@@ -95,26 +95,26 @@ export function listBodies(data: SolverData, group: Group): void {
   for (let n = joints[group.start]!.first; n < first + layout.members; n += 1) {
     if (bodies[n] === 0) {
       group.isAnchored = true;
-    } else if (visit(data, bodies[n]!, MEMBER)) {
+    } else if (visit(data, bodies[n]!)) {
       group.bodies.add(bodies[n]!);
     }
   }
   markBodies(data, group, 0);
 }
 
-/** Clears MEMBER and SEEN in the traits of all bodies of a group, then sets `mark`; with 0, nothing. */
+/** Clears MEMBER in the traits of all bodies of a group, then sets `mark`; with 0, nothing. */
 export function markBodies({ traits }: SolverData, { bodies }: Group, mark: number): void {
   for (let n = 0; n < bodies.count; n += 1) {
     const slot = bodies.items[n]! / BODY_STRIDE;
-    traits[slot] = (traits[slot]! & ~(MEMBER | SEEN)) | mark;
+    traits[slot] = (traits[slot]! & ~MEMBER) | mark;
   }
 }
 
-/** Whether a body, given by the offset of its record, does not have the mark yet; sets it. */
-export function visit({ traits }: SolverData, offset: number, mark: number): boolean {
+/** Sets MEMBER in the traits of a body, given by the offset of its record. @returns whether it did not have that yet. */
+export function visit({ traits }: SolverData, offset: number): boolean {
   const slot = offset / BODY_STRIDE;
-  const isFirst = (traits[slot]! & mark) === 0;
-  traits[slot] = traits[slot]! | mark;
+  const isFirst = (traits[slot]! & MEMBER) === 0;
+  traits[slot] = traits[slot]! | MEMBER;
   return isFirst;
 }
 

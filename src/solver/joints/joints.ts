@@ -53,6 +53,7 @@ import { beginGroup, correctShare, lookAtKinds, plan } from './plan/plan.js';
 import { closeOpen } from './touching/close-joints.js';
 import { pushHeld } from './touching/held-contacts.js';
 import { forgetShocks, linkShocks, solveFrames } from './touching/joint-shocks.js';
+import { findNeighbours } from './touching/neighbours.js';
 
 /**
  * Packs the live constraints for sub-steps of length h. Rigid points, angles and motors, which most joints are, keep their numbers in their
@@ -85,6 +86,7 @@ function packJoints(world: World, h: number): void {
     packGroup(data, joints.groups[i]!, isChanged);
   }
   pushHeld(data);
+  findNeighbours(world);
   watchTouched(world);
   beginSprings(data);
   if (isChanged) {

@@ -36,7 +36,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
     for (let n = 0; n < layout.members; n += 1) {
       const body = bodies[first + n]!;
       const moves = body > 0 && constraint.members[n]!.kind === DYNAMIC;
-      movers += moves && visit(data, body, d.MEMBER) ? 1 : 0;
+      movers += moves && visit(data, body) ? 1 : 0;
       isHeld ||= !moves;
       anchors += !moves && holdsPlace(constraint) ? 1 : 0;
     }

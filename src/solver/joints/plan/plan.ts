@@ -47,7 +47,8 @@ import {
 import { heldRows, steady } from '../joint-numbers.js';
 import { findLength, length } from '../kernels/jacobian.js';
 import { findOff } from '../kernels/points.js';
-import { isBlocked, steadyTouched } from '../touching/momentum.js';
+import { steadyTouched } from '../touching/momentum.js';
+import { isBlocked } from '../touching/neighbours.js';
 import { findMovers } from './gradients.js';
 import { hasHub } from './hubs.js';
 
@@ -88,12 +89,12 @@ export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   if (isFirst) {
     if (group.touched) steadyTouched(data, group);
     weigh(data, group);
-    lookWhetherStuck(data, group);
+    lookWhetherStuck(group);
     if (group.isTorn) steadyAll(data, group, 0);
     settle(data, group);
   }
   limitMomentum(data, group, isFirst);
-  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(data, group)) {
+  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(group)) {
     reachLess(data, group);
   }
   planSweeps(data, group, isFirst && age === EASE_STEPS);
@@ -190,12 +191,12 @@ function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, 
  * what was changed, as long as it stays open from then on, and for what is torn, that is assumed at once. What is torn is not taken for
  * such if it bears or is joined to something far heavier, which has to be held up, or if force may break something of it.
  */
-function lookWhetherStuck(data: SolverData, group: Group): void {
+function lookWhetherStuck(group: Group): void {
   const { isBetween, error, fresh, touched, mayBreak, burdened } = group;
   const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
   const isLarge = error > JOINT_TORN * JOINT_TORN;
   group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : fresh ? STUCK_STEPS - 1 : 0;
-  group.isTorn = isOpen && isLarge && !mayBreak && !burdened && (!touched || isBlocked(data, group));
+  group.isTorn = isOpen && isLarge && !mayBreak && !burdened && (!touched || isBlocked(group));
   const isLong = group.stuck === STUCK_STEPS && !(isLarge && touched);
   group.isUnmet = group.isTorn || isLong || (isBetween && !isLarge && fresh);
 }

@@ -1,32 +1,22 @@
-import type { RigidBody } from '../../../body.js';
-import { DYNAMIC } from '../../../body-kind.js';
-import { findLeastSeparation, leastSeparation } from '../../../collide/manifold.js';
-import { CONTACT_SLOP, STRAIN_SPEED } from '../../../config.js';
+import { STRAIN_SPEED } from '../../../config.js';
 import {
   ALONE_ERROR,
   FIRM_FEET,
   FIRM_FEW,
   FRAME_BENT,
   FRAME_JOINTS,
-  HEAVY,
   ROPE_JOINTS,
   TOUCHED_MOMENTUM,
   TOUCHED_QUIET,
 } from '../../../config-joints.js';
-import type { Arbiter } from '../../../contact/arbiter.js';
 import type { SolverData } from '../../data.js';
-import { BODY_STRIDE, INV_MASS, MEMBER, SEEN, TOUCHED } from '../../layout.js';
+import { INV_MASS, TOUCHED } from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
 import { CUSTOM, TURN } from '../joint-layout.js';
-import { carryAt, impulseAt, markBodies, numbersOf, steady, visit } from '../joint-numbers.js';
+import { carryAt, impulseAt, numbersOf, steady } from '../joint-numbers.js';
+import { ALIKE, HEAVIER, ITSELF, OTHERS } from './neighbours.js';
 
 // How much momentum the corrections of joints make where something is touched.
-
-/** Bits for what the bodies of a group touch, see `findTouching`. */
-const OTHERS = 1;
-const HEAVIER = 2;
-const ITSELF = 4;
-const ALIKE = 8;
 
 /**
  * Sets how much momentum corrections make in a group that touches something; also finds whether it stands on that. Contacts push without
@@ -42,20 +32,19 @@ const ALIKE = 8;
  */
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
+  const { neighbours } = group;
   const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
   const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
-  const isAsked = hasLoad || isRope || group.isMechanism || hasBeams(joints, group);
-  const touching = findTouching(data, group, isAsked);
-  if (touching === 0 && group.error < ALONE_ERROR * ALONE_ERROR) {
+  if (neighbours === 0 && group.error < ALONE_ERROR * ALONE_ERROR) {
     group.stands = false;
     group.isBent = false;
     return;
   }
-  group.stands = group.isMechanism && (touching & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
-  const isPressed = hasLoad && (touching & (HEAVIER | ITSELF)) === HEAVIER;
-  const isBeam = (touching & (OTHERS | ITSELF)) === OTHERS;
-  const isTaut = isRope && (touching & (ITSELF | ALIKE)) === 0;
+  group.stands = group.isMechanism && (neighbours & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
+  const isPressed = hasLoad && (neighbours & (HEAVIER | ITSELF)) === HEAVIER;
+  const isBeam = (neighbours & (OTHERS | ITSELF)) === OTHERS;
+  const isTaut = isRope && (neighbours & (ITSELF | ALIKE)) === 0;
   group.isBent = isBeam && group.error > FRAME_BENT * FRAME_BENT && isFrame(joints, group);
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
@@ -168,14 +157,6 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
   return kernel !== TURN && kernel !== CUSTOM && square * ease * ease > STRAIN_SPEED * STRAIN_SPEED;
 }
 
-/**
- * Whether something that is not part of a group is in its way, and nothing far heavier lies on one of its bodies. A wrecking ball into
- * which its last link reaches does not lie on that.
- */
-export function isBlocked(data: SolverData, group: Group): boolean {
-  return (findTouching(data, group, true) & (OTHERS | HEAVIER)) === OTHERS;
-}
-
 /** Counts the bodies of a group that are in contact, up to three. */
 function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start, end }: Group): number {
   let one = 0;
@@ -192,51 +173,4 @@ function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start
     }
   }
   return two > 0 ? 2 : one > 0 ? 1 : 0;
-}
-
-/**
- * What the bodies of a group touch, as bits: something else, something dynamic that is far heavier, something dynamic of about their own
- * mass, or each other, so deeply that they are pushed apart. If not all bits are asked for, the search ends with the first that is found.
- */
-function findTouching(data: SolverData, group: Group, areAllAsked: boolean): number {
-  const { joints } = data.joints;
-  let found = 0;
-  markBodies(data, group, MEMBER);
-  for (let k = group.start; k < group.end && (areAllAsked || found === 0); k += 1) {
-    const { members } = joints[k]!.constraint;
-    for (let n = 0; n < members.length; n += 1) {
-      const body = members[n]!;
-      if (body.kind === DYNAMIC && body.slot > 0 && visit(data, body.slot * BODY_STRIDE, SEEN))
-        found |= touchingOf(data, body);
-    }
-  }
-  markBodies(data, group, 0);
-  return found;
-}
-
-function touchingOf({ traits }: SolverData, { shapes, mass }: RigidBody): number {
-  let found = 0;
-  for (let i = 0; i < shapes.length; i += 1) {
-    const shape = shapes[i]!;
-    for (let k = 0; k < shape.arbiters.length; k += 1) {
-      const pair = shape.arbiters[k]!;
-      const { bodyA, bodyB } = pair;
-      const other = pair.shapeA === shape ? bodyB : bodyA;
-      if (!pair.isSolved()) {
-        continue;
-      }
-      if ((traits[other.slot]! & MEMBER) === 0) {
-        found |= OTHERS;
-        if (other.kind === DYNAMIC && other.mass * HEAVY >= mass) found |= other.mass > HEAVY * mass ? HEAVIER : ALIKE;
-      } else if (isPushed(pair)) {
-        found |= ITSELF;
-      }
-    }
-  }
-  return found;
-}
-
-function isPushed({ numbers: n, at: o }: Arbiter): boolean {
-  findLeastSeparation(n, o);
-  return leastSeparation[0]! < -CONTACT_SLOP;
 }
