@@ -141,10 +141,14 @@ function takeExcess(data: SolverData, group: Group): void {
   const right = Math.max(0, kinetic - excess);
   let removed = 0;
   if (!isCalm) {
-    removed = slowDown(data, group, excess - (touched ? TOUCHED_EXCESS : EXCESS_SHARE) * right, made, x, y);
-    // What the light bodies do not have was made in the heavy ones. From here on, all count as light.
+    const { bodies, guests } = group;
+    removed = slowDown(data, bodies, excess - (touched ? TOUCHED_EXCESS : EXCESS_SHARE) * right, made, x, y);
+    // What the light bodies do not have was made in the heavy ones; what these do not have went into guests. From here on, all are light.
     sums[LIGHTEST] = 0;
-    removed += slowDown(data, group, before + flung - removed - EXCESS_WILD * right, made - removed, x, y);
+    const wild = before + flung - EXCESS_WILD * right;
+    removed += slowDown(data, bodies, wild - removed, made - removed, x, y);
+    sums[OWN_MASS] = sums[MASS]! - sums[OWN_MASS]!;
+    removed += slowDown(data, guests, wild - removed, made - removed, x, y);
   }
   if (!touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
@@ -157,10 +161,10 @@ function isLight({ velocity: v }: SolverData, offset: number): boolean {
 }
 
 /** J. The kinetic energy of the light bodies relative to a common velocity. */
-function energyOfLight(data: SolverData, { bodies }: Group, x: number, y: number): number {
+function energyOfLight(data: SolverData, { items, count }: List<number>, x: number, y: number): number {
   sums[LIGHT_TWICE] = 0;
-  for (let n = 0; n < bodies.count; n += 1) {
-    addEnergyOfLight(data, bodies.items[n]!, x, y);
+  for (let n = 0; n < count; n += 1) {
+    addEnergyOfLight(data, items[n]!, x, y);
   }
   return sums[LIGHT_TWICE]! / 2;
 }
@@ -183,21 +187,21 @@ function addEnergyOfLight(data: SolverData, i: number, x: number, y: number): vo
  * in this step. What nothing holds keeps its momentum: what the light bodies lose is given back to all.
  * @returns how much energy was taken, J.
  */
-function slowDown(data: SolverData, group: Group, over: number, made: number, x: number, y: number): number {
-  const own = over > 0 ? energyOfLight(data, group, x, y) : 0;
+function slowDown(data: SolverData, bodies: List<number>, over: number, made: number, x: number, y: number): number {
+  const own = over > 0 ? energyOfLight(data, bodies, x, y) : 0;
   const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
   if (!(removed > 0)) {
     return 0;
   }
   const keep = Math.sqrt(1 - removed / own);
-  const { items, count } = group.bodies;
+  const { items, count } = bodies;
   sums[LOST_X] = 0;
   sums[LOST_Y] = 0;
   for (let n = 0; n < count; n += 1) {
     slowLight(data, items[n]!, keep, x, y);
   }
   if (sums[MASS]! < Infinity) {
-    giveBack(data, group);
+    giveBack(data, bodies);
   }
   return removed;
 }
@@ -213,9 +217,9 @@ function slowLight(data: SolverData, i: number, keep: number, x: number, y: numb
   }
 }
 
-function giveBack({ velocity: v }: SolverData, { bodies }: Group): void {
-  for (let n = 0; n < bodies.count; n += 1) {
-    const i = bodies.items[n]!;
+function giveBack({ velocity: v }: SolverData, { items, count }: List<number>): void {
+  for (let n = 0; n < count; n += 1) {
+    const i = items[n]!;
     v[i + d.VX] = v[i + d.VX]! + sums[LOST_X]! / sums[OWN_MASS]!;
     v[i + d.VY] = v[i + d.VY]! + sums[LOST_Y]! / sums[OWN_MASS]!;
   }
