@@ -162,10 +162,11 @@ function packTraits({ solver, liveDynamics, timeStamp }: World): void {
   }
 }
 
-/** Whether an enabled joint holds the body. Custom constraints hold whatever they like: they do not count. */
-function isLinked({ constraints }: RigidBody): boolean {
+/** Whether an enabled joint of its world holds the body. Custom constraints hold whatever they like: they do not count. */
+function isLinked({ constraints, owner }: RigidBody): boolean {
   for (let i = 0; i < constraints.length; i += 1) {
-    if (constraints[i]!.enabled && constraints[i]!.type !== 'CUSTOM') {
+    const constraint = constraints[i]!;
+    if (constraint.enabled && constraint.owner === owner && constraint.type !== 'CUSTOM') {
       return true;
     }
   }
