@@ -89,6 +89,7 @@ function planSpeed({ bias }: BounceList, k: number, h: number): void {
 export function planBounces(data: SolverData, h: number): void {
   const { bounces: list } = data;
   list.state.fill(0);
+  if (data.turning.count > 0) followNormals(list);
   let count = planRound(data, h, 0);
   for (let round = 1; round <= BOUNCE_ROUNDS && count > 0; round += 1) {
     solveRound(data, h, count, round);
@@ -100,6 +101,15 @@ export function planBounces(data: SolverData, h: number): void {
     } else if (list.bias[k]! > 0) {
       dropImpulses(list, k);
     }
+  }
+}
+
+/** Takes over the normals of contacts that turned with their bodies. */
+function followNormals({ arms, batches, record, count }: BounceList): void {
+  for (let k = 0; k < count; k += 1) {
+    const { records: r } = batches[k]!;
+    arms[d.BOUNCE_STRIDE * k + d.BOUNCE_NX] = r[record[k]! + d.NX]!;
+    arms[d.BOUNCE_STRIDE * k + d.BOUNCE_NY] = r[record[k]! + d.NY]!;
   }
 }
 
