@@ -158,9 +158,11 @@ export class Arbiter extends PairState {
       const tangent = sign * n[o + c.STEP_TANGENT + c.IMPULSES * i]!;
       const jx = n[o + g.NX]! * normal - n[o + g.NY]! * tangent;
       const jy = n[o + g.NY]! * normal + n[o + g.NX]! * tangent;
-      // The arms are those the solver used, not those at the end of the step.
-      w +=
-        (n[o + g.X0 + g.POINT * i]! - ofB * n[o + g.DX]!) * jy - (n[o + g.Y0 + g.POINT * i]! - ofB * n[o + g.DY]!) * jx;
+      // The arms are those the solver used, not those at the end of the step: to the surface of either body, if these were apart.
+      const half = sign * 0.5 * Math.max(0, n[o + g.S0 + g.POINT * i]!);
+      const armX = n[o + g.X0 + g.POINT * i]! - ofB * n[o + g.DX]! + half * n[o + g.NX]!;
+      const armY = n[o + g.Y0 + g.POINT * i]! - ofB * n[o + g.DY]! + half * n[o + g.NY]!;
+      w += armX * jy - armY * jx;
       x += jx;
       y += jy;
     }

@@ -175,9 +175,10 @@ export const TURNING_START1 = 2;
 export const TURNING_START2 = 3;
 export const TURNING_SURFACE_N = 4;
 export const TURNING_SURFACE_T = 5;
-/** … and the distance of its points from the pivots of circles, m. */
-export const TURNING_PIVOTS = 6;
-export const TURNING_STRIDE = 7;
+/** … how far the centres of its bodies are apart along the normal as the step begins, and its points from the pivots of circles, m. */
+export const TURNING_BEGAN = 6;
+export const TURNING_PIVOTS = 7;
+export const TURNING_STRIDE = 8;
 
 /** What is kept of the contact of a point that may bounce, in `BounceList.arms`. */
 export const BOUNCE_NX = 0;

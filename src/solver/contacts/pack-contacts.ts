@@ -153,7 +153,9 @@ function hasTwoPoints(pair: Arbiter): boolean {
 
 /**
  * Writes arms, effective masses, friction and kept impulses of both points. Straight-line: this runs once a step for every contact.
- * Friction acts between the points as their loads share it; where nothing is carried yet, at the deeper one.
+ * Friction acts between the points as their loads share it; where nothing is carried yet, at the deeper one. It acts on the surface of
+ * either body: points lie half-way between these, and where there is a gap, the arms are those of when it has closed, as in a contact that
+ * is foreseen.
  */
 export function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
@@ -186,8 +188,11 @@ export function packTwo(data: SolverData, index: number): void {
   const s1 = n[o + g.S0]!;
   const s2 = n[o + g.S1]!;
   const part = p1 > 0 && p2 >= 0 ? p1 / (p1 + p2) : p2 > 0 || s2 < s1 ? 0 : 1;
-  const rtA = (x2 + part * (x1 - x2)) * nx + (y2 + part * (y1 - y2)) * ny;
-  const rtB = rtA - dn;
+  const gap = pair.foreseen > 0 ? 0 : s2 + part * (s1 - s2);
+  const half = gap > 0 ? 0.5 * gap : 0;
+  const rt = (x2 + part * (x1 - x2)) * nx + (y2 + part * (y1 - y2)) * ny;
+  const rtA = rt - half;
+  const rtB = rt - dn + half;
   r[at + d.PART] = part;
   r[at + d.RT_A] = rtA;
   r[at + d.RT_B] = rtB;
@@ -241,24 +246,28 @@ function packOne(data: SolverData, index: number): void {
   const ay = n[o + g.Y0 + g.POINT * which]!;
   const bx = ax - n[o + g.DX]!;
   const by = ay - n[o + g.DY]!;
+  const separation = n[o + g.S0 + g.POINT * which]!;
+  const gap = pair.foreseen > 0 ? 0 : separation;
+  const half = gap > 0 ? 0.5 * gap : 0;
   const rnA = ax * ny - ay * nx;
-  const rtA = ax * nx + ay * ny;
   const rnB = bx * ny - by * nx;
-  const rtB = bx * nx + by * ny;
+  const alongA = ax * nx + ay * ny;
+  const alongB = bx * nx + by * ny;
+  const rtA = alongA - half;
+  const rtB = alongB + half;
   r[at + d.RN_A1] = rnA;
   r[at + d.RN_B1] = rnB;
   r[at + d.RT_A] = rtA;
   r[at + d.RT_B] = rtB;
-  const separation = n[o + g.S0 + g.POINT * which]!;
   // As `roundness`, which would have to box its numbers if it were called from here.
   const { shapeA, shapeB } = pair;
-  r[at + d.PIVOT_A] = rtA;
-  r[at + d.PIVOT_B] = rtB;
+  r[at + d.PIVOT_A] = alongA;
+  r[at + d.PIVOT_B] = alongB;
   if (shapeA.kind !== POLYGON) {
-    r[at + d.PIVOT_A] = rtA - shapeA.radius - 0.5 * separation;
+    r[at + d.PIVOT_A] = alongA - shapeA.radius - 0.5 * gap;
   }
   if (shapeB.kind !== POLYGON) {
-    r[at + d.PIVOT_B] = rtB + shapeB.radius + 0.5 * separation;
+    r[at + d.PIVOT_B] = alongB + shapeB.radius + 0.5 * gap;
   }
 
   const mass = v[a + d.INV_MASS]! + v[b + d.INV_MASS]!;

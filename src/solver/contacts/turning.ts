@@ -1,3 +1,4 @@
+import * as g from '../../collide/layout.js';
 import { BOUNCE_THRESHOLD, MOST_BEND } from '../../config.js';
 import { batchOf, recordAt, type SolverData } from '../data.js';
 import * as d from '../layout.js';
@@ -10,10 +11,10 @@ import * as d from '../layout.js';
 // a point half-way between where either body has carried it, which for a large and a small body is far from the small one, and throws it
 // off.
 
-/** Keeps the normal of a contact, both separations, its surface velocities, and how far its points are from the pivots of circles. */
+/** Keeps of a contact what `layout.ts` lists for it. */
 export function keepNormal(data: SolverData, contact: number): void {
   const { turning } = data;
-  const { records: r, stride } = batchOf(data, contact);
+  const { records: r, stride, arbiters } = batchOf(data, contact);
   const at = recordAt(contact >> 1, stride);
   const other = stride === d.TWO_STRIDE ? at + d.SECOND : at;
   const k = turning.add(contact);
@@ -24,8 +25,10 @@ export function keepNormal(data: SolverData, contact: number): void {
   kept[k + d.TURNING_START2] = r[other + d.START1]!;
   kept[k + d.TURNING_SURFACE_N] = r[at + d.SURFACE_N]!;
   kept[k + d.TURNING_SURFACE_T] = r[at + d.SURFACE_T]!;
-  kept[k + d.TURNING_PIVOTS] =
-    stride === d.TWO_STRIDE ? 0 : r[at + d.RT_B]! - r[at + d.PIVOT_B]! - r[at + d.RT_A]! + r[at + d.PIVOT_A]!;
+  const { numbers: n, at: o } = arbiters[contact >> 1]!;
+  const began = n[o + g.NX]! * n[o + g.DX]! + n[o + g.NY]! * n[o + g.DY]!;
+  kept[k + d.TURNING_BEGAN] = began;
+  kept[k + d.TURNING_PIVOTS] = stride === d.TWO_STRIDE ? 0 : r[at + d.PIVOT_A]! - r[at + d.PIVOT_B]! - began;
 }
 
 /** Turns these contacts with their bodies, before a sub-step of length h. */
@@ -54,7 +57,7 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const nx = kept[k + d.TURNING_NX]!;
   const ny = kept[k + d.TURNING_NY]!;
   // From A's centre to B's, along n and t, as the step began and now.
-  const beganN = r[at + d.RT_A]! - r[at + d.RT_B]!;
+  const beganN = kept[k + d.TURNING_BEGAN]!;
   const beganT = r[at + d.RN_B1]! - r[at + d.RN_A1]!;
   const dx = q[b + d.DX]! - q[a + d.DX]!;
   const dy = q[b + d.DY]! - q[a + d.DY]!;

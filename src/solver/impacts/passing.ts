@@ -24,10 +24,11 @@ export function passes(pair: Arbiter, dt: number): boolean {
   const { shapeA, shapeB, numbers, at } = pair;
   const a = shapeA.owner!;
   const b = shapeB.owner!;
-  if (numbers[at + c.ELASTICITY]! <= 0 || !slipsBy(pair, a, b, dt)) {
+  const areRound = shapeA.kind === CIRCLE && shapeB.kind === CIRCLE;
+  if (numbers[at + c.ELASTICITY]! <= 0 || !slipsBy(pair, a, b, dt, areRound ? 0 : PASS_SHARE)) {
     return false;
   }
-  if (shapeA.kind === CIRCLE && shapeB.kind === CIRCLE) {
+  if (areRound) {
     return !circlesMeet(pair, a, b, dt);
   }
   if (!(goesFar(a, dt) || goesFar(b, dt))) {
@@ -46,7 +47,7 @@ export function passes(pair: Arbiter, dt: number): boolean {
 
 /**
  * Whether two circles meet within a step: |d + v·t| = r. If so, turns their contact so that it closes when they meet, along the line of
- * their centres then.
+ * their centres then. The origins of the bodies are taken to be apart as they are then, too: so the arms of both lead along that line.
  */
 function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
   const ax = shapeA.numbers[shapeA.at + CENTRE_X]!;
@@ -71,23 +72,27 @@ function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBod
   const nx = (dx + vx * time) / reach;
   const ny = (dy + vy * time) / reach;
   const radius = halfWidthOf(shapeA);
-  setPoint(n, o, nx, ny, ax + nx * radius, ay + ny * radius, -time * (vx * nx + vy * ny));
+  const separation = -time * (vx * nx + vy * ny);
+  setPoint(n, o, nx, ny, ax + nx * radius, ay + ny * radius, separation);
+  n[o + g.DX] = ax - bx + nx * (reach + separation);
+  n[o + g.DY] = ay - by + ny * (reach + separation);
   return true;
 }
 
 /**
- * Whether a contact seems to close in a step in which its surfaces slide along each other by some distance: else it does no harm, or there
- * is no doubt.
+ * Whether a contact seems to close in a step in which its surfaces slide along each other by more than a share of the thinner one's
+ * half-width: else it does no harm, or there is no doubt.
  */
 function slipsBy(
   { shapeA, shapeB, count, numbers: n, at: o }: Arbiter,
   a: RigidBody,
   b: RigidBody,
   dt: number,
+  share: number,
 ): boolean {
   const nx = n[o + g.NX]!;
   const ny = n[o + g.NY]!;
-  const least = PASS_SHARE * Math.min(halfWidthOf(shapeA), halfWidthOf(shapeB));
+  const least = share * Math.min(halfWidthOf(shapeA), halfWidthOf(shapeB));
   for (let p = o; p < o + count * g.POINT; p += g.POINT) {
     const x = n[p + g.X0]!;
     const y = n[p + g.Y0]!;
