@@ -30,9 +30,6 @@ let movers = /* @__PURE__ */ new Int32Array(0);
 /** … and their masses, kg, and inertias, kg·m². */
 let masses = /* @__PURE__ */ new Float64Array(0);
 let moverCount = 0;
-/** … and by slot, the number of the call in which a body was found last. */
-let found = /* @__PURE__ */ new Int32Array(0);
-let call = 0;
 /** Where the impulses or pushes of all rows are: an index into the records or, for points, whose records are another array, −1 − index. */
 let places = /* @__PURE__ */ new Int32Array(0);
 let rowCount = 0;
@@ -117,24 +114,16 @@ function noteEase({ joints: data, velocity: v, points: p }: SolverData, joint: J
 }
 
 /** Lists the bodies of a group that can move. @returns how many they are. */
-export function findMovers({ joints: data, bodyCount, velocity: v }: SolverData, group: Group): number {
-  const { joints, bodies } = data;
-  if (found.length < bodyCount) found = new Int32Array(grown(bodyCount));
-  call += 1;
+export function findMovers({ velocity: v }: SolverData, { bodies }: Group): number {
+  makeRoom(3 * bodies.count);
   moverCount = 0;
-  for (let k = group.start; k < group.end; k += 1) {
-    const { first, layout } = joints[k]!;
-    makeRoom(3 * (moverCount + layout.members));
-    for (let m = first; m < first + layout.members; m += 1) {
-      const b = bodies[m]!;
-      const slot = b / d.BODY_STRIDE;
-      if (found[slot] !== call && v[b + d.INV_MASS]! + v[b + d.INV_INERTIA]! > 0) {
-        found[slot] = call;
-        movers[moverCount] = b;
-        masses[2 * moverCount] = inverse(v[b + d.INV_MASS]!);
-        masses[2 * moverCount + 1] = inverse(v[b + d.INV_INERTIA]!);
-        moverCount += 1;
-      }
+  for (let n = 0; n < bodies.count; n += 1) {
+    const b = bodies.items[n]!;
+    if (v[b + d.INV_MASS]! + v[b + d.INV_INERTIA]! > 0) {
+      movers[moverCount] = b;
+      masses[2 * moverCount] = inverse(v[b + d.INV_MASS]!);
+      masses[2 * moverCount + 1] = inverse(v[b + d.INV_INERTIA]!);
+      moverCount += 1;
     }
   }
   return moverCount;

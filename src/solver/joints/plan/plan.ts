@@ -159,30 +159,22 @@ function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
 /** 1/kg. The inverse masses of the heaviest and the lightest body of a group: scratch. */
 const range = /* @__PURE__ */ new Float64Array(2);
 
-function isBurdened(data: SolverData, group: Group): boolean {
+/** Whether a body of a group is far heavier than another. */
+function isBurdened(data: SolverData, { bodies }: Group): boolean {
   range[0] = Infinity;
   range[1] = 0;
-  weighAll(data, group);
+  for (let n = 0; n < bodies.count; n += 1) {
+    widenRange(data, bodies.items[n]!);
+  }
   return range[1]! > HEAVY * range[0]!;
 }
 
-function weighAll(data: SolverData, { start, end }: Group): void {
-  for (let k = start; k < end; k += 1) {
-    weighMembers(data, data.joints.joints[k]!);
-  }
-}
-
-/**
- * A function of its own, as one that is called for each joint is soon compiled, and a loop over all of them that runs only once in a while
- * is not.
- */
-function weighMembers({ joints: { bodies }, velocity: v }: SolverData, { first, layout }: Joint): void {
-  for (let n = first; n < first + layout.members; n += 1) {
-    const inverse = v[bodies[n]! + INV_MASS]!;
-    if (inverse > 0) {
-      range[0] = Math.min(range[0]!, inverse);
-      range[1] = Math.max(range[1]!, inverse);
-    }
+/** A function of its own, which is soon compiled, see BATCH in `energy.ts`. */
+function widenRange({ velocity: v }: SolverData, body: number): void {
+  const inverse = v[body + INV_MASS]!;
+  if (inverse > 0) {
+    range[0] = Math.min(range[0]!, inverse);
+    range[1] = Math.max(range[1]!, inverse);
   }
 }
 

@@ -157,20 +157,11 @@ function bearsMuch(data: SolverData, joint: Joint): boolean {
   return kernel !== TURN && kernel !== CUSTOM && square * ease * ease > STRAIN_SPEED * STRAIN_SPEED;
 }
 
-/** Counts the bodies of a group that are in contact, up to three. */
-function countTouched({ drive, joints: { joints, bodies } }: SolverData, { start, end }: Group): number {
-  let one = 0;
-  let two = 0;
-  for (let k = start; k < end; k += 1) {
-    const { first, layout } = joints[k]!;
-    for (let n = first; n < first + layout.members; n += 1) {
-      const b = bodies[n]!;
-      if (drive[b + TOUCHED] === 1 && b !== one && b !== two) {
-        if (two > 0) return 3;
-        two = one;
-        one = b;
-      }
-    }
+/** Counts the bodies of a group that are in contact. */
+function countTouched({ drive }: SolverData, { bodies }: Group): number {
+  let count = 0;
+  for (let n = 0; n < bodies.count; n += 1) {
+    count += drive[bodies.items[n]! + TOUCHED]!;
   }
-  return two > 0 ? 2 : one > 0 ? 1 : 0;
+  return count;
 }
