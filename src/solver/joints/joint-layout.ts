@@ -119,15 +119,18 @@ export const BLOCK = 5;
 /** … and custom constraints, which do the same by callbacks. */
 export const CUSTOM = 6;
 
-/** Records of TURN. After the head, first what velocity iterations use: impulse, bias, range of the impulse, ratio and 1 / K … */
+/**
+ * Records of TURN. After the head come, as in a `BlockLayout` of one row: impulse, the correction of this sub-step, bias; then what velocity
+ * iterations use besides: range of the impulse, ratio and 1 / K …
+ */
 export const TURN_IMPULSE = 13;
-export const TURN_BIAS = 14;
-export const TURN_LOW = 15;
-export const TURN_HIGH = 16;
-export const TURN_RATIO = 17;
-export const TURN_MASS = 18;
-/** … then what position iterations use: the correction of this sub-step, the value at its start, bounds … */
-export const TURN_PUSH = 19;
+export const TURN_PUSH = 14;
+export const TURN_BIAS = 15;
+export const TURN_LOW = 16;
+export const TURN_HIGH = 17;
+export const TURN_RATIO = 18;
+export const TURN_MASS = 19;
+/** … then what position iterations use: the value at the start of the sub-step, bounds … */
 export const TURN_VALUE = 20;
 export const TURN_LOWER = 21;
 export const TURN_UPPER = 22;
@@ -146,7 +149,7 @@ export const TURN_STRIDE = 30;
 
 /** The layout of the record of any other joint, with D rows and N members. */
 export class BlockLayout {
-  /** λ, corrections of this sub-step, bias … */
+  /** λ, corrections of this sub-step, bias: first of all, as in records of TURN … */
   readonly impulse: number;
   readonly push: number;
   readonly bias: number;

@@ -16,7 +16,6 @@ import {
   TURN,
   TURN_BEGAN,
   TURN_IMPULSE,
-  TURN_PUSH,
 } from './joint-layout.js';
 
 // Where the numbers of a joint are within a step, whatever kernel it has.
@@ -25,12 +24,25 @@ export function numbersOf({ joints, points }: SolverData, { kernel }: Joint): Fl
   return kernel === POINT ? points : joints.records;
 }
 
-/** The index of the impulse of one of its rows, in the array that `numbersOf` gives. */
-export function impulseAt({ kernel, at, slot, layout }: Joint, row: number): number {
-  if (kernel === POINT) {
-    return recordAt(slot, POINT_STRIDE) + IMPULSE_X + 2 * row;
-  }
-  return at + (kernel === TURN ? TURN_IMPULSE : layout.impulse) + row;
+/** Where its record begins in that array. */
+function recordOf({ kernel, at, slot }: Joint): number {
+  return kernel === POINT ? recordAt(slot, POINT_STRIDE) : at;
+}
+
+/** The index there of the impulse of one of its rows. */
+export function impulseAt(joint: Joint, row: number): number {
+  const { kernel, layout } = joint;
+  return recordOf(joint) + (kernel === POINT ? IMPULSE_X + 2 * row : layout.impulse + row);
+}
+
+/** The index of what position sweeps have corrected of a row in this sub-step. */
+export function pushAt(joint: Joint, row: number): number {
+  const { kernel, layout } = joint;
+  return recordOf(joint) + (kernel === POINT ? PUSH_X + 2 * row : layout.push + row);
+}
+
+export function carryAt(joint: Joint): number {
+  return recordOf(joint) + (joint.kernel === POINT ? POINT_CARRY : CARRY);
 }
 
 /** How many of its rows act all the time. The last one does not if its bounds are apart. */
@@ -38,24 +50,11 @@ export function heldRows({ dimension, bounded, lower, upper, keepsAngle }: Const
   return keepsAngle ? 1 : dimension - (bounded && lower < upper ? 1 : 0);
 }
 
-/** The index of what position sweeps have corrected of a row in this sub-step. */
-export function pushAt({ kernel, at, slot, layout }: Joint, row: number): number {
-  if (kernel === POINT) {
-    return recordAt(slot, POINT_STRIDE) + PUSH_X + 2 * row;
-  }
-  return at + (kernel === TURN ? TURN_PUSH : layout.push) + row;
-}
-
-export function carryAt({ kernel, at, slot }: Joint): number {
-  return kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_CARRY : at + CARRY;
-}
-
 /** In this step, corrections of the joint make no momentum. With `snaps` = 1, large ones do not turn its bodies either. */
 export function steady(data: SolverData, joint: Joint, snaps: number): void {
   const numbers = numbersOf(data, joint);
-  const { kernel, at, slot } = joint;
   numbers[carryAt(joint)] = 0;
-  numbers[kernel === POINT ? recordAt(slot, POINT_STRIDE) + POINT_SNAPS : at + SNAPS] = snaps;
+  numbers[recordOf(joint) + (joint.kernel === POINT ? POINT_SNAPS : SNAPS)] = snaps;
 }
 
 /** Scales the impulse of a joint, for the next sub-step, by `share`. */
