@@ -48,7 +48,7 @@ import {
   warmStartRun,
 } from './kernels/sweeps.js';
 import { orderJoints } from './order/order.js';
-import { beginGradients, goOn, noteStart } from './plan/gradients.js';
+import { beginGradients, beginSweep, followGradient } from './plan/gradients.js';
 import { beginGroup, correctShare, lookAtKinds, plan } from './plan/plan.js';
 import { closeOpen } from './touching/close-joints.js';
 import { pushHeld } from './touching/held-contacts.js';
@@ -241,9 +241,9 @@ function solveVelocityGroup(data: SolverData, group: Group, i: number, count: nu
 function solveFirmly(data: SolverData, group: Group): void {
   beginGradients(data, group, false);
   for (let sweep = 0; sweep < group.sweeps; sweep += 1) {
-    noteStart(data, false);
+    beginSweep(data, false);
     sweepOver(data, group, sweep, true, solveVelocityRun);
-    if (sweep < group.sweeps - 1 && !goOn(data, group, false)) {
+    if (sweep < group.sweeps - 1 && !followGradient(data, group, false)) {
       return;
     }
   }
@@ -324,7 +324,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     worst[0] = 0;
     worst[1] = 0;
     const goesOn = group.isFirm && isLinear && group.pushed < FIRM_ERROR * FIRM_ERROR;
-    if (goesOn) noteStart(data, true);
+    if (goesOn) beginSweep(data, true);
     const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushAgain : pushRun);
     if (!isLinear) {
       group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
@@ -334,7 +334,7 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     if (!isOff && !isExact && !(group.toAndFro && sweep % 2 === 0)) {
       return false;
     }
-    if (goesOn && sweep < after - 1 && !goOn(data, group, true) && isExact) {
+    if (goesOn && sweep < after - 1 && !followGradient(data, group, true) && isExact) {
       return false;
     }
   }

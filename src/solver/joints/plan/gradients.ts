@@ -18,38 +18,44 @@ import {
   TURN_UPPER,
   TURN_VALUE,
 } from '../joint-layout.js';
-import { impulseAt, pushAt } from '../joint-numbers.js';
+import { heldRows, impulseAt, pushAt } from '../joint-numbers.js';
 
 // Solves joints that hang together to their end, by conjugate gradients, with sweeps as preconditioner: each gradient is what one sweep
 // changes (Hestenes and Stiefel 1952; Golub and Ye, "Inexact Preconditioned Conjugate Gradient Method", 1999). The direction of the last
 // sweep is taken out of it, and it is followed to the least energy, so the energy of the error never grows: ten sweeps do what hundreds
 // would.
 
+// Written by `beginGradients`, and valid until it is called again.
+
 /** Offsets of the bodies of the group that can move, each once, … */
 let movers = /* @__PURE__ */ new Int32Array(0);
 /** … and their masses, kg, and inertias, kg·m². */
 let masses = /* @__PURE__ */ new Float64Array(0);
 let moverCount = 0;
-/** Where the impulses or pushes of all rows are: an index into the records or, for points, whose records are another array, −1 − index. */
-let places = /* @__PURE__ */ new Int32Array(0);
-let rowCount = 0;
-/** kg⁻¹, (kg·m²)⁻¹. What a unit of a row's impulse changes of the row's velocity, if it acts alone, … */
-let eases = /* @__PURE__ */ new Float64Array(0);
-/** … and 1 if its impulse is limited by a bound, else 0. */
-let bounds = /* @__PURE__ */ new Uint8Array(0);
-/** Some row is; and one such row took hold or let go in the last sweep. */
-let hasBounds = false;
-let hasSwitched = false;
-/** The constant part of each row's equation, besides J·v: bias, or error; known after the first sweep. */
-let constants = /* @__PURE__ */ new Float64Array(0);
-let areKnown = false;
 /**
- * Velocities or motions of the movers, three numbers each, then impulses or pushes of the rows: as they were before a sweep; and the
- * direction that was followed after the last one.
+ * Where the impulse or push of each row of each joint is: an index into the records or, for points, whose records are another array,
+ * −1 − index; …
  */
-let start = /* @__PURE__ */ new Float64Array(0);
+let rowAt = /* @__PURE__ */ new Int32Array(0);
+/** … what a unit of it changes of the row's own velocity, kg⁻¹, (kg·m²)⁻¹; … */
+let eases = /* @__PURE__ */ new Float64Array(0);
+/** … and 1 if it acts only at a bound, else 0. */
+let isBounded = /* @__PURE__ */ new Uint8Array(0);
+let rowCount = 0;
+
+// Carried from sweep to sweep.
+
+/** The constant part of each row's equation, besides J·v: bias, or error. Of a row with two bounds, that of the one which acts. */
+let constants = /* @__PURE__ */ new Float64Array(0);
+/** They are found after the first sweep, and again once a bound took hold or let go. */
+let areKnown = false;
+/** The conjugate direction: velocities or motions of the movers, three numbers each, then impulses or pushes of the rows. */
 let direction = /* @__PURE__ */ new Float64Array(0);
+/** It was followed after the last sweep. */
 let hasDirection = false;
+
+/** The same numbers as in `direction`, as they were before the present sweep. */
+let start = /* @__PURE__ */ new Float64Array(0);
 
 /**
  * Scratch, as results would be boxed. Energies, each twice: that of the bodies as a sweep begins, that of what the sweep changed, the
@@ -70,19 +76,16 @@ export function beginGradients(data: SolverData, group: Group, isPush: boolean):
   const { joints } = data.joints;
   findMovers(data, group);
   rowCount = 0;
-  hasBounds = false;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
     const { rows } = joint.layout;
-    const { bounded, lower, upper } = joint.constraint;
+    const held = heldRows(joint.constraint);
     makeRoom(3 * moverCount + rowCount + rows);
     for (let row = 0; row < rows; row += 1) {
       const at = isPush ? pushAt(joint, row) : impulseAt(joint, row);
-      const isBounded = bounded && lower < upper && row === rows - 1;
-      places[rowCount] = joint.kernel === POINT ? -1 - at : at;
-      bounds[rowCount] = isBounded ? 1 : 0;
-      hasBounds ||= isBounded;
-      noteEase(data, joint, row);
+      rowAt[rowCount] = joint.kernel === POINT ? -1 - at : at;
+      isBounded[rowCount] = row < held ? 0 : 1;
+      findEase(data, joint, row);
       rowCount += 1;
     }
   }
@@ -90,8 +93,8 @@ export function beginGradients(data: SolverData, group: Group, isPush: boolean):
   hasDirection = false;
 }
 
-/** Notes K of a row by itself. */
-function noteEase({ joints: data, velocity: v, points: p }: SolverData, joint: Joint, row: number): void {
+/** Writes K of a row by itself. */
+function findEase({ joints: data, velocity: v, points: p }: SolverData, joint: Joint, row: number): void {
   const { bodies, records: r } = data;
   const { kernel, at, slot, first, layout } = joint;
   const { members, jacobian } = layout;
@@ -117,11 +120,13 @@ function noteEase({ joints: data, velocity: v, points: p }: SolverData, joint: J
 export function findMovers({ velocity: v }: SolverData, { bodies }: Group): number {
   makeRoom(3 * bodies.count);
   moverCount = 0;
+  sums[MASS] = 0;
   for (let n = 0; n < bodies.count; n += 1) {
     const b = bodies.items[n]!;
     if (v[b + d.INV_MASS]! + v[b + d.INV_INERTIA]! > 0) {
       movers[moverCount] = b;
       masses[2 * moverCount] = inverse(v[b + d.INV_MASS]!);
+      sums[MASS] = sums[MASS]! + masses[2 * moverCount]!;
       masses[2 * moverCount + 1] = inverse(v[b + d.INV_INERTIA]!);
       moverCount += 1;
     }
@@ -134,8 +139,8 @@ function makeRoom(count: number): void {
     const size = grown(count);
     movers = widened(movers, new Int32Array(size));
     masses = widened(masses, new Float64Array(2 * size));
-    places = widened(places, new Int32Array(size));
-    bounds = widened(bounds, new Uint8Array(size));
+    rowAt = widened(rowAt, new Int32Array(size));
+    isBounded = widened(isBounded, new Uint8Array(size));
     eases = widened(eases, new Float64Array(size));
     constants = new Float64Array(size);
     start = new Float64Array(size);
@@ -149,7 +154,7 @@ function inverse(inverseMass: number): number {
 }
 
 /** Called before each sweep: notes where it starts from. */
-export function noteStart({ velocity, motion, points, joints }: SolverData, isPush: boolean): void {
+export function beginSweep({ velocity, motion, points, joints }: SolverData, isPush: boolean): void {
   const v = isPush ? motion : velocity;
   const { records } = joints;
   let n = 0;
@@ -160,7 +165,7 @@ export function noteStart({ velocity, motion, points, joints }: SolverData, isPu
     start[n + 2] = v[b + 2]!;
   }
   for (let row = 0; row < rowCount; row += 1, n += 1) {
-    const at = places[row]!;
+    const at = rowAt[row]!;
     start[n] = at < 0 ? points[-1 - at]! : records[at]!;
   }
 }
@@ -169,21 +174,19 @@ export function noteStart({ velocity, motion, points, joints }: SolverData, isPu
  * Called after a sweep that is not the last one: goes on along the conjugate direction. @returns whether the sweep changed enough to be
  * worth another one.
  */
-export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
+export function followGradient(data: SolverData, group: Group, isPush: boolean): boolean {
   const v = isPush ? data.motion : data.velocity;
-  measureChange(v);
+  measureSweep(v);
   const changed = sums[CHANGED]!;
   if (!(changed > JOINT_STILL * (sums[KINETIC]! + JOINT_STILL * sums[MASS]!))) {
     return false;
   }
   if (!areKnown) findConstants(data, group, isPush);
-  turn(data, v);
+  const hasSwitched = turnDirection(data, v);
   const isClear = sums[SQUARE]! > Math.max(GRADIENT_LOST * changed, GRADIENT_SHARE * sums[ALONE]!);
   // A direction that bounds would cut short is not followed: the next sweep begins anew where this one ended.
-  hasDirection = sums[SLOPE]! < 0 && isClear && !(hasBounds && (hasSwitched || switches(data)));
-  if (hasSwitched) {
-    areKnown = false;
-  }
+  hasDirection = sums[SLOPE]! < 0 && isClear && !(hasSwitched || switches(data));
+  areKnown = !hasSwitched;
   if (hasDirection) {
     follow(data, v);
   }
@@ -191,12 +194,10 @@ export function goOn(data: SolverData, group: Group, isPush: boolean): boolean {
 }
 
 /** Measures the energy of what the sweep changed, and its product with the direction before. */
-function measureChange(v: Float64Array): void {
+function measureSweep(v: Float64Array): void {
   let kinetic = 0;
   let changed = 0;
   let along = 0;
-  let square = 0;
-  let total = 0;
   for (let m = 0, n = 0; m < moverCount; m += 1, n += 3) {
     const b = movers[m]! & d.OFFSET;
     const vx = start[n]!;
@@ -205,22 +206,15 @@ function measureChange(v: Float64Array): void {
     const x = v[b]! - vx;
     const y = v[b + 1]! - vy;
     const w = v[b + 2]! - vw;
-    const px = direction[n]!;
-    const py = direction[n + 1]!;
-    const pw = direction[n + 2]!;
     const mass = masses[2 * m]!;
     const inertia = masses[2 * m + 1]!;
-    total += mass;
     kinetic += mass * (vx * vx + vy * vy) + inertia * vw * vw;
     changed += mass * (x * x + y * y) + inertia * w * w;
-    along += mass * (x * px + y * py) + inertia * w * pw;
-    square += mass * (px * px + py * py) + inertia * pw * pw;
+    along += mass * (x * direction[n]! + y * direction[n + 1]!) + inertia * w * direction[n + 2]!;
   }
   sums[KINETIC] = kinetic;
   sums[CHANGED] = changed;
   sums[ALONG] = along;
-  sums[SQUARE] = square;
-  sums[MASS] = total;
 }
 
 /** Finds the constant part of each row. If a row has bounds, it is that of the bound that holds it. */
@@ -237,28 +231,27 @@ function findConstants({ joints: data, points }: SolverData, group: Group, isPus
         constants[n] = isPush ? r[at + TURN_VALUE]! - bound : r[at + TURN_BIAS]!;
       } else {
         constants[n] = r[at + (isPush ? layout.error : layout.bias) + row]!;
-        const held = r[places[n]!]!;
+        const held = r[rowAt[n]!]!;
         const apart = r[at + (isPush ? layout.span : layout.room)]!;
-        if (bounds[n] === 1 && held > 0 && r[at + layout.high] === 0) constants[n] = constants[n]! + apart;
-        if (bounds[n] === 1 && held < 0 && r[at + layout.low] === 0) constants[n] = constants[n]! - apart;
+        if (isBounded[n] === 1 && held > 0 && r[at + layout.high] === 0) constants[n] = constants[n]! + apart;
+        if (isBounded[n] === 1 && held < 0 && r[at + layout.low] === 0) constants[n] = constants[n]! - apart;
       }
     }
   }
-  areKnown = true;
 }
 
 /**
  * Finds the new direction: what the sweep changed, less the part of it that is along the direction before. Also its energy, and how the
- * energy of the error changes along it.
+ * energy of the error changes along it. @returns whether a bound took hold or let go in the sweep.
  */
-function turn({ points, joints }: SolverData, v: Float64Array): void {
+function turnDirection({ points, joints }: SolverData, v: Float64Array): boolean {
   const { records } = joints;
   const share = hasDirection && sums[SQUARE]! > 0 ? sums[ALONG]! / sums[SQUARE]! : 0;
   let slope = 0;
   let square = 0;
   let alone = 0;
+  let hasSwitched = false;
   let n = 0;
-  hasSwitched = false;
   for (let m = 0; m < moverCount; m += 1, n += 3) {
     const b = movers[m]! & d.OFFSET;
     const px = v[b]! - start[n]! - share * direction[n]!;
@@ -273,17 +266,18 @@ function turn({ points, joints }: SolverData, v: Float64Array): void {
     direction[n + 2] = pw;
   }
   for (let row = 0; row < rowCount; row += 1, n += 1) {
-    const at = places[row]!;
+    const at = rowAt[row]!;
     const now = at < 0 ? points[-1 - at]! : records[at]!;
     const change = now - start[n]! - share * direction[n]!;
     direction[n] = change;
     slope += change * constants[row]!;
     alone += eases[row]! * change * change;
-    hasSwitched ||= bounds[row] === 1 && Math.sign(now) !== Math.sign(start[n]!);
+    hasSwitched ||= isBounded[row] === 1 && Math.sign(now) !== Math.sign(start[n]!);
   }
   sums[SLOPE] = slope;
   sums[SQUARE] = square;
   sums[ALONE] = alone;
+  return hasSwitched;
 }
 
 /** Whether a bound would take hold or let go on the way along the direction. */
@@ -292,9 +286,9 @@ function switches({ points, joints }: SolverData): boolean {
   const far = -sums[SLOPE]! / sums[SQUARE]!;
   let n = 3 * moverCount;
   for (let row = 0; row < rowCount; row += 1, n += 1) {
-    const at = places[row]!;
+    const at = rowAt[row]!;
     const now = at < 0 ? points[-1 - at]! : records[at]!;
-    if (bounds[row] === 1 && Math.sign(start[n]! + far * direction[n]!) !== Math.sign(now)) return true;
+    if (isBounded[row] === 1 && Math.sign(start[n]! + far * direction[n]!) !== Math.sign(now)) return true;
   }
   return false;
 }
@@ -311,7 +305,7 @@ function follow({ points, joints }: SolverData, v: Float64Array): void {
     v[b + 2] = start[n + 2]! + far * direction[n + 2]!;
   }
   for (let row = 0; row < rowCount; row += 1, n += 1) {
-    const at = places[row]!;
+    const at = rowAt[row]!;
     const next = start[n]! + far * direction[n]!;
     if (at < 0) points[-1 - at] = next;
     else records[at] = next;
