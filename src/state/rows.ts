@@ -429,14 +429,14 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.burdened = tape.flag(group.burdened);
   group.mayGain = tape.flag(group.mayGain);
   group.isMechanism = tape.flag(group.isMechanism);
-  group.isHeld = tape.flag(group.isHeld);
-  group.untouched = tape.integer(group.untouched, 0, FIRM_STEPS);
+  group.isSmallAndHeld = tape.flag(group.isSmallAndHeld);
+  group.untouchedSteps = tape.integer(group.untouchedSteps, 0, FIRM_STEPS);
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, FIRM_SWEEPS));
   group.span = tape.number(group.span);
   group.excess = tape.number(group.excess);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
-  group.stuck = tape.integer(group.stuck, 0, STUCK_STEPS);
-  group.untrue = tape.integer(group.untrue, 0, UNTRUE_STEPS);
+  group.stuckSteps = tape.integer(group.stuckSteps, 0, STUCK_STEPS);
+  group.untrueSteps = tape.integer(group.untrueSteps, 0, UNTRUE_STEPS);
   group.from = tape.integer(group.from, -MOST, MOST);
   group.to = tape.integer(group.to, -MOST, MOST);
 }

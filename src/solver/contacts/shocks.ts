@@ -118,7 +118,7 @@ function gatherJoints(data: SolverData, slot: number): void {
   } else if (index > 0 && !groups.has(index - 1)) {
     const group = joints.groups[index - 1]!;
     groups.add(index - 1);
-    shocks.room = group.error > JOINT_TORN * JOINT_TORN ? -1 : shocks.room - (group.end - group.start);
+    shocks.room = group.errorSquare > JOINT_TORN * JOINT_TORN ? -1 : shocks.room - (group.end - group.start);
     const count = shocks.room < 0 ? 0 : group.bodies.count;
     for (let n = 0; n < count; n += 1) {
       visit(shocks, group.bodies.items[n]! / d.BODY_STRIDE);

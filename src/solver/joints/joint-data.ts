@@ -64,9 +64,12 @@ export interface Run {
   isOff: boolean;
 }
 
-/** Joints that hang together: those that are reached from one by way of the dynamic bodies that they share. */
+/**
+ * Joints that hang together: those that are reached from one by way of the dynamic bodies that they share. Its fields are ordered by how
+ * long they are valid.
+ */
 export class Group {
-  // Valid as long as the same joints hang together.
+  // As long as the same joints hang together. Written as they are listed, in `order`.
 
   end: number;
   readonly runs: Run[] = [];
@@ -74,20 +77,23 @@ export class Group {
   isBeside = false;
   /** For the first of two that lie side by side: the other one, which comes next. */
   beside: Group | null = null;
-  /** Offsets of the records of the bodies that move, each once. */
-  readonly bodies = new List<number>();
-  /** Some member of a joint does not move. */
-  isAnchored = false;
   /** How many members of its joints are static or kinematic. */
   anchors = 0;
-  /** Joints hold it to bodies that do not move at two places or more, so it may be that they cannot all be met. */
-  isBetween = false;
   /** Some body has three of its joints or more. */
   branches = false;
   /** Some of its joints are custom constraints. */
   hasCustoms = false;
   /** m, rad. It is swept over once more for each such part of its worst error. */
   tolerance = 0;
+
+  // Until one of the joints is changed. Written as a step begins, by `listBodies`, `lookAtKinds` and `lookAtStress`.
+
+  /** Offsets of the records of the bodies that move, each once. */
+  readonly bodies = new List<number>();
+  /** Some member of a joint does not move. */
+  isAnchored = false;
+  /** Joints hold it to bodies that do not move at two places or more, so it may be that they cannot all be met. */
+  isHeldTwice = false;
   /** It has a motor that turns, or a custom constraint that is no spring, whose work is not known. */
   isDriven = false;
   /** One of its joints breaks under force. */
@@ -98,10 +104,7 @@ export class Group {
   isWhole = false;
   /** Its joints may pull against each other: see `energy/stress.ts`. */
   isOverheld = false;
-  /**
-   * There are more joints than are needed, so that the impulse of each of them is not determined. Such joints are never solved to their
-   * end.
-   */
+  /** There are more joints than needed, so that the impulse of each is not determined. Such joints are never solved to their end. */
   isIndeterminate = false;
   /**
    * The same, and they are of several kinds, such as points and then angles. They are swept over to and fro: swept one way, rings of nine
@@ -109,11 +112,9 @@ export class Group {
    */
   isMixed = false;
 
-  // Carried over from step to step, and so part of the state of a world: see `keepGroup` in `state/rows.ts`.
+  // From step to step: part of the state of a world, see `keepGroup` in `state/rows.ts`. First what `classify` in `plan/plan.ts` finds …
 
-  /** One of the joints was changed before this step, or the set of joints that hang together changed: some may have gone. */
-  fresh = true;
-  /** Its masses and its kind are yet to be looked at: see `weigh` in `plan/plan.ts`. */
+  /** It is yet to be looked at. */
   isNew = true;
   /** One body is far heavier than another. Sweeps are slow to close the joints between these. */
   burdened = false;
@@ -127,9 +128,29 @@ export class Group {
    * It has few rigid joints that do not break, some of which are held by what does not move. Whatever freedom they leave, they are solved
    * to their end under the conditions of `mayBeFirm` in `plan/plan.ts`.
    */
-  isHeld = false;
+  isSmallAndHeld = false;
   /** Some body is a hub, or `isMixed`: all joints are swept over to and fro, see `plan/hubs.ts`. */
   toAndFro = false;
+
+  // … then what changes from step to step …
+
+  /** One of the joints was changed before this step, or the set of joints that hang together changed: some may have gone. */
+  fresh = true;
+  /** For so many steps more, large errors are corrected without momentum. */
+  settling = 0;
+  /** The number of steps in a row with an error that no sweep removed, at most STUCK_STEPS. */
+  stuckSteps = 0;
+  /** The number of steps in a row in which its velocities meant far more motion than there was, at most UNTRUE_STEPS. */
+  untrueSteps = 0;
+  /**
+   * The number of steps in a row in which it touched nothing, at most FIRM_STEPS: after as many, very few joints are solved to their end.
+   */
+  untouchedSteps = FIRM_STEPS;
+  /** J. The energy that its joints made in the steps so far and that was not taken back yet; below 0, what they lost a short while ago. */
+  excess = 0;
+
+  // … and from sub-step to sub-step: the plan.
+
   /** How many velocity sweeps it has in this sub-step, spread over the iterations. */
   sweeps = 1;
   /** Indices of the joints that these sweeps are over, from the first to the one after the last; the last sweep is over all. */
@@ -137,20 +158,8 @@ export class Group {
   to = 0;
   /** s. Corrections make as much momentum as in a sub-step of this length: that of the present one, or more after longer ones. */
   span = 0;
-  /** For so many steps more, large errors are corrected without momentum. */
-  settling = 0;
-  /** The number of steps in a row with an error that no sweep removed, at most STUCK_STEPS. */
-  stuck = 0;
-  /** The number of steps in a row in which its velocities meant far more motion than there was, at most UNTRUE_STEPS. */
-  untrue = 0;
-  /**
-   * The number of steps in a row in which it touched nothing, at most FIRM_STEPS: after as many, very few joints are solved to their end.
-   */
-  untouched = FIRM_STEPS;
-  /** J. The energy that its joints made in the steps so far and that was not taken back yet; below 0, what they lost a short while ago. */
-  excess = 0;
 
-  // Valid in this step.
+  // In this step. Written as it begins and, from `stands` to `isTorn`, with the plan of its first sub-step.
 
   /** One of its bodies is in contact. */
   touched = false;
@@ -162,7 +171,7 @@ export class Group {
   isBent = false;
   /** Its joints cannot all be met, so its bodies may get the velocities with which they moved: see `energy/motion.ts`. */
   isUnmet = false;
-  /** It is torn: an error is above JOINT_TORN. Corrections make no momentum, and part of its impulses is forgotten. */
+  /** So is a torn one, with an error above JOINT_TORN: its corrections make no momentum, and part of its impulses is forgotten. */
   isTorn = false;
   /** The energy that its joints make is looked at in this step: see `energy/energy.ts`. */
   isWatched = false;
@@ -173,12 +182,12 @@ export class Group {
   /** J. The energy of its bodies and guests, as the step begins. */
   energy = 0.5;
 
-  // Valid in this sub-step.
+  // In this sub-step.
 
   /** The square of the largest error at the start of the sub-step. */
-  error = 0;
+  errorSquare = 0;
   /** The square of the largest error that the first position iteration found. */
-  pushed = 0;
+  pushedSquare = 0;
   /** Its joints are solved to their end in this sub-step. */
   isFirm = false;
 

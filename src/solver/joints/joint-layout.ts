@@ -163,8 +163,8 @@ export class BlockLayout {
   readonly low: number;
   readonly high: number;
   /** … and what the farther of its two bounds adds to `bias`, and to `error`; infinite if there is none, and for springs. */
-  readonly room: number;
-  readonly span: number;
+  readonly farBias: number;
+  readonly farError: number;
   /** The Jacobian of velocity iterations, and that of position iterations. */
   readonly jacobian: number;
   readonly turned: number;
@@ -189,8 +189,8 @@ export class BlockLayout {
     this.carried = HEAD + 6 * rows;
     this.low = HEAD + 7 * rows;
     this.high = this.low + 1;
-    this.room = this.low + 2;
-    this.span = this.low + 3;
+    this.farBias = this.low + 2;
+    this.farError = this.low + 3;
     this.jacobian = this.low + 4;
     this.turned = this.jacobian + 3 * members * rows;
     this.matrix = this.turned + 3 * members * rows;

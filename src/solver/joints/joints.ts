@@ -99,7 +99,7 @@ function packGroup(data: SolverData, group: Group, isChanged: boolean): void {
   for (let i = 0; i < group.runs.length; i += 1) {
     group.touched = packRun(data, group.runs[i]!, isChanged) || group.touched;
   }
-  group.untouched = group.touched ? 0 : Math.min(FIRM_STEPS, group.untouched + 1);
+  group.untouchedSteps = group.touched ? 0 : Math.min(FIRM_STEPS, group.untouchedSteps + 1);
   if (isChanged) {
     listBodies(data, group);
     lookAtKinds(data, group);
@@ -159,8 +159,8 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
       worst[0] = 0;
       worst[1] = 0;
       warmStartPoints(data, group.start, beside.end);
-      group.error = worst[0]!;
-      beside.error = worst[1]!;
+      group.errorSquare = worst[0]!;
+      beside.errorSquare = worst[1]!;
       planChain(data, group, isFirst);
       planChain(data, beside, isFirst);
       i += 1;
@@ -186,14 +186,14 @@ function spreadShifts(data: SolverData): void {
 function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {
   const { worst, asked } = data.joints;
   beginGroup(data, group);
-  group.error = 0;
+  group.errorSquare = 0;
   for (let n = 0; n < group.runs.length; n += 1) {
     worst[0] = 0;
     worst[1] = 0;
     warmStartRun(data, group.runs[n]!, isFirst);
     const error = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     group.runs[n]!.isOff = error > asked[0]!;
-    group.error = error > group.error ? error : group.error;
+    group.errorSquare = error > group.errorSquare ? error : group.errorSquare;
   }
   plan(data, group, isFirst);
 }
@@ -201,7 +201,7 @@ function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void 
 /** Plans the sweeps of one of two groups that lie side by side and were warm started together. */
 function planChain(data: SolverData, group: Group, isFirst: boolean): void {
   beginGroup(data, group);
-  group.runs[0]!.isOff = group.error > data.joints.asked[0]!;
+  group.runs[0]!.isOff = group.errorSquare > data.joints.asked[0]!;
   plan(data, group, isFirst);
 }
 
@@ -297,8 +297,8 @@ function pushBoth(data: SolverData, first: Group, second: Group): void {
   worst[0] = 0;
   worst[1] = 0;
   pushPoints(data, first.start, second.end, false);
-  first.pushed = worst[0]!;
-  second.pushed = worst[1]!;
+  first.pushedSquare = worst[0]!;
+  second.pushedSquare = worst[1]!;
 }
 
 /**
@@ -313,21 +313,21 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   const isFar = left[0] > BLOCK_FAR;
   const isBegun = before === 0 && group.isBeside;
   if (group.isFirm) beginGradients(data, group, true);
-  if (isBegun && group.pushed === 0) {
+  if (isBegun && group.pushedSquare === 0) {
     return false;
   }
   for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
     if (isFar && sweep > before && linearise(data, group, true) && group.isFirm) beginGradients(data, group, true);
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
     // The last exact sweep found errors so large that linear ones are not enough where bodies have turned since.
-    const pushAgain = group.pushed > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;
+    const pushAgain = group.pushedSquare > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;
     worst[0] = 0;
     worst[1] = 0;
-    const goesOn = group.isFirm && isLinear && group.pushed < FIRM_ERROR * FIRM_ERROR;
+    const goesOn = group.isFirm && isLinear && group.pushedSquare < FIRM_ERROR * FIRM_ERROR;
     if (goesOn) beginSweep(data, true);
     const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushAgain : pushRun);
     if (!isLinear) {
-      group.pushed = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
+      group.pushedSquare = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     }
     const isExact = group.isFirm && isOfPoints(group) && (goesOn || sweep === 0);
     // A sweep to is always followed by one fro.

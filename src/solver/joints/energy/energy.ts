@@ -93,7 +93,7 @@ export function takeExcesses(data: SolverData): void {
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     if (group.isUnmet || group.touched) goAsMoved(data, group);
-    else group.untrue = 0;
+    else group.untrueSteps = 0;
     noteUnmet(data, group);
     if (group.isWatched) {
       takeExcess(data, group);
@@ -107,8 +107,8 @@ export function takeExcesses(data: SolverData): void {
  * Notes in the constraints of a group how many anchors held them against each other, if they could not be met in this step, else 0. It is
  * the same number in all of them.
  */
-function noteUnmet({ joints: { joints } }: SolverData, { isUnmet, error, anchors, start, end }: Group): void {
-  const unmet = isUnmet && error > STUCK_ERROR * STUCK_ERROR ? anchors : 0;
+function noteUnmet({ joints: { joints } }: SolverData, { isUnmet, errorSquare, anchors, start, end }: Group): void {
+  const unmet = isUnmet && errorSquare > STUCK_ERROR * STUCK_ERROR ? anchors : 0;
   if (joints[start]!.constraint.unmetAnchors !== unmet) {
     for (let k = start; k < end; k += 1) {
       joints[k]!.constraint.unmetAnchors = unmet;

@@ -21,10 +21,10 @@ export function goAsMoved(data: SolverData, group: Group): void {
   weighMotion(data, group);
   const told = motion[TOLD]!;
   const moved = motion[MOVED]!;
-  const isUntrue = moved < UNTRUE_SHARE * told && group.error > UNTRUE_ERROR * UNTRUE_ERROR;
-  group.untrue = isUntrue ? Math.min(group.untrue + 1, UNTRUE_STEPS) : 0;
+  const isUntrue = moved < UNTRUE_SHARE * told && group.errorSquare > UNTRUE_ERROR * UNTRUE_ERROR;
+  group.untrueSteps = isUntrue ? Math.min(group.untrueSteps + 1, UNTRUE_STEPS) : 0;
   const isWrong = motion[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
-  if (group.untrue === UNTRUE_STEPS || (isWrong && group.isUnmet)) {
+  if (group.untrueSteps === UNTRUE_STEPS || (isWrong && group.isUnmet)) {
     takeMotion(data, group);
   }
 }

@@ -42,7 +42,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
     }
   }
   markBodies(data, group, 0);
-  group.isBetween = anchors > 1;
+  group.isHeldTwice = anchors > 1;
   const most = 3 * (movers - (isHeld ? 0 : 1));
   group.isWhole = onlyWelds && rows >= most;
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);

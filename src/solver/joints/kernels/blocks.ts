@@ -27,8 +27,8 @@ export function packBlock(data: SolverData, joint: Joint): boolean {
   }
   r[at + layout.low] = -Infinity;
   r[at + layout.high] = Infinity;
-  r[at + layout.room] = Infinity;
-  r[at + layout.span] = Infinity;
+  r[at + layout.farBias] = Infinity;
+  r[at + layout.farError] = Infinity;
   for (let n = 0; n < layout.rows; n += 1) {
     r[at + layout.impulse + n] = constraint.impulse[n]! * data.impulseScale;
   }
@@ -82,7 +82,7 @@ export function beginBound({ joints: { records: r, h } }: SolverData, joint: Joi
   const bias = isSlack(r, joint, layout.error) && !rests ? distance / h : 0;
   const beyond = distance / h - bias;
   r[at + layout.bias + last] = bias;
-  r[at + layout.room] = r[at + layout.span]! / h + (r[at + layout.high] === 0 ? beyond : -beyond);
+  r[at + layout.farBias] = r[at + layout.farError]! / h + (r[at + layout.high] === 0 ? beyond : -beyond);
 }
 
 /** Starts a sub-step of a spring: writes its bias, or makes it only damp. */
@@ -197,7 +197,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = -softness * (r[at + work + n]! + r[at + layout.bias + n]!);
   }
-  solve(r, joint, impulse, layout.room, feedback);
+  solve(r, joint, impulse, layout.farBias, feedback);
   for (let n = 0; n < rows; n += 1) {
     const old = r[at + impulse + n]!;
     r[at + work + n] = (1 - feedback) * old + r[at + work + n]!;
@@ -229,7 +229,7 @@ export function clampToBounds(impulse: number, low: number, high: number, way: n
 
 /**
  * Multiplies the numbers at `work` by K⁻¹, but so that the last row's impulse, at the offset `so`, stays within its range; at the offset
- * `apart` is `room` or `span`.
+ * `apart` is `farBias` or `farError`.
  */
 function solve(r: Float64Array, joint: Joint, so: number, apart: number, feedback: number): void {
   const { at, layout, constraint } = joint;
@@ -365,7 +365,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = -(r[at + layout.error + n]! + r[at + work + n]!);
   }
-  solve(r, joint, push, layout.span, 0);
+  solve(r, joint, push, layout.farError, 0);
   if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
     showPoses(data, joint, true);
     constraint.clamp('positionClamp', r, at + work);

@@ -13,7 +13,8 @@ import { cutOrBreak } from './breaking.js';
 export function sweepLines(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;
-  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, room, span, work } = joints[start]!.layout;
+  const { impulse, push, bias, error, jacobian, turned, matrix, low, high, farBias, farError, work } =
+    joints[start]!.layout;
   for (let m = start; m < end; m += 1) {
     const joint = joints[isBack ? start + end - 1 - m : m]!;
     const i = joint.at & d.OFFSET;
@@ -55,7 +56,7 @@ export function sweepLines(data: SolverData, start: number, end: number, isBack:
     const least = r[i + low]!;
     const most = r[i + high]!;
     const wanted = begun + (c1 - l * c) * r[i + matrix + 3]!;
-    const way = r[i + matrix + 3]! * r[i + (moving ? span : room)]!;
+    const way = r[i + matrix + 3]! * r[i + (moving ? farError : farBias)]!;
     let lambda1 = clampToBounds(wanted, least, most, way) - begun;
     let lambda = c * r[i + matrix]! - l * lambda1;
     let next = kept * old + lambda;

@@ -218,7 +218,7 @@ function compareWithBounds(r: Float64Array, joint: Joint): void {
   r[e] = isOpen ? 0 : isUpper ? -toUpper : toLower;
   r[at + layout.low] = lower === upper || (isUpper && !isOpen) ? -Infinity : 0;
   r[at + layout.high] = lower === upper || (!isUpper && !isOpen) ? Infinity : 0;
-  r[at + layout.span] = constraint.isElastic ? Infinity : upper - lower;
+  r[at + layout.farError] = constraint.isElastic ? Infinity : upper - lower;
 }
 
 /** Moves the members of a custom constraint to where the solver has them, for its callbacks. */

@@ -43,7 +43,7 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
 export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
   const { records: r, bodies, joints } = data.joints;
   const v = moving ? data.motion : data.velocity;
-  const { size, impulse, push, bias, error, jacobian, turned, matrix, low, high, room, span, total } =
+  const { size, impulse, push, bias, error, jacobian, turned, matrix, low, high, farBias, farError, total } =
     joints[start]!.layout;
   const step = isBack ? -1 : 1;
   let m = isBack ? end - 1 : start;
@@ -77,7 +77,7 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
     const least = r[i + low]!;
     const most = r[i + high]!;
     let next = old - feedback * old - softness * r[i + matrix]! * c;
-    next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (moving ? span : room)]!);
+    next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (moving ? farError : farBias)]!);
     if (!moving && r[i + j.CHECKED] !== 0) {
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;

@@ -232,7 +232,7 @@ function findConstants({ joints: data, points }: SolverData, group: Group, isPus
       } else {
         constants[n] = r[at + (isPush ? layout.error : layout.bias) + row]!;
         const held = r[rowAt[n]!]!;
-        const apart = r[at + (isPush ? layout.span : layout.room)]!;
+        const apart = r[at + (isPush ? layout.farError : layout.farBias)]!;
         if (isBounded[n] === 1 && held > 0 && r[at + layout.high] === 0) constants[n] = constants[n]! + apart;
         if (isBounded[n] === 1 && held < 0 && r[at + layout.low] === 0) constants[n] = constants[n]! - apart;
       }

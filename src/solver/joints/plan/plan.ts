@@ -83,18 +83,18 @@ export function beginGroup({ joints: { asked, off, lag } }: SolverData, { tolera
 /** Makes the plan for a group, once warm starting has found its error. */
 export function plan(data: SolverData, group: Group, isFirst: boolean): void {
   const { asked, age } = data.joints;
-  if (group.error > asked[0]!) {
+  if (group.errorSquare > asked[0]!) {
     findPointsOff(data, group);
   }
   if (isFirst) {
     if (group.touched) steadyTouched(data, group);
-    weigh(data, group);
-    lookWhetherStuck(group);
+    classify(data, group);
+    findUnmet(group);
     if (group.isTorn) steadyAll(data, group, 0);
     settle(data, group);
   }
   limitMomentum(data, group, isFirst);
-  if (group.touched && group.error > JOINT_TORN * JOINT_TORN && isBlocked(group)) {
+  if (group.touched && group.errorSquare > JOINT_TORN * JOINT_TORN && isBlocked(group)) {
     reachLess(data, group);
   }
   planSweeps(data, group, isFirst && age === EASE_STEPS);
@@ -110,12 +110,12 @@ function findPointsOff(data: SolverData, { runs }: Group): void {
 }
 
 /** Finds what kind of group it is, once in a while; and whether it has a hub, in each step if it has few joints. */
-function weigh(data: SolverData, group: Group): void {
+function classify(data: SolverData, group: Group): void {
   const isDue = data.joints.age % WEIGH_STEPS === 0 || group.isNew;
   if (isDue) {
     group.burdened = isBurdened(data, group);
     group.mayGain = !group.isDriven && mayMakeEnergy(data, group);
-    weighFirmness(data, group);
+    findFirmness(data, group);
     group.isNew = false;
   }
   if (group.branches && (isDue || group.end - group.start <= FEW_JOINTS)) {
@@ -127,25 +127,25 @@ function weigh(data: SolverData, group: Group): void {
  * Finds whether a group is a mechanism, where bodies that are welded together count as one, and whether it is held. It is neither if joints
  * may break by force, as sweeps that try out impulses would break them.
  */
-function weighFirmness(data: SolverData, group: Group): void {
+function findFirmness(data: SolverData, group: Group): void {
   const { joints, bodies } = data.joints;
   const { start, end, frequency } = group;
-  let may = end - start > 1 && end - start <= FIRM_JOINTS && frequency === 0;
+  let isFit = end - start > 1 && end - start <= FIRM_JOINTS && frequency === 0;
   let isHeld = false;
   let rows = 0;
   let welds = 0;
-  for (let k = start; k < end && may; k += 1) {
+  for (let k = start; k < end && isFit; k += 1) {
     const { constraint, kernel, first, layout } = joints[k]!;
-    may = kernel !== CUSTOM && !constraint.breakUnderForce;
-    welds += layout.rows === 3 ? 1 : 0;
-    rows += layout.rows === 3 ? 0 : heldRows(constraint);
+    isFit = kernel !== CUSTOM && !constraint.breakUnderForce;
+    if (layout.rows === 3) welds += 1;
+    else rows += heldRows(constraint);
     for (let m = first; m < first + layout.members; m += 1) {
       isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
-      may &&= !isTurnedBy(data, bodies[m]!);
+      isFit &&= !isTurnedBy(data, bodies[m]!);
     }
   }
-  group.isMechanism = may && rows > 0 && rows >= FIRM_ROWS * (findMovers(data, group) - welds);
-  group.isHeld = may && isHeld;
+  group.isMechanism = isFit && rows > 0 && rows >= FIRM_ROWS * (findMovers(data, group) - welds);
+  group.isSmallAndHeld = isFit && isHeld;
 }
 
 /**
@@ -183,14 +183,14 @@ function widenRange({ velocity: v }: SolverData, body: number): void {
  * what was changed, as long as it stays open from then on, and for what is torn, that is assumed at once. What is torn is not taken for
  * such if it bears or is joined to something far heavier, which has to be held up, or if force may break something of it.
  */
-function lookWhetherStuck(group: Group): void {
-  const { isBetween, error, fresh, touched, mayBreak, burdened } = group;
-  const isOpen = isBetween && error > STUCK_ERROR * STUCK_ERROR;
-  const isLarge = error > JOINT_TORN * JOINT_TORN;
-  group.stuck = isOpen ? Math.min(group.stuck + 1, STUCK_STEPS) : fresh ? STUCK_STEPS - 1 : 0;
+function findUnmet(group: Group): void {
+  const { isHeldTwice, errorSquare, fresh, touched, mayBreak, burdened } = group;
+  const isOpen = isHeldTwice && errorSquare > STUCK_ERROR * STUCK_ERROR;
+  const isLarge = errorSquare > JOINT_TORN * JOINT_TORN;
+  group.stuckSteps = isOpen ? Math.min(group.stuckSteps + 1, STUCK_STEPS) : fresh ? STUCK_STEPS - 1 : 0;
   group.isTorn = isOpen && isLarge && !mayBreak && !burdened && (!touched || isBlocked(group));
-  const isLong = group.stuck === STUCK_STEPS && !(isLarge && touched);
-  group.isUnmet = group.isTorn || isLong || (isBetween && !isLarge && fresh);
+  const isLong = group.stuckSteps === STUCK_STEPS && !(isLarge && touched);
+  group.isUnmet = group.isTorn || isLong || (isHeldTwice && !isLarge && fresh);
 }
 
 /** Lets no correction of a group make momentum in this step. What is torn would get the more of it the longer it is torn. */
@@ -206,8 +206,8 @@ function steadyAll(data: SolverData, { start, end }: Group, snaps: number): void
  */
 function settle(data: SolverData, group: Group): void {
   const most = group.settling > 0 ? JOINT_SETTLED : JOINT_SNAP;
-  const isLarge = group.error > most * most;
-  const first = group.fresh ? SETTLE_STEPS : group.untouched === 1 ? SETTLE_STEPS - SNAP_STEPS : 0;
+  const isLarge = group.errorSquare > most * most;
+  const first = group.fresh ? SETTLE_STEPS : group.untouchedSteps === 1 ? SETTLE_STEPS - SNAP_STEPS : 0;
   group.settling = isLarge ? Math.max(first, group.settling - 1) : 0;
   group.fresh = false;
   if (group.settling > 0) {
@@ -275,7 +275,7 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
   const before = isFirst ? h / (impulseScale || 1) : h;
   const span = Math.max(h, before, group.span - h / 4);
   const calm = JOINT_CALM * h * (h / span);
-  group.span = group.error > calm * calm || (isFirst && group.hasCustoms) ? span : h;
+  group.span = group.errorSquare > calm * calm || (isFirst && group.hasCustoms) ? span : h;
   if (isFirst && impulseScale === 0) {
     group.sweeps = NEW_JOINT_SWEEPS;
   }
@@ -290,7 +290,7 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const { off, lag, h } = data.joints;
   const first = off[0]!;
   const after = off[1]!;
-  const error = Math.sqrt(group.error);
+  const error = Math.sqrt(group.errorSquare);
   const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
   const springs = Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN));
   const motors = Math.floor(lag[0]! / MOTOR_LAG);
@@ -300,7 +300,7 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
   const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
   group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
-  const isNear = group.error < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
+  const isNear = group.errorSquare < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
   group.isFirm = isNear && mayBeFirm(group);
   if (group.isFirm) {
     group.sweeps = Math.max(group.sweeps, FIRM_SWEEPS);
@@ -322,22 +322,13 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
  * Whether a group may be solved to its end. Not if it has more joints than are needed: gradients would make these give ever more against
  * each other, and corrections momentum of that.
  */
-function mayBeFirm({
-  stuck,
-  touched,
-  stands,
-  isHeld,
-  isMechanism,
-  isIndeterminate,
-  start,
-  end,
-  untouched,
-}: Group): boolean {
-  if (isIndeterminate || stuck === STUCK_STEPS) {
+function mayBeFirm(group: Group): boolean {
+  if (group.isIndeterminate || group.stuckSteps === STUCK_STEPS) {
     return false;
   }
-  if (touched) {
-    return isMechanism && stands;
+  if (group.touched) {
+    return group.isMechanism && group.stands;
   }
-  return isHeld && (isMechanism || (end - start <= FIRM_FEW && untouched === FIRM_STEPS));
+  const isVerySmall = group.end - group.start <= FIRM_FEW;
+  return group.isSmallAndHeld && (group.isMechanism || (isVerySmall && group.untouchedSteps === FIRM_STEPS));
 }

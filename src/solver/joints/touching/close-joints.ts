@@ -24,7 +24,7 @@ const way = /* @__PURE__ */ new Float64Array(3);
  * closed. As contacts are solved last in a position iteration, they would keep a joint open for ever that has something on its wrong side.
  */
 export function closeOpen(data: SolverData, group: Group): void {
-  if (group.isTorn || (group.touched && group.error > JOINT_TORN * JOINT_TORN)) {
+  if (group.isTorn || (group.touched && group.errorSquare > JOINT_TORN * JOINT_TORN)) {
     forgetPart(data, group);
   }
   let rounds = 0;

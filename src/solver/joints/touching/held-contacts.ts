@@ -15,7 +15,7 @@ export function pushHeld(data: SolverData): void {
     return;
   }
   for (let i = 0; i < joints.groups.length; i += 1) {
-    if (joints.groups[i]!.isBetween) markBodies(data, joints.groups[i]!, d.HELD);
+    if (joints.groups[i]!.isHeldTwice) markBodies(data, joints.groups[i]!, d.HELD);
   }
   for (let i = 0; i < hooked.count; i += 1) {
     const contact = hooked.items[i]!;

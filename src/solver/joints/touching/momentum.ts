@@ -33,10 +33,10 @@ import { ALIKE, HEAVIER, ITSELF, OTHERS } from './neighbours.js';
 export function steadyTouched(data: SolverData, group: Group): void {
   const { joints } = data.joints;
   const { neighbours } = group;
-  const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
+  const isQuiet = group.errorSquare <= TOUCHED_QUIET * TOUCHED_QUIET;
   const hasLoad = hasMuchToBear(data, group);
   const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
-  if (neighbours === 0 && group.error < ALONE_ERROR * ALONE_ERROR) {
+  if (neighbours === 0 && group.errorSquare < ALONE_ERROR * ALONE_ERROR) {
     group.stands = false;
     group.isBent = false;
     return;
@@ -45,7 +45,7 @@ export function steadyTouched(data: SolverData, group: Group): void {
   const isPressed = hasLoad && (neighbours & (HEAVIER | ITSELF)) === HEAVIER;
   const isBeam = (neighbours & (OTHERS | ITSELF)) === OTHERS;
   const isTaut = isRope && (neighbours & (ITSELF | ALIKE)) === 0;
-  group.isBent = isBeam && group.error > FRAME_BENT * FRAME_BENT && isFrame(joints, group);
+  group.isBent = isBeam && group.errorSquare > FRAME_BENT * FRAME_BENT && isFrame(joints, group);
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
     if (isQuiet && reachesOut(data, joint)) {
@@ -63,7 +63,7 @@ export function steadyTouched(data: SolverData, group: Group): void {
 
 /** After a frame was solved with its contacts: its joints that hold an angle need no momentum, but for those of what swings. */
 export function steadyFrame(data: SolverData, group: Group): void {
-  const isQuiet = group.error <= TOUCHED_QUIET * TOUCHED_QUIET;
+  const isQuiet = group.errorSquare <= TOUCHED_QUIET * TOUCHED_QUIET;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = data.joints.joints[k]!;
     if (holdsAngle(joint) && !(isQuiet && reachesOut(data, joint))) steady(data, joint, 0);
