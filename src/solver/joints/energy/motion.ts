@@ -6,7 +6,7 @@ import type { Group } from '../joint-data.js';
 // Compares the velocities of a group with how it moved.
 
 /** Scratch, for a group. J, each twice: the energy of its velocities, of its motion, and of the difference. */
-const motion = /* @__PURE__ */ new Float64Array(3);
+const energies = /* @__PURE__ */ new Float64Array(3);
 const TOLD = 0;
 const MOVED = 1;
 const APART = 2;
@@ -18,27 +18,27 @@ const APART = 2;
  * track around wheels, if its motion has hardly any energy for some steps in a row.
  */
 export function goAsMoved(data: SolverData, group: Group): void {
-  weighMotion(data, group);
-  const told = motion[TOLD]!;
-  const moved = motion[MOVED]!;
+  measureMotion(data, group);
+  const told = energies[TOLD]!;
+  const moved = energies[MOVED]!;
   const isUntrue = moved < UNTRUE_SHARE * told && group.errorSquare > UNTRUE_ERROR * UNTRUE_ERROR;
   group.untrueSteps = isUntrue ? Math.min(group.untrueSteps + 1, UNTRUE_STEPS) : 0;
-  const isWrong = motion[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
+  const isWrong = energies[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
   if (group.untrueSteps === UNTRUE_STEPS || (isWrong && group.isUnmet)) {
     takeMotion(data, group);
   }
 }
 
 /** Finds twice the energy of the velocities, of the motion in the step, and of the difference. */
-function weighMotion(data: SolverData, { bodies }: Group): void {
-  motion.fill(0);
+function measureMotion(data: SolverData, { bodies }: Group): void {
+  energies.fill(0);
   for (let n = 0; n < bodies.count; n += 1) {
-    weigh(data, bodies.items[n]!);
+    addMotion(data, bodies.items[n]!);
   }
 }
 
 /** A function of its own, which is soon compiled, see BATCH in `energy.ts`. */
-function weigh({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, i: number): void {
+function addMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, i: number): void {
   const dt = h * substeps;
   const m = v[i + d.INV_MASS]! > 0 ? 1 / v[i + d.INV_MASS]! : 0;
   const inertia = v[i + d.INV_INERTIA]! > 0 ? 1 / v[i + d.INV_INERTIA]! : 0;
@@ -48,10 +48,10 @@ function weigh({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, 
   const x = q[i + d.DX]! / dt;
   const y = q[i + d.DY]! / dt;
   const w = turnOf(q[i + d.DW]!, vw * dt) / dt;
-  motion[TOLD] = motion[TOLD]! + (m * (vx * vx + vy * vy) + inertia * vw * vw);
-  motion[MOVED] = motion[MOVED]! + (m * (x * x + y * y) + inertia * w * w);
+  energies[TOLD] = energies[TOLD]! + (m * (vx * vx + vy * vy) + inertia * vw * vw);
+  energies[MOVED] = energies[MOVED]! + (m * (x * x + y * y) + inertia * w * w);
   const apart = m * ((vx - x) * (vx - x) + (vy - y) * (vy - y)) + inertia * (vw - w) * (vw - w);
-  motion[APART] = motion[APART]! + apart;
+  energies[APART] = energies[APART]! + apart;
 }
 
 function takeMotion({ velocity: v, motion: q, joints: { h, substeps } }: SolverData, { bodies }: Group): void {

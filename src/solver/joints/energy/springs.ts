@@ -5,7 +5,8 @@ import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
 import { BLOCK, ROW, TURN, TURN_RATIO } from '../joint-layout.js';
 import { impulseAt } from '../joint-numbers.js';
-import { weighError } from '../kernels/blocks.js';
+import { weighByError } from '../kernels/blocks.js';
+import { length } from '../kernels/jacobian.js';
 
 // Accounts of the energy of springs. A spring that has the same frequency whatever the masses is harder in one pose of its bodies than in
 // another, and bodies that hang on each other could draw energy from it in every turn. So a spring gives only as much as it was given;
@@ -105,10 +106,7 @@ function findHeld(data: SolverData, joint: Joint): void {
   const { at, layout, constraint } = joint;
   const { rows, error, work } = layout;
   const w = 2 * Math.PI * constraint.frequency;
-  let sum = 0;
-  weighError(data, joint);
-  for (let row = 0; row < rows; row += 1) {
-    sum += r[at + work + row]! * r[at + error + row]!;
-  }
-  found[0] = 0.5 * w * w * sum;
+  r.copyWithin(at + work, at + error, at + error + rows);
+  weighByError(data, joint);
+  found[0] = 0.5 * w * w * length[0]!;
 }

@@ -51,7 +51,7 @@ export function warmStartBlock(data: SolverData, index: number, isFirst: boolean
   if (isFirst || !isCustom(constraint)) {
     measure(data, joint, false);
   } else if (isElastic) {
-    foresee(data, joint);
+    advanceError(data, joint);
   }
   clear(r, at + layout.push, rows);
   writeMatrix(data, joint, layout.jacobian);
@@ -109,7 +109,7 @@ export function noteError({ joints }: SolverData, index: number): void {
 }
 
 /** Advances the error of an elastic custom joint by its linear part, as its callbacks are asked only once per step. */
-function foresee(data: SolverData, joint: Joint): void {
+function advanceError(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   multiplyRows(data, joint, layout.jacobian, true);
@@ -157,33 +157,23 @@ function writeElasticBias(data: SolverData, joint: Joint): void {
   }
 }
 
-/** Writes K⁻¹ · C to the numbers at `work`. */
-export function weighError({ joints: { records: r } }: SolverData, joint: Joint): void {
-  const { at, layout } = joint;
-  const { rows, work, error } = layout;
-  r.copyWithin(at + work, at + error, at + error + rows);
-  solveWhole(r, joint);
-}
-
-/** Multiplies the numbers at `work` by K⁻¹. */
-function solveWhole(r: Float64Array, { at, layout }: Joint): void {
-  const { rows, work, matrix } = layout;
-  forward(r, at + matrix, rows, r, at + work);
-  backward(r, at + matrix, rows, r, at + work);
-}
-
 /** Whether the error of a spring is decreasing by itself: C · K⁻¹ · J · v < 0. */
 function isGiving(data: SolverData, joint: Joint): boolean {
-  const { records: r } = data.joints;
-  const { at, layout } = joint;
-  const { rows, error, work } = layout;
-  multiplyRows(data, joint, layout.jacobian, false);
-  solveWhole(r, joint);
+  multiplyRows(data, joint, joint.layout.jacobian, false);
+  weighByError(data, joint);
+  return length[0]! < 0;
+}
+
+/** Writes C · K⁻¹ · w to `length`, with w from the numbers at `work`. */
+export function weighByError({ joints: { records: r } }: SolverData, { at, layout }: Joint): void {
+  const { rows, error, work, matrix } = layout;
+  forward(r, at + matrix, rows, r, at + work);
+  backward(r, at + matrix, rows, r, at + work);
   let sum = 0;
   for (let n = 0; n < rows; n += 1) {
     sum += r[at + error + n]! * r[at + work + n]!;
   }
-  return sum < 0;
+  length[0] = sum;
 }
 
 /** One velocity sweep: λ → clamp(λ − K⁻¹(J·v + bias) · softness − feedback · λ). */
@@ -197,7 +187,7 @@ export function solveVelocityBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = -softness * (r[at + work + n]! + r[at + layout.bias + n]!);
   }
-  solve(r, joint, impulse, layout.farBias, feedback);
+  solveBounded(r, joint, impulse, layout.farBias, feedback);
   for (let n = 0; n < rows; n += 1) {
     const old = r[at + impulse + n]!;
     r[at + work + n] = (1 - feedback) * old + r[at + work + n]!;
@@ -228,20 +218,20 @@ export function clampToBounds(impulse: number, low: number, high: number, way: n
 }
 
 /**
- * Multiplies the numbers at `work` by K⁻¹, but so that the last row's impulse, at the offset `so`, stays within its range; at the offset
- * `apart` is `farBias` or `farError`.
+ * Multiplies the numbers at `work` by K⁻¹, but so that the last row's impulse stays within its range. At the offset `impulse` are those so
+ * far, or corrections; at `far` is `farBias` or `farError`.
  */
-function solve(r: Float64Array, joint: Joint, so: number, apart: number, feedback: number): void {
+function solveBounded(r: Float64Array, joint: Joint, impulse: number, far: number, feedback: number): void {
   const { at, layout, constraint } = joint;
   const { rows, work, matrix } = layout;
   forward(r, at + matrix, rows, r, at + work);
   if (constraint.bounded) {
     const last = rows - 1;
-    const kept = (1 - feedback) * r[at + so + last]!;
+    const kept = (1 - feedback) * r[at + impulse + last]!;
     const next = kept + r[at + work + last]!;
     const low = r[at + layout.low]!;
     const high = r[at + layout.high]!;
-    const way = r[at + matrix + rows * rows - 1]! * r[at + apart]!;
+    const way = r[at + matrix + rows * rows - 1]! * r[at + far]!;
     r[at + work + last] = clampToBounds(next, low, high, way) - kept;
   }
   backward(r, at + matrix, rows, r, at + work);
@@ -365,7 +355,7 @@ export function pushBlock(data: SolverData, joint: Joint): void {
   for (let n = 0; n < rows; n += 1) {
     r[at + work + n] = -(r[at + layout.error + n]! + r[at + work + n]!);
   }
-  solve(r, joint, push, layout.farError, 0);
+  solveBounded(r, joint, push, layout.farError, 0);
   if (isCustom(constraint) && constraint.callbacks.positionClamp !== undefined) {
     showPoses(data, joint, true);
     constraint.clamp('positionClamp', r, at + work);

@@ -33,11 +33,13 @@ export function packPoses(world: World): void {
   const { pose } = world.solver;
   pose.fill(0, 0, POSE);
   pose[COS] = 1;
-  for (let i = 0; i < liveDynamics.length; i += 1) {
-    writePose(liveDynamics[i]!, pose, liveDynamics[i]!.slot * POSE);
-  }
-  for (let i = 0; i < liveKinematics.length; i += 1) {
-    writePose(liveKinematics[i]!, pose, liveKinematics[i]!.slot * POSE);
+  writePoses(liveDynamics, pose);
+  writePoses(liveKinematics, pose);
+}
+
+function writePoses(bodies: readonly RigidBody[], pose: Float64Array): void {
+  for (let i = 0; i < bodies.length; i += 1) {
+    writePose(bodies[i]!, pose, bodies[i]!.slot * POSE);
   }
 }
 
@@ -49,6 +51,15 @@ function writePose(body: RigidBody, pose: Float64Array, at: number): void {
   pose[at + ANGLE] = body.angle;
 }
 
+function placeBody(body: RigidBody, pose: Float64Array, at: number): void {
+  body.x = pose[at + X]!;
+  body.y = pose[at + Y]!;
+  body.cos = pose[at + COS]!;
+  body.sin = pose[at + SIN]!;
+  body.angle = pose[at + ANGLE]!;
+}
+
+/** Lets the joints of bodies that are too fast forget their impulses. */
 function forgetImpulses(data: SolverData): void {
   const { joints, bodies } = data.joints;
   for (const joint of joints) {
@@ -229,18 +240,13 @@ export function showPoses(data: SolverData, joint: Joint, moving: boolean): void
   findPoses(data, joint, moving);
   constraint.members.forEach((body, k) => {
     const b = bodies[first + k]!;
-    const p = k * POSE;
     if (b !== 0) {
       if (!shown.has(body)) {
         const start = new Float64Array(POSE);
         writePose(body, start, 0);
         shown.set(body, start);
       }
-      body.x = pose[p + X]!;
-      body.y = pose[p + Y]!;
-      body.cos = pose[p + COS]!;
-      body.sin = pose[p + SIN]!;
-      body.angle = pose[p + ANGLE]!;
+      placeBody(body, pose, k * POSE);
       body.vx = v[b + d.VX]!;
       body.vy = v[b + d.VY]!;
       body.w = v[b + d.W]!;
@@ -255,11 +261,7 @@ export function hidePoses(data: SolverData): void {
     return;
   }
   for (const [body, start] of shown) {
-    body.x = start[X]!;
-    body.y = start[Y]!;
-    body.cos = start[COS]!;
-    body.sin = start[SIN]!;
-    body.angle = start[ANGLE]!;
+    placeBody(body, start, 0);
   }
   shown.clear();
 }

@@ -133,9 +133,9 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
     r[i + j.TURN_VALUE] = r[i + j.TURN_STILL]! + ratio * p[b + ANGLE]! - p[a + ANGLE]!;
     r[i + j.TURN_PUSH] = 0;
     if (r[i + j.TURN_BOUNDED] !== 0) {
-      aim(data, k, i);
+      aimAtBound(data, k, i);
     } else {
-      drive(r, i, h);
+      aimAtRate(r, i, h);
       noteLag(data, i, j.TURN_IMPULSE, ratio * v[b + d.W]! - v[a + d.W]! + r[i + j.TURN_BIAS]!, r[i + j.TURN_MASS]!);
     }
     const lambda = r[i + j.TURN_IMPULSE]!;
@@ -148,7 +148,7 @@ export function warmStartTurns(data: SolverData, start: number, end: number): vo
  * Aims at the nearer bound. Within it, the impulse may only keep it from being passed in the sub-step; beyond it, only push back, unless
  * both bounds are equal. A spring does nothing within, and beyond asks for the speed that brings it back.
  */
-function aim({ joints: data }: SolverData, index: number, i: number): void {
+function aimAtBound({ joints: data }: SolverData, index: number, i: number): void {
   const { records: r, worst, asked, off, h } = data;
   const lower = r[i + j.TURN_LOWER]!;
   const upper = r[i + j.TURN_UPPER]!;
@@ -181,7 +181,7 @@ function aim({ joints: data }: SolverData, index: number, i: number): void {
 }
 
 /** Writes the bias of a motor: its rate, but no further in this sub-step than to its stop. */
-function drive(r: Float64Array, i: number, h: number): void {
+function aimAtRate(r: Float64Array, i: number, h: number): void {
   const rate = r[i + j.TURN_RATE]!;
   const way = r[i + (rate > 0 ? j.TURN_UPPER : j.TURN_LOWER)]! - r[i + j.TURN_VALUE]!;
   const most = way * rate > 0 ? Math.abs(way / h) : 0;

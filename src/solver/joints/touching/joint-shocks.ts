@@ -59,7 +59,7 @@ export function solveFrames(data: SolverData, jointSolver: JointSolver): void {
     const body = someBodyOfFrame(data, groups[i]!);
     if (body > 0 && solveAround(data, body, jointSolver, 1)) {
       steadyFrame(data, groups[i]!);
-      goOn(data);
+      keepContacts(data);
     }
   }
 }
@@ -80,7 +80,7 @@ function someBodyOfFrame(data: SolverData, group: Group): number {
  * Keeps the impulses of the contacts that were just solved as those with which the step began, so that they are no shock in the sub-steps
  * that follow: else they would be forgotten in every second one, for ever.
  */
-function goOn(data: SolverData): void {
+function keepContacts(data: SolverData): void {
   const { shocks, impulseScale } = data;
   for (let i = 0; i < shocks.contacts.count && impulseScale > 0; i += 1) {
     const contact = shocks.contacts.items[i]!;
