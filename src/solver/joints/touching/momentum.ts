@@ -31,27 +31,28 @@ import { ALIKE, HEAVIER, ITSELF, OTHERS } from './neighbours.js';
  * theirs. So do all joints of a group that touches nothing but itself, such as welded blocks and coiled chains.
  */
 export function steadyTouched(data: SolverData, group: Group): void {
-  const { joints } = data.joints;
-  const { neighbours } = group;
-  const isQuiet = group.errorSquare <= TOUCHED_QUIET * TOUCHED_QUIET;
-  const hasLoad = hasMuchToBear(data, group);
-  const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
-  if (neighbours === 0 && group.errorSquare < ALONE_ERROR * ALONE_ERROR) {
-    group.stands = false;
-    group.isBent = false;
-    return;
-  }
-  group.stands = group.isMechanism && (neighbours & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
-  const isPressed = hasLoad && (neighbours & (HEAVIER | ITSELF)) === HEAVIER;
+  const { neighbours, errorSquare } = group;
+  const isAlone = neighbours === 0 && errorSquare < ALONE_ERROR * ALONE_ERROR;
   const isBeam = (neighbours & (OTHERS | ITSELF)) === OTHERS;
-  const isTaut = isRope && (neighbours & (ITSELF | ALIKE)) === 0;
-  group.isBent = isBeam && group.errorSquare > FRAME_BENT * FRAME_BENT && isFrame(joints, group);
+  group.isBent = isBeam && errorSquare > FRAME_BENT * FRAME_BENT && isFrame(data, group);
+  group.stands = group.isMechanism && !isAlone && (neighbours & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
+  if (!isAlone) {
+    const isRope = group.burdened && group.end - group.start >= ROPE_JOINTS;
+    const isTaut = isRope && (neighbours & (ITSELF | ALIKE)) === 0;
+    const isPressed = (neighbours & (HEAVIER | ITSELF)) === HEAVIER;
+    steadyJoints(data, group, isTaut, isBeam, isPressed);
+  }
+}
+
+/** Lets all joints of a taut rope make most of their momentum; of a beam, those that hold an angle; under a weight, those that bear much. */
+function steadyJoints(data: SolverData, group: Group, isTaut: boolean, isBeam: boolean, isPressed: boolean): void {
+  const { joints } = data.joints;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = joints[k]!;
-    if (isQuiet && reachesOut(data, joint)) {
+    if (isQuiet(group) && reachesOut(data, joint)) {
       continue;
     }
-    if (isTaut || (isBeam && holdsAngle(joint)) || (isPressed && bearsMuch(data, joint))) {
+    if (isTaut || (isBeam && holdsAngle(data, joint)) || (isPressed && bearsMuch(data, joint))) {
       const numbers = numbersOf(data, joint);
       const carry = carryAt(joint);
       numbers[carry] = numbers[carry]! * TOUCHED_MOMENTUM;
@@ -63,11 +64,15 @@ export function steadyTouched(data: SolverData, group: Group): void {
 
 /** After a frame was solved with its contacts: its joints that hold an angle need no momentum, but for those of what swings. */
 export function steadyFrame(data: SolverData, group: Group): void {
-  const isQuiet = group.errorSquare <= TOUCHED_QUIET * TOUCHED_QUIET;
   for (let k = group.start; k < group.end; k += 1) {
     const joint = data.joints.joints[k]!;
-    if (holdsAngle(joint) && !(isQuiet && reachesOut(data, joint))) steady(data, joint, 0);
+    if (holdsAngle(data, joint) && !(isQuiet(group) && reachesOut(data, joint))) steady(data, joint, 0);
   }
+}
+
+/** Whether errors are as small as those of what swings freely. */
+function isQuiet({ errorSquare }: Group): boolean {
+  return errorSquare <= TOUCHED_QUIET * TOUCHED_QUIET;
 }
 
 /** Whether one of the bodies of a joint can move and is in no contact. */
@@ -81,9 +86,12 @@ function reachesOut({ drive, joints: { bodies } }: SolverData, { first, layout }
   return false;
 }
 
-function hasMuchToBear(data: SolverData, { start, end }: Group): boolean {
+type Test = (data: SolverData, joint: Joint) => boolean;
+
+function hasSome(data: SolverData, { start, end }: Group, test: Test): boolean {
+  const { joints } = data.joints;
   for (let k = start; k < end; k += 1) {
-    if (bearsMuch(data, data.joints.joints[k]!)) {
+    if (test(data, joints[k]!)) {
       return true;
     }
   }
@@ -91,7 +99,7 @@ function hasMuchToBear(data: SolverData, { start, end }: Group): boolean {
 }
 
 /** Whether a joint keeps its bodies at one angle to each other: many bodies with such joints bend and bear like a beam. */
-function holdsAngle({ constraint }: Joint): boolean {
+function holdsAngle(_data: SolverData, { constraint }: Joint): boolean {
   return (
     constraint.type === 'WELD' ||
     constraint.keepsAngle ||
@@ -99,30 +107,20 @@ function holdsAngle({ constraint }: Joint): boolean {
   );
 }
 
-function hasBeams(joints: readonly Joint[], group: Group): boolean {
-  return hasSome(joints, group, holdsAngle);
-}
-
-function hasSome(joints: readonly Joint[], { start, end }: Group, test: (joint: Joint) => boolean): boolean {
-  for (let k = start; k < end; k += 1) {
-    if (test(joints[k]!)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-function isAngle({ constraint }: Joint): boolean {
+function isAngle(_data: SolverData, { constraint }: Joint): boolean {
   return constraint.type === 'ANGLE';
+}
+
+function breaks(_data: SolverData, { constraint }: Joint): boolean {
+  return constraint.breakUnderForce;
 }
 
 /**
  * Whether a group is like a hammer: few joints, some of them angles, and a heavy body, so that the handle stands on its limit as firmly as
  * on a weld.
  */
-function limitsFew(joints: readonly Joint[], group: Group): boolean {
-  const { burdened, start, end } = group;
-  return burdened && end - start <= FIRM_FEW && hasSome(joints, group, isAngle);
+function isHammer(data: SolverData, group: Group): boolean {
+  return group.burdened && group.end - group.start <= FIRM_FEW && hasSome(data, group, isAngle);
 }
 
 /**
@@ -130,13 +128,13 @@ function limitsFew(joints: readonly Joint[], group: Group): boolean {
  * impulses would break them. Where a body is far heavier than another, very few joints may limit an angle instead. More, as in cranes and
  * chains, would take ten times as long, and some would come to rest later.
  */
-function isFrame(joints: readonly Joint[], group: Group): boolean {
-  const isFew = group.frequency === 0 && group.end - group.start <= FRAME_JOINTS;
-  let isFirm = isFew && (hasBeams(joints, group) || limitsFew(joints, group));
-  for (let k = group.start; k < group.end && isFirm; k += 1) {
-    isFirm = !joints[k]!.constraint.breakUnderForce;
-  }
-  return isFirm;
+function isFrame(data: SolverData, group: Group): boolean {
+  return (
+    group.frequency === 0 &&
+    group.end - group.start <= FRAME_JOINTS &&
+    (hasSome(data, group, holdsAngle) || isHammer(data, group)) &&
+    !hasSome(data, group, breaks)
+  );
 }
 
 /**
