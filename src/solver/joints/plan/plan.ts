@@ -288,20 +288,18 @@ function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
  */
 function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   const { off, lag, h } = data.joints;
-  const first = off[0]!;
-  const after = off[1]!;
-  const error = Math.sqrt(group.errorSquare);
-  const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
   const springs = Math.ceil(SPRING_SWEEPS * (group.frequency * h - SPRING_TURN));
   const motors = Math.floor(lag[0]! / MOTOR_LAG);
+  // Springs and motors ask for sweeps over all joints; errors for sweeps over those that are off, and those near them.
   const ofAll = group.end - group.start > 1 ? Math.max(springs, motors) : 0;
-  const wanted = 1 + Math.max(0, ofAll, Math.ceil((error - JOINT_REST_ERROR) / part));
+  const part = group.touched ? TOUCHED_PATIENCE * group.tolerance : group.tolerance;
+  const ofSome = Math.ceil((Math.sqrt(group.errorSquare) - JOINT_REST_ERROR) / part);
   const isSteady = group.touched || group.burdened;
-  const fewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
-  const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, fewer ? group.sweeps - 1 : group.sweeps);
-  group.sweeps = wanted < least ? least : wanted > MAX_JOINT_SWEEPS ? MAX_JOINT_SWEEPS : wanted;
-  const isNear = group.errorSquare < FIRM_ERROR * FIRM_ERROR && group.settling === 0;
-  group.isFirm = isNear && mayBeFirm(group);
+  const isFewer = !isSteady || group.sweeps > MAX_JOINT_SWEEPS || eases;
+  const least = Math.max(isSteady ? TOUCHED_SWEEPS : 1, isFewer ? group.sweeps - 1 : group.sweeps);
+  const wanted = 1 + Math.max(0, ofAll, ofSome);
+  group.sweeps = wanted < least ? least : Math.min(wanted, MAX_JOINT_SWEEPS);
+  group.isFirm = group.errorSquare < FIRM_ERROR * FIRM_ERROR && group.settling === 0 && mayBeFirm(group);
   if (group.isFirm) {
     group.sweeps = Math.max(group.sweeps, FIRM_SWEEPS);
   }
@@ -311,10 +309,10 @@ function planSweeps(data: SolverData, group: Group, eases: boolean): void {
   if (ofAll > 0 || group.isFirm) {
     group.from = group.start;
     group.to = group.end;
-  } else if (after > first) {
-    const margin = JOINT_SWEEP_MARGIN * (after - first);
-    group.from = first - margin;
-    group.to = after + margin;
+  } else if (off[1]! > off[0]!) {
+    const margin = JOINT_SWEEP_MARGIN * (off[1]! - off[0]!);
+    group.from = off[0]! - margin;
+    group.to = off[1]! + margin;
   }
 }
 
