@@ -156,8 +156,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     if (beside === null) {
       warmStartGroup(data, group, isFirst);
     } else {
-      worst[0] = 0;
-      worst[1] = 0;
+      clearWorst(data);
       warmStartPoints(data, group.start, beside.end);
       group.errorSquare = worst[0]!;
       beside.errorSquare = worst[1]!;
@@ -183,13 +182,17 @@ function spreadShifts(data: SolverData): void {
   if (substepsLeft === 1) shifted.length = 0;
 }
 
+function clearWorst({ joints: { worst } }: SolverData): void {
+  worst[0] = 0;
+  worst[1] = 0;
+}
+
 function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {
   const { worst, asked } = data.joints;
   beginGroup(data, group);
   group.errorSquare = 0;
   for (let n = 0; n < group.runs.length; n += 1) {
-    worst[0] = 0;
-    worst[1] = 0;
+    clearWorst(data);
     warmStartRun(data, group.runs[n]!, isFirst);
     const error = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     group.runs[n]!.isOff = error > asked[0]!;
@@ -294,20 +297,18 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
 /** The first position sweep over two groups side by side, over both at once. */
 function pushBoth(data: SolverData, first: Group, second: Group): void {
   const { worst } = data.joints;
-  worst[0] = 0;
-  worst[1] = 0;
+  clearWorst(data);
   pushPoints(data, first.start, second.end, false);
   first.pushedSquare = worst[0]!;
   second.pushedSquare = worst[1]!;
 }
 
 /**
- * Position sweeps, until errors are small. After the first, the sweeps take the errors of point joints as linear in the motion, unless
- * contacts came in between or the bodies are to be moved without turning; those of other joints are linearised, anew where much turned.
+ * Position sweeps, until errors are small; of two groups side by side, the first one is done already.
  * @returns whether the last sweep found an error that was worth another one.
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
-  const { worst, left } = data.joints;
+  const { left } = data.joints;
   left[0] = 0;
   linearise(data, group, false);
   const isFar = left[0] > BLOCK_FAR;
@@ -317,28 +318,37 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
     return false;
   }
   for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
+    // Joints that are not points are linear in the motion, too, and are linearised anew where much turned.
     if (isFar && sweep > before && linearise(data, group, true) && group.isFirm) beginGradients(data, group, true);
+    // Not linear where contacts came in between, or the bodies are to be moved without turning.
     const isLinear = sweep > 0 && group.settling === 0 && (sweep > before || !group.touched);
-    // The last exact sweep found errors so large that linear ones are not enough where bodies have turned since.
-    const pushAgain = group.pushedSquare > JOINT_FAR * JOINT_FAR ? pushTurnedRun : pushRunLinearly;
-    worst[0] = 0;
-    worst[1] = 0;
-    const goesOn = group.isFirm && isLinear && group.pushedSquare < FIRM_ERROR * FIRM_ERROR;
-    if (goesOn) beginSweep(data, true);
-    const isOff = sweepOver(data, group, sweep, sweep === 0, isLinear ? pushAgain : pushRun);
-    if (!isLinear) {
-      group.pushedSquare = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
-    }
-    const isExact = group.isFirm && isOfPoints(group) && (goesOn || sweep === 0);
+    const hasGradient = group.isFirm && isLinear && group.pushedSquare < FIRM_ERROR * FIRM_ERROR;
+    if (hasGradient) beginSweep(data, true);
+    const isOff = pushOnce(data, group, sweep, isLinear);
+    const isToEnd = group.isFirm && isOfPoints(group) && (hasGradient || sweep === 0);
     // A sweep to is always followed by one fro.
-    if (!isOff && !isExact && !(group.toAndFro && sweep % 2 === 0)) {
+    if (!isOff && !isToEnd && !(group.toAndFro && sweep % 2 === 0)) {
       return false;
     }
-    if (goesOn && sweep < after - 1 && !followGradient(data, group, true) && isExact) {
+    if (hasGradient && sweep < after - 1 && !followGradient(data, group, true) && isToEnd) {
       return false;
     }
   }
   return true;
+}
+
+/** One position sweep. It is exact, or takes the errors of points as linear in the motion. @returns whether it found one worth another. */
+function pushOnce(data: SolverData, group: Group, sweep: number, isLinear: boolean): boolean {
+  const { worst } = data.joints;
+  if (isLinear) {
+    // The last exact sweep found errors so large that linear ones are not enough where bodies have turned since.
+    const isLarge = group.pushedSquare > JOINT_FAR * JOINT_FAR;
+    return sweepOver(data, group, sweep, false, isLarge ? pushTurnedRun : pushRunLinearly);
+  }
+  clearWorst(data);
+  const isOff = sweepOver(data, group, sweep, sweep === 0, pushRun);
+  group.pushedSquare = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
+  return isOff;
 }
 
 /**
