@@ -19,7 +19,7 @@ import { goAsMoved } from './motion.js';
 // energy is taken back: so no group whirls by itself, whatever it is made of.
 
 /** Scratch: sums over the bodies of a group. J, kg, N·s. */
-const sums = /* @__PURE__ */ new Float64Array(12);
+const sums = /* @__PURE__ */ new Float64Array(14);
 /** Kinetic energy, and its correction for velocities that are half a sub-step ahead of the place, see `add` … */
 const KINETIC = 0;
 const AHEAD = 1;
@@ -42,6 +42,9 @@ const LIGHT_TWICE = 9;
 /** N·s. The momentum that the light bodies lose. */
 const LOST_X = 10;
 const LOST_Y = 11;
+/** m/s. The velocity that all bodies have in common; 0 if something holds them. */
+const COMMON_X = 12;
+const COMMON_Y = 13;
 
 /**
  * Bodies are summed up so many at a time, by a function that is called often and so is soon compiled. A long loop that runs once a step may
@@ -135,20 +138,20 @@ function takeExcess(data: SolverData, group: Group): void {
   const flung = touched || settling > 0 ? Math.min(made, grown) : made;
   const before = touched ? 0 : group.excess < 0 ? EXCESS_FADES * group.excess : group.excess;
   const excess = before + (settling > 0 ? flung : made);
-  const x = sums[PX]! / sums[MASS]!;
-  const y = sums[PY]! / sums[MASS]!;
-  const isCalm = kinetic - 0.5 * (x * sums[PX]! + y * sums[PY]!) <= sums[LEAST]!;
+  sums[COMMON_X] = sums[PX]! / sums[MASS]!;
+  sums[COMMON_Y] = sums[PY]! / sums[MASS]!;
+  const isCalm = kinetic - 0.5 * (sums[COMMON_X]! * sums[PX]! + sums[COMMON_Y]! * sums[PY]!) <= sums[LEAST]!;
   const right = Math.max(0, kinetic - excess);
   let removed = 0;
   if (!isCalm) {
     const { bodies, guests } = group;
-    removed = slowDown(data, bodies, excess - (touched ? TOUCHED_EXCESS : EXCESS_SHARE) * right, made, x, y);
+    removed = slowDown(data, bodies, excess - (touched ? TOUCHED_EXCESS : EXCESS_SHARE) * right, made);
     // What the light bodies do not have was made in the heavy ones; what these do not have went into guests. From here on, all are light.
     sums[LIGHTEST] = 0;
     const wild = before + flung - EXCESS_WILD * right;
-    removed += slowDown(data, bodies, wild - removed, made - removed, x, y);
+    removed += slowDown(data, bodies, wild - removed, made - removed);
     sums[OWN_MASS] = sums[MASS]! - sums[OWN_MASS]!;
-    removed += slowDown(data, guests, wild - removed, made - removed, x, y);
+    removed += slowDown(data, guests, wild - removed, made - removed);
   }
   if (!touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
@@ -160,20 +163,20 @@ function isLight({ velocity: v }: SolverData, offset: number): boolean {
   return v[offset + d.INV_MASS]! * HEAVY >= sums[LIGHTEST]!;
 }
 
-/** J. The kinetic energy of the light bodies relative to a common velocity. */
-function energyOfLight(data: SolverData, { items, count }: List<number>, x: number, y: number): number {
+/** J. The kinetic energy of the light bodies relative to the common velocity. */
+function energyOfLight(data: SolverData, { items, count }: List<number>): number {
   sums[LIGHT_TWICE] = 0;
   for (let n = 0; n < count; n += 1) {
-    addEnergyOfLight(data, items[n]!, x, y);
+    addEnergyOfLight(data, items[n]!);
   }
   return sums[LIGHT_TWICE]! / 2;
 }
 
-function addEnergyOfLight(data: SolverData, i: number, x: number, y: number): void {
+function addEnergyOfLight(data: SolverData, i: number): void {
   if (isLight(data, i)) {
     const { velocity: v } = data;
-    const vx = v[i + d.VX]! - x;
-    const vy = v[i + d.VY]! - y;
+    const vx = v[i + d.VX]! - sums[COMMON_X]!;
+    const vy = v[i + d.VY]! - sums[COMMON_Y]!;
     const w = v[i + d.W]!;
     sums[LIGHT_TWICE] = sums[LIGHT_TWICE]! + (vx * vx + vy * vy) / v[i + d.INV_MASS]!;
     if (v[i + d.INV_INERTIA]! > 0) {
@@ -183,12 +186,12 @@ function addEnergyOfLight(data: SolverData, i: number, x: number, y: number): vo
 }
 
 /**
- * Takes the energy `over` from the light bodies, relative to a common velocity, but at most a share of what they have and all that was made
+ * Takes the energy `over` from the light bodies, relative to the common velocity, but at most a share of what they have and all that was made
  * in this step. What nothing holds keeps its momentum: what the light bodies lose is given back to all.
  * @returns how much energy was taken, J.
  */
-function slowDown(data: SolverData, bodies: List<number>, over: number, made: number, x: number, y: number): number {
-  const own = over > 0 ? energyOfLight(data, bodies, x, y) : 0;
+function slowDown(data: SolverData, bodies: List<number>, over: number, made: number): number {
+  const own = over > 0 ? energyOfLight(data, bodies) : 0;
   const removed = Math.min(over, own, EXCESS_REMOVED * own + Math.max(0, made));
   if (!(removed > 0)) {
     return 0;
@@ -198,7 +201,7 @@ function slowDown(data: SolverData, bodies: List<number>, over: number, made: nu
   sums[LOST_X] = 0;
   sums[LOST_Y] = 0;
   for (let n = 0; n < count; n += 1) {
-    slowLight(data, items[n]!, keep, x, y);
+    slowLight(data, items[n]!, keep);
   }
   if (sums[MASS]! < Infinity) {
     giveBack(data, bodies);
@@ -206,9 +209,11 @@ function slowDown(data: SolverData, bodies: List<number>, over: number, made: nu
   return removed;
 }
 
-function slowLight(data: SolverData, i: number, keep: number, x: number, y: number): void {
+function slowLight(data: SolverData, i: number, keep: number): void {
   if (isLight(data, i)) {
     const { velocity: v } = data;
+    const x = sums[COMMON_X]!;
+    const y = sums[COMMON_Y]!;
     sums[LOST_X] = sums[LOST_X]! + ((1 - keep) * (v[i + d.VX]! - x)) / v[i + d.INV_MASS]!;
     sums[LOST_Y] = sums[LOST_Y]! + ((1 - keep) * (v[i + d.VY]! - y)) / v[i + d.INV_MASS]!;
     v[i + d.VX] = x + keep * (v[i + d.VX]! - x);
