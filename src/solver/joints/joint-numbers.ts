@@ -1,3 +1,4 @@
+import type { RigidBody } from '../../body.js';
 import type { Constraint } from '../../constraint/constraint.js';
 import { recordAt, type SolverData } from '../data.js';
 import { BODY_STRIDE, MEMBER } from '../layout.js';
@@ -43,6 +44,11 @@ export function pushAt(joint: Joint, row: number): number {
 
 export function carryAt(joint: Joint): number {
   return recordOf(joint) + (joint.kernel === POINT ? POINT_CARRY : CARRY);
+}
+
+/** The shorter of two bodies' lists of constraints: those between them are in both. */
+export function shorterList(a: RigidBody, b: RigidBody): readonly Constraint[] {
+  return a.constraints.length < b.constraints.length ? a.constraints : b.constraints;
 }
 
 /** How many of its rows act all the time. The last one does not if its bounds are apart. */

@@ -2,11 +2,12 @@ import type { RigidBody } from '../../../body.js';
 import { DYNAMIC } from '../../../body-kind.js';
 import { FEW_JOINTS, STRESS_FADES, STRESS_SLOW, STRESS_STILL } from '../../../config-joints.js';
 import type { Constraint } from '../../../constraint/constraint.js';
+import { holdsBoth } from '../../../constraint/point.js';
 import type { World } from '../../../world.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
-import { heldRows, impulseAt, markBodies, numbersOf, visit } from '../joint-numbers.js';
+import { heldRows, impulseAt, markBodies, numbersOf, shorterList, visit } from '../joint-numbers.js';
 
 // Where there are more welds or points than it takes to hold bodies together, as in frames, wheels and nets, and between two bodies that
 // are hinged twice, joints may pull against each other. That moves nothing, so no sweep sees such a stress, and it stays. As the bodies
@@ -60,13 +61,18 @@ function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Gro
 
 /** How many rows of rigid joints that act in a world hold two bodies together. */
 function rowsBetween(a: RigidBody, b: RigidBody, world: World | null): number {
-  const { constraints } = a.constraints.length < b.constraints.length ? a : b;
+  const constraints = shorterList(a, b);
   let rows = 0;
   for (let i = 0; i < constraints.length; i += 1) {
     const constraint = constraints[i]!;
     const { members, liveIndex, owner } = constraint;
-    const isBetween = members.length === 2 && members.includes(a) && members.includes(b);
-    if (isBetween && owner === world && liveIndex >= 0 && isRigid(constraint)) {
+    if (
+      members.length === 2 &&
+      holdsBoth(constraint, a, b) &&
+      owner === world &&
+      liveIndex >= 0 &&
+      isRigid(constraint)
+    ) {
       rows += heldRows(constraint);
     }
   }

@@ -8,7 +8,7 @@ import { remember, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import { type Joint, packHead } from '../joint-data.js';
 import * as j from '../joint-layout.js';
-import { noteLag } from '../joint-numbers.js';
+import { noteLag, shorterList } from '../joint-numbers.js';
 
 /**
  * Angles and motors that do not break, and points that keep an angle. Method and record are like those of a block joint with the one row
@@ -50,10 +50,9 @@ export function packTurn(data: SolverData, joint: Joint): void {
  */
 function findStops({ joints: { records: r } }: SolverData, { constraint, at }: Joint): void {
   const motor = constraint as MotorConstraint;
-  const { constraints } = motor.bodyA.constraints.length < motor.bodyB.constraints.length ? motor.bodyA : motor.bodyB;
   r[at + j.TURN_LOWER] = -Infinity;
   r[at + j.TURN_UPPER] = Infinity;
-  for (const other of constraints) {
+  for (const other of shorterList(motor.bodyA, motor.bodyB)) {
     if (other.type === 'ANGLE' && !other.isElastic && other.liveIndex >= 0 && other.owner === motor.owner) {
       const times = timesOf(motor, other as AngleConstraint);
       if (times !== 0) {

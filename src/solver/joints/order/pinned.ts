@@ -2,6 +2,7 @@ import { PINS_APART, PINS_UNLIKE } from '../../../config-joints.js';
 import type { Constraint } from '../../../constraint/constraint.js';
 import { holdsBoth, type PointConstraint } from '../../../constraint/point.js';
 import { atan2 } from '../../../math/trig.js';
+import { shorterList } from '../joint-numbers.js';
 
 // Two bodies that are held together by two rigid points cannot move relative to each other, as if they were welded. Solved as two points,
 // both would ask for the same along the line between them, and across it would take the more sweeps the closer they lie: a door on two
@@ -14,8 +15,7 @@ import { atan2 } from '../../../math/trig.js';
  */
 export function angleBeside(point: PointConstraint, others: ReadonlySet<Constraint>): number {
   const { bodyA, bodyB } = point;
-  const { constraints } = bodyA.constraints.length < bodyB.constraints.length ? bodyA : bodyB;
-  for (const other of constraints) {
+  for (const other of shorterList(bodyA, bodyB)) {
     if (others.has(other) && holdsBoth(other, bodyA, bodyB)) {
       const angle = angleBetween(point, other as PointConstraint);
       if (!Number.isNaN(angle)) return angle;
