@@ -11,16 +11,16 @@ import { applyRows } from './jacobian.js';
  */
 
 /**
- * One sweep, from the first to the last, or back: over velocities, as `solveVelocityBlock`, or, if `moving`, over the motion of the
+ * One sweep, from the first to the last, or back: over velocities, as `solveVelocityBlock`, or, if `isPush`, over the motion of the
  * sub-step, as `pushBlock`.
  */
-export function sweepAnchored(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
+export function sweepAnchored(data: SolverData, start: number, end: number, isBack: boolean, isPush: boolean): void {
   const { records: r, bodies, joints } = data.joints;
-  const v = moving ? data.motion : data.velocity;
+  const v = isPush ? data.motion : data.velocity;
   for (let m = start; m < end; m += 1) {
     const joint = joints[isBack ? start + end - 1 - m : m]!;
     const i = joint.at & d.OFFSET;
-    if (moving && r[i + j.PUSH] === 0) {
+    if (isPush && r[i + j.PUSH] === 0) {
       continue;
     }
     const { rows, impulse, push, bias, error, jacobian, turned, matrix, work } = joint.layout;
@@ -28,12 +28,12 @@ export function sweepAnchored(data: SolverData, start: number, end: number, isBa
     const n = joint.first & d.OFFSET;
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
+    const p = (i + (isPush ? turned : jacobian)) & d.OFFSET;
     const k = (i + matrix) & d.OFFSET;
-    const o = (i + (moving ? push : impulse)) & d.OFFSET;
-    const e = (i + (moving ? error : bias)) & d.OFFSET;
-    const softness = moving ? -1 : -r[i + j.SOFTNESS]!;
-    const kept = moving ? 1 : 1 - r[i + j.FEEDBACK]!;
+    const o = (i + (isPush ? push : impulse)) & d.OFFSET;
+    const e = (i + (isPush ? error : bias)) & d.OFFSET;
+    const softness = isPush ? -1 : -r[i + j.SOFTNESS]!;
+    const kept = isPush ? 1 : 1 - r[i + j.FEEDBACK]!;
     const ax = r[p + ROW_AW]!;
     const bx = r[p + ROW_BW]!;
     const ay = r[p + ROW_SIZE + ROW_AW]!;
@@ -58,7 +58,7 @@ export function sweepAnchored(data: SolverData, start: number, end: number, isBa
     let nextX = kept * oldX + x;
     let nextY = kept * oldY + y;
     let nextW = kept * oldW + w;
-    if (!moving) {
+    if (!isPush) {
       if (r[i + j.CHECKED] !== 0) {
         r[i + work] = nextX;
         r[i + work + 1] = nextY;

@@ -101,12 +101,12 @@ function writePairMatrix(data: SolverData, { at, layout, first }: Joint, jacobia
 }
 
 /**
- * Multiplies all rows of J by the velocities or, if `motion`, by the motion of the sub-step, whose three numbers are laid out alike; the
+ * Multiplies all rows of J by the velocities or, if `isPush`, by the motion of the sub-step, whose three numbers are laid out alike; the
  * products go to the numbers at `work`.
  */
-export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, motion: boolean): void {
+export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, isPush: boolean): void {
   const { records: r, bodies } = data.joints;
-  const v = motion ? data.motion : data.velocity;
+  const v = isPush ? data.motion : data.velocity;
   const { at, layout, first } = joint;
   const { rows, members, work } = layout;
   let p = at + jacobian;
@@ -120,17 +120,17 @@ export function multiplyRows(data: SolverData, joint: Joint, jacobian: number, m
   }
 }
 
-/** Adds `scale` · M⁻¹·Jᵀ·λ, with λ at the offset `from`, to the velocities or, if `motion`, to the motion of the sub-step. */
+/** Adds `scale` · M⁻¹·Jᵀ·λ, with λ at the offset `from`, to the velocities or, if `isPush`, to the motion of the sub-step. */
 export function applyRows(
   data: SolverData,
   joint: Joint,
   jacobian: number,
   from: number,
   scale: number,
-  motion: boolean,
+  isPush: boolean,
 ): void {
   const { records: r, bodies } = data.joints;
-  const v = motion ? data.motion : data.velocity;
+  const v = isPush ? data.motion : data.velocity;
   const { at, layout, first } = joint;
   const { rows, members } = layout;
   for (let k = 0; k < members; k += 1) {

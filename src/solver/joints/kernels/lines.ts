@@ -7,28 +7,28 @@ import { cutOrBreak } from './breaking.js';
 /** The sweeps of block joints for lines, two rows between two bodies, straight-line. All else is done in `blocks.ts`. */
 
 /**
- * One sweep, from the first to the last, or back: over velocities, as `solveVelocityBlock`, or, if `moving`, over the motion of the
+ * One sweep, from the first to the last, or back: over velocities, as `solveVelocityBlock`, or, if `isPush`, over the motion of the
  * sub-step, as `pushBlock`.
  */
-export function sweepLines(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
+export function sweepLines(data: SolverData, start: number, end: number, isBack: boolean, isPush: boolean): void {
   const { records: r, bodies, joints } = data.joints;
-  const v = moving ? data.motion : data.velocity;
+  const v = isPush ? data.motion : data.velocity;
   const { impulse, push, bias, error, jacobian, turned, matrix, low, high, farBias, farError, work } =
     joints[start]!.layout;
   for (let m = start; m < end; m += 1) {
     const joint = joints[isBack ? start + end - 1 - m : m]!;
     const i = joint.at & d.OFFSET;
-    if (moving && r[i + j.PUSH] === 0) {
+    if (isPush && r[i + j.PUSH] === 0) {
       continue;
     }
     const n = joint.first & d.OFFSET;
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
-    const o = (i + (moving ? push : impulse)) & d.OFFSET;
-    const e = (i + (moving ? error : bias)) & d.OFFSET;
-    const softness = moving ? -1 : -r[i + j.SOFTNESS]!;
-    const kept = moving ? 1 : 1 - r[i + j.FEEDBACK]!;
+    const p = (i + (isPush ? turned : jacobian)) & d.OFFSET;
+    const o = (i + (isPush ? push : impulse)) & d.OFFSET;
+    const e = (i + (isPush ? error : bias)) & d.OFFSET;
+    const softness = isPush ? -1 : -r[i + j.SOFTNESS]!;
+    const kept = isPush ? 1 : 1 - r[i + j.FEEDBACK]!;
     const ax = r[p]!;
     const ay = r[p + 1]!;
     const aw = r[p + 2]!;
@@ -56,12 +56,12 @@ export function sweepLines(data: SolverData, start: number, end: number, isBack:
     const least = r[i + low]!;
     const most = r[i + high]!;
     const wanted = begun + (c1 - l * c) * r[i + matrix + 3]!;
-    const way = r[i + matrix + 3]! * r[i + (moving ? farError : farBias)]!;
+    const way = r[i + matrix + 3]! * r[i + (isPush ? farError : farBias)]!;
     let lambda1 = clampToBounds(wanted, least, most, way) - begun;
     let lambda = c * r[i + matrix]! - l * lambda1;
     let next = kept * old + lambda;
     let next1 = begun + lambda1;
-    if (!moving) {
+    if (!isPush) {
       if (r[i + j.CHECKED] !== 0) {
         r[i + work] = next;
         r[i + work + 1] = next1;

@@ -38,11 +38,11 @@ export function warmStartRows(data: SolverData, start: number, end: number): voi
 
 /**
  * One sweep, from the first to the last, or back. Over velocities: λ → clamp(λ − (J·v + bias) · softness / K − feedback · λ); or, if
- * `moving`, over the motion of the sub-step, with C as linear in it.
+ * `isPush`, over the motion of the sub-step, with C as linear in it.
  */
-export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, moving: boolean): void {
+export function sweepRows(data: SolverData, start: number, end: number, isBack: boolean, isPush: boolean): void {
   const { records: r, bodies, joints } = data.joints;
-  const v = moving ? data.motion : data.velocity;
+  const v = isPush ? data.motion : data.velocity;
   const { size, impulse, push, bias, error, jacobian, turned, matrix, low, high, farBias, farError, total } =
     joints[start]!.layout;
   const step = isBack ? -1 : 1;
@@ -50,15 +50,15 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
   let i = joints[m]!.at & d.OFFSET;
   let n = joints[m]!.first & d.OFFSET;
   for (; m >= start && m < end; m += step, i = (i + step * size) & d.OFFSET, n = (n + 2 * step) & d.OFFSET) {
-    if (moving && r[i + j.PUSH] === 0) {
+    if (isPush && r[i + j.PUSH] === 0) {
       continue;
     }
     const a = bodies[n]! & d.OFFSET;
     const b = bodies[n + 1]! & d.OFFSET;
-    const p = (i + (moving ? turned : jacobian)) & d.OFFSET;
-    const o = (i + (moving ? push : impulse)) & d.OFFSET;
-    const softness = moving ? 1 : r[i + j.SOFTNESS]!;
-    const feedback = moving ? 0 : r[i + j.FEEDBACK]!;
+    const p = (i + (isPush ? turned : jacobian)) & d.OFFSET;
+    const o = (i + (isPush ? push : impulse)) & d.OFFSET;
+    const softness = isPush ? 1 : r[i + j.SOFTNESS]!;
+    const feedback = isPush ? 0 : r[i + j.FEEDBACK]!;
     const ax = r[p]!;
     const ay = r[p + 1]!;
     const aw = r[p + 2]!;
@@ -72,13 +72,13 @@ export function sweepRows(data: SolverData, start: number, end: number, isBack: 
     const vby = v[b + d.VY]!;
     const wB = v[b + d.W]!;
     // In pairs: one sum after the other takes twice as long.
-    const c = ax * vax + ay * vay + (bx * vbx + by * vby) + (aw * wA + bw * wB + r[i + (moving ? error : bias)]!);
+    const c = ax * vax + ay * vay + (bx * vbx + by * vby) + (aw * wA + bw * wB + r[i + (isPush ? error : bias)]!);
     const old = r[o]!;
     const least = r[i + low]!;
     const most = r[i + high]!;
     let next = old - feedback * old - softness * r[i + matrix]! * c;
-    next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (moving ? farError : farBias)]!);
-    if (!moving && r[i + j.CHECKED] !== 0) {
+    next = clampToBounds(next, least, most, r[i + matrix]! * r[i + (isPush ? farError : farBias)]!);
+    if (!isPush && r[i + j.CHECKED] !== 0) {
       const sum = r[i + total]! + next;
       const breaking = r[i + j.BREAK]!;
       if (sum > breaking || sum < -breaking) {

@@ -138,7 +138,7 @@ export function pushRun(data: SolverData, kernel: number, start: number, end: nu
 }
 
 /**
- * Sweeps over joints whose Jacobian is written out: over velocities or, if `moving`, over the motion of the sub-step. Custom constraints
+ * Sweeps over joints whose Jacobian is written out: over velocities or, if `isPush`, over the motion of the sub-step. Custom constraints
  * are not swept over, they have iterations of their own.
  */
 function sweepWritten(
@@ -147,16 +147,16 @@ function sweepWritten(
   start: number,
   end: number,
   isBack: boolean,
-  moving: boolean,
+  isPush: boolean,
 ): void {
   if (kernel === ROW) {
-    sweepRows(data, start, end, isBack, moving);
+    sweepRows(data, start, end, isBack, isPush);
   } else if (kernel === LINE) {
-    sweepLines(data, start, end, isBack, moving);
+    sweepLines(data, start, end, isBack, isPush);
   } else if (kernel === ANCHORED) {
-    sweepAnchored(data, start, end, isBack, moving);
+    sweepAnchored(data, start, end, isBack, isPush);
   } else if (kernel === BLOCK) {
-    const sweep = moving ? pushBlock : solveVelocityBlock;
+    const sweep = isPush ? pushBlock : solveVelocityBlock;
     for (let k = start; k < end; k += 1) {
       sweep(data, data.joints.joints[isBack ? start + end - 1 - k : k]!);
     }
