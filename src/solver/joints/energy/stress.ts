@@ -94,7 +94,7 @@ function isRigid({ isElastic, drives }: Constraint): boolean {
  * that makes, for ever.
  */
 export function turnStress(data: SolverData, group: Group): void {
-  if (!turns(data, group)) {
+  if (!isTurning(data, group)) {
     return;
   }
   const { joints } = data.joints;
@@ -112,7 +112,7 @@ function isFixed(constraint: Constraint): boolean {
 }
 
 /** Whether some body of a group turned so much that it matters. */
-function turns(data: SolverData, group: Group): boolean {
+function isTurning(data: SolverData, group: Group): boolean {
   const { motion: q, joints } = data;
   const { bodies } = group;
   const least = group.end - group.start > FEW_JOINTS ? STRESS_SLOW * joints.h : STRESS_STILL;

@@ -166,7 +166,7 @@ function isOff({ points: r, joints: { asked } }: SolverData, { slot }: Joint): b
  * for. Back it is always the plain loop.
  * @returns whether some error was worth another iteration.
  */
-function solve(
+function runLoop(
   data: SolverData,
   start: number,
   end: number,
@@ -215,22 +215,22 @@ function stepOf({ joints: { joints } }: SolverData, start: number, end: number):
 
 /** Starts a sub-step: finds arms, error and K⁻¹ for the present placement, and warm starts with the impulse of the last sub-step. */
 export function warmStartPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, false, data.pointKernels?.warmStart, plain.warmStartPoints);
+  runLoop(data, start, end, false, data.pointKernels?.warmStart, plain.warmStartPoints);
 }
 
 /** One velocity sweep. */
 export function solveVelocityPoints(data: SolverData, start: number, end: number, isBack: boolean): void {
-  solve(data, start, end, isBack, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
+  runLoop(data, start, end, isBack, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
 }
 
 /** One exact position sweep. @returns whether an error was worth another iteration. */
 export function pushPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
-  return solve(data, start, end, isBack, data.pointKernels?.push, plain.pushPoints);
+  return runLoop(data, start, end, isBack, data.pointKernels?.push, plain.pushPoints);
 }
 
 /** Another position sweep, with errors linear in the motion since the last exact one. @returns as `pushPoints`. */
 export function pushPointsLinearly(data: SolverData, start: number, end: number, isBack: boolean): boolean {
-  return solve(data, start, end, isBack, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
+  return runLoop(data, start, end, isBack, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
 }
 
 /**
@@ -258,7 +258,7 @@ export function measurePoints(data: SolverData, start: number, end: number): voi
 
 /** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joints gave. */
 export function finishPoints(data: SolverData, start: number, end: number): void {
-  solve(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);
+  runLoop(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);
 }
 
 function haveTurned(data: SolverData, start: number, end: number): boolean {

@@ -125,35 +125,32 @@ function classify(data: SolverData, group: Group): void {
 
 /**
  * Finds whether a group is a mechanism, where bodies that are welded together count as one, and whether it is held. It is neither if joints
- * may break by force, as sweeps that try out impulses would break them.
+ * may break by force, as sweeps that try out impulses would break them; nor if a kinematic body turns. What that carries is swept over, not
+ * solved to its end: its velocities would then be off by a seventh, or by half, as it is always corrected the same way.
  */
 function findFirmness(data: SolverData, group: Group): void {
-  const { joints, bodies } = data.joints;
-  const { start, end, frequency } = group;
+  const { velocity: v } = data;
+  const { joints } = data.joints;
+  const { start, end, frequency, bodies } = group;
   let isFit = end - start > 1 && end - start <= FIRM_JOINTS && frequency === 0;
-  let isHeld = false;
+  let isHeld = group.isAnchored;
   let rows = 0;
   let welds = 0;
   for (let k = start; k < end && isFit; k += 1) {
-    const { constraint, kernel, first, layout } = joints[k]!;
+    const { constraint, kernel, layout } = joints[k]!;
     isFit = kernel !== CUSTOM && !constraint.breakUnderForce;
     if (layout.rows === 3) welds += 1;
     else rows += heldRows(constraint);
-    for (let m = first; m < first + layout.members; m += 1) {
-      isHeld ||= data.velocity[bodies[m]! + INV_MASS] === 0;
-      isFit &&= !isTurnedBy(data, bodies[m]!);
+  }
+  for (let n = 0; n < bodies.count && isFit; n += 1) {
+    const b = bodies.items[n]!;
+    if (v[b + INV_MASS] === 0) {
+      isHeld = true;
+      isFit = v[b + W] === 0;
     }
   }
   group.isMechanism = isFit && rows > 0 && rows >= FIRM_ROWS * (findMovers(data, group) - welds);
   group.isSmallAndHeld = isFit && isHeld;
-}
-
-/**
- * Whether a kinematic body turns. What it carries is swept over, not solved to its end: its velocities would then be off by a seventh, or
- * by half, as it is always corrected the same way.
- */
-function isTurnedBy({ velocity: v }: SolverData, body: number): boolean {
-  return v[body + INV_MASS] === 0 && v[body + W] !== 0;
 }
 
 /** 1/kg. The inverse masses of the heaviest and the lightest body of a group: scratch. */
