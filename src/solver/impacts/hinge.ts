@@ -51,35 +51,29 @@ export function noteHinges(
 ): void {
   for (let k = 0; k < bodyCount; k += 1) {
     const body = items[k]!;
-    const hinge = hingeOf(impacts, count, body);
-    if (hinge !== null) {
-      reaction.x = body.mass * (body.vx - before[3 * k]!);
-      reaction.y = body.mass * (body.vy - before[3 * k + 1]!);
-      for (let i = 0; i < count; i += 1) {
-        takeContacts(impacts[i]!, body);
-      }
-      noteReaction(hinge, body);
+    let hinge: PointConstraint | null = null;
+    reaction.x = body.mass * (body.vx - before[3 * k]!);
+    reaction.y = body.mass * (body.vy - before[3 * k + 1]!);
+    for (let i = 0; i < count; i += 1) {
+      hinge = takeContacts(impacts[i]!, body) ?? hinge;
     }
+    if (hinge !== null) noteReaction(hinge, body);
   }
 }
 
-function hingeOf(impacts: readonly Impact[], count: number, body: RigidBody): PointConstraint | null {
-  for (let i = 0; i < count; i += 1) {
-    const { a, b } = impacts[i]!;
-    if (a.body === body) return a.hinge;
-    if (b.body === body) return b.hinge;
+/** Subtracts from `reaction` the impulses of an impact on a body, if it is one of the two. @returns its hinge. */
+function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): PointConstraint | null {
+  const side = a.body === body ? a : b;
+  if (side.body !== body) {
+    return null;
   }
-  return null;
-}
-
-/** Subtracts from `reaction` the impulses of an impact on a body. */
-function takeContacts({ pair, points, a, b }: Impact, body: RigidBody): void {
   const { numbers: n, at: o } = pair;
-  const sign = a.body === body ? -1 : b.body === body ? 1 : 0;
+  const sign = side === a ? -1 : 1;
   for (const { normal, tangent } of points) {
     reaction.x -= sign * (n[o + g.NX]! * normal - n[o + g.NY]! * tangent);
     reaction.y -= sign * (n[o + g.NY]! * normal + n[o + g.NX]! * tangent);
   }
+  return side.hinge;
 }
 
 /** Adds `reaction` to what a hinge gave the body that hangs on it, and the opposite to what it hangs on. */

@@ -31,22 +31,22 @@ class Point {
   rtA = 0.5;
   rtB = 0.5;
   /** The inverse effective mass along the normal, and the effective mass along the tangent. */
-  give = 0.5;
+  inverseNormalMass = 0.5;
   tangentMass = 0.5;
   /** The normal velocity to be reached, with the sign changed. */
-  leave = 0.5;
+  bias = 0.5;
   friction = 0.5;
-  /** Velocity of B relative to A there, along the normal and the tangent. */
-  comes = 0.5;
-  slides = 0.5;
+  /** Velocity of B relative to A there. */
+  normalSpeed = 0.5;
+  tangentSpeed = 0.5;
   /** The impulses so far, and those to be reached. */
   normal = 0.5;
   tangent = 0.5;
   nextNormal = 0.5;
   nextTangent = 0.5;
   /** The impulses with friction, while it is solved without. */
-  normalRubbed = 0.5;
-  tangentRubbed = 0.5;
+  normalWithFriction = 0.5;
+  tangentWithFriction = 0.5;
 }
 
 /**
@@ -55,9 +55,8 @@ class Point {
  */
 class Side {
   body!: RigidBody;
-  /** The inverse mass and inertia. */
-  mass = 0.5;
-  inertia = 0.5;
+  inverseMass = 0.5;
+  inverseInertia = 0.5;
   hinge: PointConstraint | null = null;
   /** Where arms begin, relative to the origin of the body. */
   x = 0.5;
@@ -67,14 +66,15 @@ class Side {
     body.refreshMass();
     this.body = body;
     // As `inverseMass` and `inverseInertia`, which would have to box what they return if they were called from here.
-    this.mass = body.kind === DYNAMIC && body.mass > 0 ? 1 / body.mass : 0;
-    this.inertia = body.kind === DYNAMIC && body.inertia > 0 ? 1 / body.inertia : 0;
-    this.hinge = joints !== null && this.mass > 0 && this.inertia > 0 ? joints.findHinge(body, this) : null;
+    this.inverseMass = body.kind === DYNAMIC && body.mass > 0 ? 1 / body.mass : 0;
+    this.inverseInertia = body.kind === DYNAMIC && body.inertia > 0 ? 1 / body.inertia : 0;
+    this.hinge =
+      joints !== null && this.inverseMass > 0 && this.inverseInertia > 0 ? joints.findHinge(body, this) : null;
     if (this.hinge !== null) {
-      this.mass = 0;
-      this.inertia = 1 / (body.inertia + body.mass * (this.x * this.x + this.y * this.y));
+      this.inverseMass = 0;
+      this.inverseInertia = 1 / (body.inertia + body.mass * (this.x * this.x + this.y * this.y));
       // Keeps the angular momentum about the hinge, also where the velocity does not fit a turn about it.
-      body.w = this.inertia * (body.inertia * body.w + body.mass * (this.y * body.vx - this.x * body.vy));
+      body.w = this.inverseInertia * (body.inertia * body.w + body.mass * (this.y * body.vx - this.x * body.vy));
       this.hold();
     } else {
       this.x = 0;
@@ -225,9 +225,9 @@ function solve(): void {
 
 /** One iteration over an impact. @returns as `push`. */
 function solveOne(impact: Impact): boolean {
-  const rubbed = rub(impact, impact.points[0]);
-  const rubs = rub(impact, impact.points[1]) || rubbed;
-  return solveNormals(impact) || rubs;
+  const first = solveFriction(impact, impact.points[0]);
+  const second = solveFriction(impact, impact.points[1]);
+  return solveNormals(impact) || first || second;
 }
 
 /**
@@ -253,8 +253,8 @@ function keepEnergy(): void {
   for (let i = 0; i < count; i += 1) {
     for (const point of impacts[i]!.points) {
       // By rounding it might be negative where hardly anything is left.
-      point.normal = Math.max(0, point.normal + kept * (point.normalRubbed - point.normal));
-      point.tangent = kept * point.tangentRubbed;
+      point.normal = Math.max(0, point.normal + kept * (point.normalWithFriction - point.normal));
+      point.tangent = kept * point.tangentWithFriction;
     }
   }
 }
@@ -269,8 +269,8 @@ function addsEnergy(body: RigidBody): boolean {
 }
 
 function beginWithoutFriction(point: Point): void {
-  point.normalRubbed = point.normal;
-  point.tangentRubbed = point.tangent;
+  point.normalWithFriction = point.normal;
+  point.tangentWithFriction = point.tangent;
   point.normal = 0;
   point.tangent = 0;
   point.friction = 0;
@@ -296,8 +296,8 @@ function measure({ pair }: Impact, point: Point): void {
   const ny = n[o + g.NY]!;
   const dvx = b.vx - a.vx;
   const dvy = b.vy - a.vy;
-  point.comes = nx * dvx + ny * dvy + point.rnB * b.w - point.rnA * a.w;
-  point.slides = nx * dvy - ny * dvx + point.rtB * b.w - point.rtA * a.w;
+  point.normalSpeed = nx * dvx + ny * dvy + point.rnB * b.w - point.rnA * a.w;
+  point.tangentSpeed = nx * dvy - ny * dvx + point.rtB * b.w - point.rtA * a.w;
 }
 
 /** Prepares a point. One that takes no part gets no arms and no friction, and never approaches. */
@@ -313,22 +313,24 @@ function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boole
   const ay = isUsed ? y - sideA.y : 0;
   const bx = isUsed ? x - n[o + g.DX]! - sideB.x : 0;
   const by = isUsed ? y - n[o + g.DY]! - sideB.y : 0;
-  const mass = sideA.mass + sideB.mass;
+  const inverseMass = sideA.inverseMass + sideB.inverseMass;
   point.isUsed = isUsed;
   point.rnA = ax * ny - ay * nx;
   point.rnB = bx * ny - by * nx;
   point.rtA = ax * nx + ay * ny;
   point.rtB = bx * nx + by * ny;
-  const kn = mass + sideA.inertia * point.rnA * point.rnA + sideB.inertia * point.rnB * point.rnB;
-  const kt = mass + sideA.inertia * point.rtA * point.rtA + sideB.inertia * point.rtB * point.rtB;
+  const kn = inverseMass + sideA.inverseInertia * point.rnA * point.rnA + sideB.inverseInertia * point.rnB * point.rnB;
+  const kt = inverseMass + sideA.inverseInertia * point.rtA * point.rtA + sideB.inverseInertia * point.rtB * point.rtB;
   measure(impact, point);
-  const { comes, slides } = point;
+  const { normalSpeed, tangentSpeed } = point;
   const gain = normalGain(data, a.slot * d.BODY_STRIDE, b.slot * d.BODY_STRIDE, nx, ny);
-  point.give = kn > 0 ? kn : d.IMMOVABLE;
+  point.inverseNormalMass = kn > 0 ? kn : d.IMMOVABLE;
   point.tangentMass = kt > 0 ? 1 / kt : 0;
-  point.leave = isUsed ? bounceSpeed(n[o + c.ELASTICITY]!, comes, gain) - (a.surfaceY + b.surfaceY) : Infinity;
+  point.bias = isUsed ? bounceBias(n[o + c.ELASTICITY]!, normalSpeed, gain) - (a.surfaceY + b.surfaceY) : Infinity;
   point.friction =
-    slides * slides > STATIC_FRICTION_SPEED_SQUARED ? n[o + c.DYNAMIC_FRICTION]! : n[o + c.STATIC_FRICTION]!;
+    tangentSpeed * tangentSpeed > STATIC_FRICTION_SPEED_SQUARED
+      ? n[o + c.DYNAMIC_FRICTION]!
+      : n[o + c.STATIC_FRICTION]!;
   point.normal = 0;
   point.tangent = 0;
 }
@@ -339,16 +341,16 @@ function setPoint(data: SolverData, impact: Impact, which: number, isUsed: boole
  * both would leave faster than they came. The velocity with which the next sub-step starts is behind the true one by half of what forces
  * add in a sub-step. So that is added for the bounce, which keeps the height of a bouncing ball.
  */
-function bounceSpeed(elasticity: number, comes: number, gain: number): number {
-  const leaves = elasticity * comes;
-  return leaves > BOUNCE_THRESHOLD ? leaves : leaves < -BOUNCE_THRESHOLD ? leaves + 0.5 * (elasticity + 1) * gain : 0;
+function bounceBias(elasticity: number, speed: number, gain: number): number {
+  const bias = elasticity * speed;
+  return bias > BOUNCE_THRESHOLD ? bias : bias < -BOUNCE_THRESHOLD ? bias + 0.5 * (elasticity + 1) * gain : 0;
 }
 
 /** Solves the friction of a point. @returns as `push`. */
-function rub(impact: Impact, point: Point): boolean {
+function solveFriction(impact: Impact, point: Point): boolean {
   const { pair } = impact;
   measure(impact, point);
-  const slide = point.slides - (pair.bodyA.surfaceX + pair.bodyB.surfaceX);
+  const slide = point.tangentSpeed - (pair.bodyA.surfaceX + pair.bodyB.surfaceX);
   const limit = point.friction * point.normal;
   point.nextNormal = point.normal;
   point.nextTangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
@@ -364,12 +366,13 @@ function solveNormals(impact: Impact): boolean {
   const [one, two] = points;
   measure(impact, one);
   measure(impact, two);
-  const k11 = one.give;
-  const k22 = two.give;
-  const k12 = a.mass + b.mass + a.inertia * one.rnA * two.rnA + b.inertia * one.rnB * two.rnB;
+  const k11 = one.inverseNormalMass;
+  const k22 = two.inverseNormalMass;
+  const k12 =
+    a.inverseMass + b.inverseMass + a.inverseInertia * one.rnA * two.rnA + b.inverseInertia * one.rnB * two.rnB;
   const det = k11 * k22 - k12 * k12;
-  const b1 = one.comes + one.leave - k11 * one.normal - k12 * two.normal;
-  const b2 = two.comes + two.leave - k12 * one.normal - k22 * two.normal;
+  const b1 = one.normalSpeed + one.bias - k11 * one.normal - k12 * two.normal;
+  const b2 = two.normalSpeed + two.bias - k12 * one.normal - k22 * two.normal;
   one.nextNormal = (k12 * b2 - k22 * b1) / det;
   two.nextNormal = (k12 * b1 - k11 * b2) / det;
   if (!(k11 * k11 < MAX_CONDITION * det && one.nextNormal >= 0 && two.nextNormal >= 0)) {
@@ -397,16 +400,16 @@ function push({ pair, a, b }: Impact, point: Point): boolean {
   const y = n[o + g.NY]! * p + n[o + g.NX]! * t;
   // What overflows must not reach bodies that cannot move.
   if (bodyA.kind === DYNAMIC) {
-    bodyA.vx -= x * a.mass;
-    bodyA.vy -= y * a.mass;
-    bodyA.w -= (point.rnA * p + point.rtA * t) * a.inertia;
+    bodyA.vx -= x * a.inverseMass;
+    bodyA.vy -= y * a.inverseMass;
+    bodyA.w -= (point.rnA * p + point.rtA * t) * a.inverseInertia;
   }
   if (bodyB.kind === DYNAMIC) {
-    bodyB.vx += x * b.mass;
-    bodyB.vy += y * b.mass;
-    bodyB.w += (point.rnB * p + point.rtB * t) * b.inertia;
+    bodyB.vx += x * b.inverseMass;
+    bodyB.vy += y * b.inverseMass;
+    bodyB.w += (point.rnB * p + point.rtB * t) * b.inverseInertia;
   }
   point.normal = point.nextNormal;
   point.tangent = point.nextTangent;
-  return Math.abs(p) * point.give > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;
+  return Math.abs(p) * point.inverseNormalMass > IMPACT_TOLERANCE || Math.abs(t) > IMPACT_TOLERANCE * point.tangentMass;
 }
