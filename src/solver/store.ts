@@ -60,7 +60,7 @@ function storeBody(world: World, body: RigidBody): void {
     body.moved();
     // As `goesFar`, which would have to box its numbers if it were called from here.
     if (Math.abs(dx) + Math.abs(dy) + Math.abs(turn) * body.radius > Math.max(body.clearance, SPECULATIVE_MARGIN / 2)) {
-      world.movers.add(body, true).retrace(body, true);
+      world.movers.add(body, true).retrace();
     }
   }
   body.clearance = 0;

@@ -70,7 +70,7 @@ it('lists the meetings of each dynamic body', () => {
   const partners = (of: typeof one) => {
     const found = [];
     const mover = movers.of(of);
-    for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
+    for (let meeting = mover.newestMeeting; meeting !== null; meeting = meeting.nextOf(mover)) {
       found.push(meeting.a.owner === of ? meeting.b.owner : meeting.a.owner);
     }
     return found;

@@ -182,7 +182,7 @@ function putAround({ movers }: World, ground: Shape, time: number): void {
     const other = around.items[i]!;
     if (other.owner !== ground.owner) {
       const mover = movers.of(other.owner!);
-      mover.putAt(time);
+      mover.moveBodyTo(time);
       // So that the step moves it to its end together with what was met.
       mover.met = true;
     } else if (other !== ground && other.owner!.w !== 0) {

@@ -93,7 +93,7 @@ function takeTogether(world: World, first: Meeting): void {
 
 function addThoseOf(world: World, body: RigidBody, first: Meeting): void {
   const mover = world.movers.of(body);
-  for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
+  for (let other = mover.newestMeeting; other !== null; other = other.nextOf(mover)) {
     if (isDue(world, other, first)) take(world, other, first);
   }
 }
@@ -125,7 +125,7 @@ function take({ movers }: World, meeting: Meeting, first: Meeting): void {
 /** Moves a body to where it is at the time of a meeting. Takes the meeting, as its time would be boxed. */
 function come(mover: Mover, { time }: Meeting): void {
   mover.at = time;
-  mover.put();
+  mover.moveBody();
   mover.met = mover.body.kind !== STATIC;
 }
 
@@ -140,7 +140,7 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter): void {
   const isDeeper = partner.body.kind !== DYNAMIC && pair.metAgain();
   if (isDeeper && mover.body.mass === Infinity) {
     // Nothing moves it, but it may be turned out of what it is in.
-    mover.goOn();
+    mover.resume();
     return;
   }
   const carrier = carries(partner) ? partner : mover.carrier;
@@ -237,7 +237,7 @@ function timeToMeet(world: World, { shapes }: RigidBody, other: Shape, under: Sh
 
 /** Finds the times of the meetings of a body that has stopped once more: some come at another time now, and some not at all. */
 function lookAgain(world: World, mover: Mover): void {
-  for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
+  for (let meeting = mover.newestMeeting; meeting !== null; meeting = meeting.nextOf(mover)) {
     if (meeting.slot >= 0) {
       findTime(world, meeting);
     }

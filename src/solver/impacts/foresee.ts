@@ -96,7 +96,7 @@ function foreseeDynamic(world: World, body: RigidBody): void {
 function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void {
   for (let i = 0; i < liveKinematics.length; i += 1) {
     const body = liveKinematics[i]!;
-    movers.add(body, goesFar(body, dt)).aim(body, movers);
+    movers.add(body, goesFar(body, dt)).aim(movers);
   }
 }
 
@@ -120,7 +120,7 @@ function foreseeFalling(world: World, body: RigidBody): void {
     mover.dy = vy;
     mover.turn = w;
     goAlongContacts(world, mover, body);
-    mover.foresee(body, movers);
+    mover.foresee(movers);
   }
 }
 
@@ -190,8 +190,8 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   const { shapeA: a, shapeB: b } = pair;
   const one = world.movers.of(a.owner!);
   const two = world.movers.of(b.owner!);
-  one.putAt(time);
-  two.putAt(time);
+  one.moveBodyTo(time);
+  two.moveBodyTo(time);
   a.place(one.body);
   b.place(two.body);
   const isApart = !touch(pair);
@@ -207,8 +207,8 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   }
   pair.foreseen = world.movers.foreseeContact();
   moveBack(world.movers, pair, one, two, time);
-  one.putAt(0);
-  two.putAt(0);
+  one.moveBodyTo(0);
+  two.moveBodyTo(0);
   a.place(one.body);
   b.place(two.body);
   works?.putGroundsBack(world, pair);

@@ -96,13 +96,13 @@ export class MeetingQueue {
     if (!comes) {
       return;
     }
-    meeting.nextOfA = one.meetings;
-    meeting.nextOfB = two.meetings;
+    meeting.nextOfA = one.newestMeeting;
+    meeting.nextOfB = two.newestMeeting;
     if (one.body.kind === DYNAMIC) {
-      one.meetings = meeting;
+      one.newestMeeting = meeting;
     }
     if (two.body.kind === DYNAMIC) {
-      two.meetings = meeting;
+      two.newestMeeting = meeting;
     }
     this.size += 1;
     this.put(meeting, this.size - 1);

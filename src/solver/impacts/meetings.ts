@@ -160,21 +160,21 @@ function meetStill(world: World, mover: Mover, count: number): void {
  */
 function shorten(world: World, mover: Mover): void {
   const { meetings } = world.movers;
-  let first = mover.firstMeeting();
+  let first = mover.earliestMeeting();
   while (first?.isOpen && first.time < Infinity) {
     findTime(world, first);
-    first = mover.firstMeeting();
+    first = mover.earliestMeeting();
   }
   // Not `first?.time`: a number that may be undefined is boxed.
   if (first !== null && first.time === Infinity) {
     findApart(world, mover);
-    first = mover.firstMeeting();
+    first = mover.earliestMeeting();
   }
   if (first === null || first.time === Infinity || !stops(world, first)) {
     return;
   }
   mover.until = first.time;
-  for (let other = mover.meetings; other !== null; other = other.nextOf(mover)) {
+  for (let other = mover.newestMeeting; other !== null; other = other.nextOf(mover)) {
     if (other.slot >= 0 && other.time > first.time + SAME_TIME && isWithStatic(other)) {
       meetings.remove(other);
     }
@@ -186,7 +186,7 @@ function shorten(world: World, mover: Mover): void {
  * from another side than the solver assumed. What touched is left to the solver, which knows everything that touches.
  */
 function findApart(world: World, mover: Mover): void {
-  for (let meeting = mover.meetings; meeting !== null; meeting = meeting.nextOf(mover)) {
+  for (let meeting = mover.newestMeeting; meeting !== null; meeting = meeting.nextOf(mover)) {
     const pair = meeting.isOpen ? world.pairs.find(meeting.a, meeting.b) : null;
     if (pair !== null) {
       findLeastSeparation(pair.numbers, pair.at);

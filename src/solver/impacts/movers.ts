@@ -54,52 +54,40 @@ export class Mover {
   endX = 0.5;
   endY = 0.5;
   endAngle = 0.5;
-  /** The first in the list of what it meets, if it is dynamic. */
-  meetings: Meeting | null = null;
-  /** When it first met something. */
-  first = Infinity;
+  /** The last meeting that was found of it, if it is dynamic: with `nextOf` a list of all. */
+  newestMeeting: Meeting | null = null;
+  /** When it first met something, as far as was asked. */
+  firstTime = Infinity;
   /** When it stops for the rest of the step at the latest, at something static that it meets; 1 if that is not known. */
   until = 0.5;
   /** What has carried it along since it was stopped. */
   carrier: Mover | null = null;
 
-  private begin(body: RigidBody, sweeps: boolean): void {
-    this.sweeps = sweeps;
-    this.met = false;
-    this.stopped = false;
-    this.meetings = null;
-    this.first = Infinity;
-    this.until = 1;
-    this.carrier = null;
-    this.vx = body.vx;
-    this.vy = body.vy;
-    this.w = body.w;
-    this.from = 0;
-  }
-
   /** Sets the way of the step that is over, to where the body is now. */
-  retrace(body: RigidBody, sweeps: boolean): void {
-    this.begin(body, sweeps);
+  retrace(): void {
+    const { body } = this;
+    this.sweeps = this.looks;
     this.dx = body.lastDx;
     this.dy = body.lastDy;
     this.turn = body.lastTurn;
-    this.unwind();
     this.x = body.x - this.dx;
     this.y = body.y - this.dy;
-    this.angle = body.angle - body.lastTurn;
-    this.start();
+    this.angle = body.angle - this.turn;
+    this.begin();
   }
 
   /** Sets the way that the body would go from here with its velocities. */
-  aim(body: RigidBody, movers: Movers): void {
+  aim(movers: Movers): void {
+    const { body } = this;
     this.dx = body.vx;
     this.dy = body.vy;
     this.turn = body.w;
-    this.foresee(body, movers);
+    this.foresee(movers);
   }
 
   /** The same with the average velocities in `dx`, `dy` and `turn`. */
-  foresee(body: RigidBody, { ahead }: Movers): void {
+  foresee({ ahead }: Movers): void {
+    const { body } = this;
     // As `scale`, for which the number would be boxed.
     this.dx *= ahead;
     this.dy *= ahead;
@@ -110,35 +98,39 @@ export class Mover {
       this.dy = 0;
       this.turn = 0;
     }
-    this.unwind();
-    const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
-    // As `goesFar`, which would have to box its numbers if it were called from here.
-    this.begin(body, body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2);
     this.x = body.x;
     this.y = body.y;
     this.angle = body.angle;
-    this.start();
+    this.begin();
+    // As `goesFar`, which would have to box its numbers if it were called from here.
+    const way = Math.abs(this.dx) + Math.abs(this.dy) + this.spin * body.radius;
+    this.sweeps = body.liveIndex >= 0 && way > SPECULATIVE_MARGIN / 2;
   }
 
-  /** Takes whole turns from `turn`, except the first one, in which the body passes everything around it. */
-  private unwind(): void {
+  /** Begins the way that was set. Without arguments: numbers with a fraction are boxed for each call that is not inlined. */
+  private begin(): void {
+    const { body } = this;
+    this.met = false;
+    this.stopped = false;
+    this.newestMeeting = null;
+    this.firstTime = Infinity;
+    this.until = 1;
+    this.carrier = null;
+    this.vx = body.vx;
+    this.vy = body.vy;
+    this.w = body.w;
+    this.from = 0;
+    this.startX = this.x;
+    this.startY = this.y;
+    this.startAngle = this.angle;
+    this.endX = body.x;
+    this.endY = body.y;
+    this.endAngle = body.angle;
+    // Of whole turns only the first one counts, in which the body passes everything around it.
     this.spin = Math.abs(this.turn);
     if (this.spin >= TURN) {
       this.turn = (this.turn % TURN) + Math.sign(this.turn) * TURN;
     }
-  }
-
-  /**
-   * Starts the way where it was set to. Without arguments, as `unwind`: numbers with a fraction are boxed for each call that is not
-   * inlined.
-   */
-  private start(): void {
-    this.startX = this.x;
-    this.startY = this.y;
-    this.startAngle = this.angle;
-    this.endX = this.body.x;
-    this.endY = this.body.y;
-    this.endAngle = this.body.angle;
   }
 
   /** Sets a travel to the way from `from` on, relative to where another mover is then. */
@@ -160,35 +152,35 @@ export class Mover {
    * it keeps, as the other one keeps the opposite. When joints to static bodies added what they added is told by the way: a motor may do it
    * all at once.
    */
-  slow({ solver, movers, jointSolver }: World): void {
+  rewindVelocity({ solver, movers, jointSolver }: World): void {
     if (this.stopped) {
       return;
     }
     const { body } = this;
     const { drive, substeps } = solver;
     const slot = body.slot * d.BODY_STRIDE;
+    // What forces added in the step, and all of the change.
     const gainX = substeps * drive[slot + d.GAIN_X]!;
     const gainY = substeps * drive[slot + d.GAIN_Y]!;
-    const gainW = substeps * drive[slot + d.GAIN_W]!;
     const dx = body.vx - this.vx;
     const dy = body.vy - this.vy;
     const square = dx * dx + dy * dy;
     const gain = gainX * gainX + gainY * gainY;
+    const isSudden = square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain;
+    const wasGiven = isSudden && wasPushed(body);
     const isHeld = jointSolver !== null && isTied(body);
-    const left = (isHeld ? jointSolver.shareOfChange(this, movers, substeps) : this.at) - 1;
-    const wasGiven = square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain && wasPushed(body);
     if (isHeld && (wasGiven || isInTrain(body))) {
       // At most as much of what forces added as there is: what hangs at rest got it back from its joints.
       const share = gain > 0 ? Math.min(Math.max((dx * gainX + dy * gainY) / gain, 0), 1) : 0;
       body.vx += (this.at - 1) * share * gainX;
       body.vy += (this.at - 1) * share * gainY;
     } else {
-      const turned =
-        square > BOUNCE_SUDDEN * BOUNCE_SUDDEN * gain && body.vx * dx + body.vy * dy > BOUNCE_LEFT * square;
-      const bounced = !isHeld && (turned || wasGiven);
-      body.vx += left * (bounced ? gainX : dx);
-      body.vy += left * (bounced ? gainY : dy);
-      body.w += left * (bounced ? gainW : body.w - this.w);
+      const left = (isHeld ? jointSolver.shareOfChange(this, movers, substeps) : this.at) - 1;
+      const turnedBack = isSudden && body.vx * dx + body.vy * dy > BOUNCE_LEFT * square;
+      const keeps = !isHeld && (turnedBack || wasGiven);
+      body.vx += left * (keeps ? gainX : dx);
+      body.vy += left * (keeps ? gainY : dy);
+      body.w += left * (keeps ? substeps * drive[slot + d.GAIN_W]! : body.w - this.w);
     }
     // Another impact at the same time finds this done.
     this.stopped = true;
@@ -196,30 +188,30 @@ export class Mover {
 
   /** Whether nothing met the body before that time, as far as was asked; true for static and kinematic bodies. */
   comesFirst(time: number): boolean {
-    this.first = Math.min(this.first, time);
-    return this.body.kind !== DYNAMIC || time <= this.first + SAME_TIME;
+    this.firstTime = Math.min(this.firstTime, time);
+    return this.body.kind !== DYNAMIC || time <= this.firstTime + SAME_TIME;
   }
 
   /** The earliest of its meetings in the heap. */
-  firstMeeting(): Meeting | null {
+  earliestMeeting(): Meeting | null {
     let first: Meeting | null = null;
-    for (let next = this.meetings; next !== null; next = next.nextOf(this)) {
+    for (let next = this.newestMeeting; next !== null; next = next.nextOf(this)) {
       if (next.slot >= 0 && (first === null || next.time < first.time)) first = next;
     }
     return first;
   }
 
   /**
-   * Moves the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `start` is
+   * Moves the body, unless it is static, to where it is at a time, not before `from`. No longer than what is always inlined, as `begin` is
    * without arguments.
    */
-  putAt(time: number): void {
+  moveBodyTo(time: number): void {
     this.at = time;
-    this.put();
+    this.moveBody();
   }
 
   /** The same, for the time that is set as `at`. */
-  put(): void {
+  moveBody(): void {
     const { body } = this;
     if (body.kind === STATIC) {
       return;
@@ -241,23 +233,25 @@ export class Mover {
 
   /** Stops the body where it was moved to; from there on it stays. */
   stop(): void {
+    this.scale(0);
+    this.restart();
+  }
+
+  /** Lets the body go the rest of its way from where it was moved to. */
+  resume(): void {
+    const rest = 1 - this.from;
+    this.scale(rest > 0 ? (1 - this.at) / rest : 0);
+    this.restart();
+  }
+
+  /** Lets the rest of the way begin where the body was moved to. */
+  private restart(): void {
     const { body } = this;
     this.stopped = true;
     this.from = this.at;
     this.x = body.x;
     this.y = body.y;
     this.angle = body.angle;
-    this.scale(0);
-  }
-
-  /** Lets the body go the rest of its way from where it was moved to. */
-  goOn(): void {
-    const { at, from, dx, dy, turn } = this;
-    this.stop();
-    this.dx = dx;
-    this.dy = dy;
-    this.turn = turn;
-    this.scale(from < 1 ? (1 - at) / (1 - from) : 0);
   }
 
   /** From its stop on, moves the body along with another one, as if it were part of that. */
@@ -265,11 +259,11 @@ export class Mover {
     const { body } = this;
     const { body: under } = carrier;
     this.carrier = carrier;
-    carrier.putAt(this.from);
+    carrier.moveBodyTo(this.from);
     const x = under.cos * (body.x - under.x) + under.sin * (body.y - under.y);
     const y = under.cos * (body.y - under.y) - under.sin * (body.x - under.x);
     const { angle } = under;
-    carrier.putAt(1);
+    carrier.moveBodyTo(1);
     this.dx = under.x + under.cos * x - under.sin * y - this.x;
     this.dy = under.y + under.sin * x + under.cos * y - this.y;
     this.turn = under.angle - angle;
@@ -278,7 +272,7 @@ export class Mover {
   /** Leaves the body where it is at the end of the step. */
   finish(): void {
     const { body } = this;
-    this.putAt(1);
+    this.moveBodyTo(1);
     if (!this.stopped) {
       body.x = this.endX;
       body.y = this.endY;
@@ -389,9 +383,9 @@ export class Movers {
     }
     const mover = this.add(body, false);
     if (this.ahead > 0) {
-      mover.aim(body, this);
+      mover.aim(this);
     } else {
-      mover.retrace(body, false);
+      mover.retrace();
     }
     return mover;
   }

@@ -100,7 +100,7 @@ function rouse(world: World, body: RigidBody, begins: boolean): void {
   if (body.kind === DYNAMIC) {
     if (body.asleep) wakeBody(world, body, false);
     if (begins) {
-      world.movers.of(body).slow(world);
+      world.movers.of(body).rewindVelocity(world);
     }
   }
 }
