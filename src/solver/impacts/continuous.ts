@@ -57,7 +57,7 @@ function strikeInOrder(world: World): void {
   const { movers } = world;
   const { meetings } = movers;
   for (let next = meetings.first(); next !== null && next.time < Infinity; next = meetings.first()) {
-    if (next.isOpen) {
+    if (next.isEstimate) {
       findTime(world, next);
       continue;
     }
@@ -100,11 +100,11 @@ function addThoseOf(world: World, body: RigidBody, first: Meeting): void {
 
 /** Whether a meeting is in the queue and comes at once with the first: its surfaces are then as close as those that touch. */
 function isDue(world: World, meeting: Meeting, first: Meeting): boolean {
-  if (meeting.slot >= 0 && meeting.isOpen && meeting.time <= first.time + SAME_TIME) {
+  if (meeting.slot >= 0 && meeting.isEstimate && meeting.time <= first.time + SAME_TIME) {
     findTime(world, meeting);
   }
   const wait = meeting.time - first.time;
-  return meeting.slot >= 0 && !meeting.isOpen && wait <= SAME_TIME && wait * wayOf(world, meeting) <= CONTACT_SLOP;
+  return meeting.slot >= 0 && !meeting.isEstimate && wait <= SAME_TIME && wait * wayOf(world, meeting) <= CONTACT_SLOP;
 }
 
 /** By how much two shapes may approach each other in the step at most, m. */

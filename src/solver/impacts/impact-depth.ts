@@ -19,12 +19,13 @@ import type { Mover, Movers } from './movers.js';
 // How deep shapes that meet in a step have to overlap for an impact: what gets less deep is left to contacts.
 
 /**
- * The result of `findRequired`: how far two shapes turn relative to each other in the step, rad, and how deep they have to get, m. Scratch.
+ * The result of `findRequired`: how far two shapes turn relative to each other in the step, rad (circles do not), how deep they have to get,
+ * m, and whether they are in a train. Scratch.
  */
-export const required = { turn: 0.5, depth: 0.5 };
+export const required = { turn: 0.5, depth: 0.5, isInTrain: false };
 
 /**
- * Finds how deep two shapes have to get for an impact, and how far they turn (circles do not), to `required`.
+ * Finds how deep two shapes have to get for an impact, to `required`.
  * - Less deep where the meeting is foreseen.
  * - No deeper than a share of the thinner one where the solver does not see the pair, or it is never foreseen: that shape would slip into
  * the end of a thick one, which would then push it along instead of out, or between two. Not if they turn fast: they would be stopped again
@@ -43,16 +44,17 @@ export function findRequired(
 ): void {
   findImpactDepth(a, b);
   required.turn = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
-  const isJointed = isEitherInTrain(a, b);
+  // Putting one back alone would open joints to bodies that may move. What only hangs on static bodies, as a flipper, stays on its way.
+  required.isInTrain = isInTrain(a.owner!) || isInTrain(b.owner!);
   const thinner = Math.min(halfWidthOf(a), halfWidthOf(b));
   let depth = Math.min(ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, impactDepth[0]!);
   if (required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b))) {
     depth = Math.min(depth, IMPACT_SHARE_THIN * thinner);
   }
-  if (lands && !isJointed) {
+  if (lands && !required.isInTrain) {
     depth = Math.min(depth, Math.max(IMPACT_LEAST, IMPACT_SHARE_SMALL * thinner));
   }
-  required.depth = isJointed ? JOINT_PATIENCE * depth : depth;
+  required.depth = required.isInTrain ? JOINT_PATIENCE * depth : depth;
 }
 
 /**
@@ -61,7 +63,7 @@ export function findRequired(
  * over each other without being found first.
  */
 export function requireLess(a: Shape, b: Shape, one: Mover, two: Mover): void {
-  if (!mayBeForeseen(a, b) && !isEitherInTrain(a, b)) {
+  if (!required.isInTrain && !mayBeForeseen(a, b)) {
     const graze = a.kind === CIRCLE && b.kind === CIRCLE ? TOUCH_DEPTH : FORESIGHT_DEPTH;
     required.depth = Math.min(required.depth, graze + dip(a, one) + dip(b, two));
   }
@@ -85,12 +87,4 @@ export function mayBeRefused(a: Shape, b: Shape): boolean {
 /** Whether two shapes that meet bounce, as their materials say. */
 export function areElastic(a: Shape, b: Shape): boolean {
   return mixElasticity(a.material.elasticity, b.material.elasticity) > 0;
-}
-
-/**
- * Whether one of the two is joined to another body that may move: putting it back alone would open joints. What only hangs on static
- * bodies, as a flipper does, stays on its way when it is put back.
- */
-export function isEitherInTrain(a: Shape, b: Shape): boolean {
-  return isInTrain(a.owner!) || isInTrain(b.owner!);
 }

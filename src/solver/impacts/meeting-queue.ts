@@ -6,8 +6,8 @@ import type { Mover } from './movers.js';
 export class Meeting {
   /** From 0 where the step began to 1 where it ended. Infinite: they do not meet unless something stops one of them before. */
   time = 0.5;
-  /** The exact time is not known yet, only that it is no earlier than `time`. */
-  isOpen = false;
+  /** Whether `time` is only the earliest that it may be: the exact one is found when the meeting is the next. */
+  isEstimate = false;
   /**
    * Whether one lands on the other: they were close as the step began, or neither is near any ground, from which it would slide over to the
    * other.
@@ -85,7 +85,7 @@ export class MeetingQueue {
     meeting.a = isFirst ? one : two;
     meeting.b = isFirst ? two : one;
     meeting.slot = -1;
-    meeting.isOpen = false;
+    meeting.isEstimate = false;
     meeting.lands = false;
     return meeting;
   }

@@ -25,7 +25,7 @@ import type { World } from '../../world.js';
 import { growBounds } from '../bounds.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
-import { areElastic, findRequired, isEitherInTrain, mayBeRefused, required, requireLess } from './impact-depth.js';
+import { areElastic, findRequired, mayBeRefused, required, requireLess } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover, Movers } from './movers.js';
 import { isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
@@ -161,7 +161,7 @@ function meetStill(world: World, mover: Mover, count: number): void {
 function shorten(world: World, mover: Mover): void {
   const { meetings } = world.movers;
   let first = mover.earliestMeeting();
-  while (first?.isOpen && first.time < Infinity) {
+  while (first?.isEstimate && first.time < Infinity) {
     findTime(world, first);
     first = mover.earliestMeeting();
   }
@@ -187,7 +187,7 @@ function shorten(world: World, mover: Mover): void {
  */
 function findApart(world: World, mover: Mover): void {
   for (let meeting = mover.newestMeeting; meeting !== null; meeting = meeting.nextOf(mover)) {
-    const pair = meeting.isOpen ? world.pairs.find(meeting.a, meeting.b) : null;
+    const pair = meeting.isEstimate ? world.pairs.find(meeting.a, meeting.b) : null;
     if (pair !== null) {
       findLeastSeparation(pair.numbers, pair.at);
       if (leastSeparation[0]! > CONTACT_SLOP) findTime(world, meeting);
@@ -241,7 +241,7 @@ function meetWays(world: World, index: number): void {
       const place = ways.movers[way]!;
       const other = movers.all[place]!;
       const isToKinematic = other.body.kind === KINEMATIC;
-      const isOnce = isKinematic ? isToKinematic && place < index : isToKinematic || place < index || !isListed;
+      const isOnce = isKinematic === isToKinematic ? place < index || !isListed : isToKinematic;
       const isFar = movers.ahead > 0 && isBeyondEdge(other, ways.shapes[way]!, bounds);
       if (isOnce && !isFar && (mover.looks || other.looks)) {
         note(world, ways.shapes[way]!, shapes[i]!);
@@ -255,10 +255,6 @@ function meetsMovers({ body, sweeps }: Mover): boolean {
   return (body.isBullet && sweeps) || body.kind !== DYNAMIC;
 }
 
-function isSwept(one: Mover, two: Mover): boolean {
-  return meetsMovers(one) || meetsMovers(two);
-}
-
 /** Notes a meeting of two shapes, if they may interact, do not yet in this step, and meet. What will bounce is not foreseen. */
 function note(world: World, one: Shape, two: Shape): void {
   const { movers, pairs } = world;
@@ -267,7 +263,7 @@ function note(world: World, one: Shape, two: Shape): void {
   if ((movers.ahead > 0 && isSensed(a, b)) || !mayInteract(a, b)) {
     return;
   }
-  if (!isSwept(movers.of(a.owner!), movers.of(b.owner!))) {
+  if (!(meetsMovers(movers.of(a.owner!)) || meetsMovers(movers.of(b.owner!)))) {
     return;
   }
   const pair = pairs.find(a, b);
@@ -289,15 +285,17 @@ function note(world: World, one: Shape, two: Shape): void {
 function list(world: World, meeting: Meeting, waits: boolean): void {
   const { movers } = world;
   const { a, b } = meeting;
-  const comes = !waits && mayMeet(movers.of(a.owner!), a, movers.of(b.owner!), b);
-  const isOpen = movers.ahead === 0 && !isSensed(a, b);
-  if (!comes && (!isOpen || a.owner!.kind === STATIC || b.owner!.kind === STATIC)) {
+  const one = movers.of(a.owner!);
+  const two = movers.of(b.owner!);
+  const isSensing = isSensed(a, b);
+  const comes = !waits && mayMeet(one, a, two, b);
+  meeting.isEstimate = movers.ahead === 0 && !isSensing;
+  if (!comes && (!meeting.isEstimate || isWithStatic(meeting))) {
     return;
   }
-  meeting.isOpen = isOpen;
   meeting.time = comes ? crossing[REACHED]! : Infinity;
-  if (isOpen || meets(world, meeting)) {
-    add(world, meeting);
+  if (meeting.isEstimate || meets(world, meeting)) {
+    movers.meetings.add(meeting, one, two, !isSensing);
   }
 }
 
@@ -308,7 +306,7 @@ export function findTime(world: World, meeting: Meeting): void {
   const one = movers.of(a.owner!);
   const two = movers.of(b.owner!);
   const { time } = meeting;
-  meeting.isOpen = false;
+  meeting.isEstimate = false;
   const isNever = (isStill(one) && isStill(two)) || isElsewhere(one, a, two) || isElsewhere(two, b, one);
   if (isNever || !meets(world, meeting)) {
     meeting.time = Infinity;
@@ -347,11 +345,6 @@ function bounces(pair: Arbiter | null, a: Shape, b: Shape): boolean {
   }
   pair.mixMaterials();
   return pair.numbers[pair.at + c.ELASTICITY]! > 0;
-}
-
-function add({ movers }: World, meeting: Meeting): void {
-  const { a, b } = meeting;
-  movers.meetings.add(meeting, movers.of(a.owner!), movers.of(b.owner!), !isSensed(a, b));
 }
 
 /**
@@ -438,6 +431,6 @@ export function meets({ movers }: World, meeting: Meeting): boolean {
   const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * required.depth;
   sweep.target = Math.min(-required.depth, sweep.distance.value - more);
   const isDeep = findNext(sweep) || (required.turn >= IMPACT_TURN && middleMeets(a, b, time));
-  meeting.time = time > from && !isEitherInTrain(a, b) ? time : sweep.time;
+  meeting.time = time > from && !required.isInTrain ? time : sweep.time;
   return isDeep;
 }
