@@ -14,7 +14,7 @@ import { findNearby } from '../nearby.js';
 import type { Meeting } from './meeting-queue.js';
 import { carries, findMeetings, findTime, isSensed, meets } from './meetings.js';
 import type { Mover } from './movers.js';
-import { beginSensing, strike } from './strike.js';
+import { beginLate, strike } from './strike.js';
 import { squareOfWay } from './swept-bounds.js';
 
 const bounds = /* @__PURE__ */ new Float64Array(4);
@@ -40,7 +40,7 @@ export function continuous(world: World, dt: number): void {
   for (let i = 0; i < meetings.count; i += 1) {
     const { a, b, time } = meetings.all[i]!;
     if (isSensed(a, b) && comesTo(world, a, time) && comesTo(world, b, time)) {
-      beginSensing(world, a, b);
+      beginLate(world, world.pairs.obtain(a, b));
     }
   }
   movers.clear();
@@ -104,11 +104,13 @@ function isDue(world: World, meeting: Meeting, first: Meeting): boolean {
     findTime(world, meeting);
   }
   const wait = meeting.time - first.time;
-  return meeting.slot >= 0 && !meeting.isEstimate && wait <= SAME_TIME && wait * wayOf(world, meeting) <= CONTACT_SLOP;
+  return (
+    meeting.slot >= 0 && !meeting.isEstimate && wait <= SAME_TIME && wait * mostApproach(world, meeting) <= CONTACT_SLOP
+  );
 }
 
 /** By how much two shapes may approach each other in the step at most, m. */
-function wayOf({ movers }: World, { a, b }: Meeting): number {
+function mostApproach({ movers }: World, { a, b }: Meeting): number {
   const one = movers.of(a.owner!);
   const two = movers.of(b.owner!);
   const turning = Math.abs(one.turn) * one.body.radius + Math.abs(two.turn) * two.body.radius;
@@ -118,14 +120,13 @@ function wayOf({ movers }: World, { a, b }: Meeting): number {
 function take({ movers }: World, meeting: Meeting, first: Meeting): void {
   movers.meetings.remove(meeting);
   movers.together.add(meeting);
-  come(movers.of(meeting.a.owner!), first);
-  come(movers.of(meeting.b.owner!), first);
+  moveToMeeting(movers.of(meeting.a.owner!), first);
+  moveToMeeting(movers.of(meeting.b.owner!), first);
 }
 
-/** Moves a body to where it is at the time of a meeting. Takes the meeting, as its time would be boxed. */
-function come(mover: Mover, { time }: Meeting): void {
-  mover.at = time;
-  mover.moveBody();
+/** Takes the meeting, as its time would be boxed. */
+function moveToMeeting(mover: Mover, { time }: Meeting): void {
+  mover.moveBodyTo(time);
   mover.met = mover.body.kind !== STATIC;
 }
 

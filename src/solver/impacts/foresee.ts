@@ -31,14 +31,14 @@ export function foresee(world: World, dt: number): void {
   if (world.liveDynamics.length + world.liveKinematics.length === 0) {
     return;
   }
-  const average = (world.solver.substeps + 1) / (2 * world.solver.substeps);
   movers.ahead = dt;
   movers.foreseenCount = 0;
   movers.bouncy = true;
   movers.alone = world.liveKinematics.length === 0;
   movers.space.begin();
-  movers.gain = average * dt;
-  movers.pull = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
+  const average = (world.solver.substeps + 1) / (2 * world.solver.substeps);
+  movers.forceTime = average * dt;
+  movers.gravityGain = (Math.abs(world.gravityX) + Math.abs(world.gravityY)) * average * dt;
   foreseeBullets(world);
   foreseeKinematics(world, dt);
   listWays(movers, movers.count);
@@ -83,11 +83,11 @@ function foreseeBullets(world: World): void {
  * them again and again is not.
  */
 function foreseeDynamic(world: World, body: RigidBody): void {
-  const { ahead, pull } = world.movers;
+  const { ahead, gravityGain } = world.movers;
   if (body.isBullet) {
     return;
   }
-  const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + pull;
+  const speed = Math.abs(body.vx) + Math.abs(body.vy) + Math.abs(body.w) * body.radius + gravityGain;
   if (speed * ahead > SPECULATIVE_MARGIN / 2 || body.hasForce()) {
     foreseeFalling(world, body);
   }
@@ -103,15 +103,17 @@ function foreseeKinematics({ movers, liveKinematics }: World, dt: number): void 
 /** Adds a dynamic body that goes far, with what forces add on the average of the step. */
 function foreseeFalling(world: World, body: RigidBody): void {
   const { movers } = world;
-  const { ahead, gain } = movers;
+  const { ahead, forceTime } = movers;
   body.refreshMass();
   // As `inverseMass` and `inverseInertia`, which would have to box their results if they were called from here; below as `goesFar`.
   const inverseMass = body.mass > 0 ? 1 / body.mass : 0;
   const inverseInertia = body.inertia > 0 ? 1 / body.inertia : 0;
   findForces(body);
-  const vx = body.vx + (inverseMass > 0 ? world.gravityX * body.gravityScale + forces[0]! * inverseMass : 0) * gain;
-  const vy = body.vy + (inverseMass > 0 ? world.gravityY * body.gravityScale + forces[1]! * inverseMass : 0) * gain;
-  const w = body.w + forces[2]! * inverseInertia * gain;
+  const vx =
+    body.vx + (inverseMass > 0 ? world.gravityX * body.gravityScale + forces[0]! * inverseMass : 0) * forceTime;
+  const vy =
+    body.vy + (inverseMass > 0 ? world.gravityY * body.gravityScale + forces[1]! * inverseMass : 0) * forceTime;
+  const w = body.w + forces[2]! * inverseInertia * forceTime;
   const way = Math.abs(vx * ahead) + Math.abs(vy * ahead) + Math.abs(w * ahead) * body.radius;
   movers.space.reach = way + CLEARANCE;
   if (way > SPECULATIVE_MARGIN / 2 && (body.isBullet || !isClear(world, body))) {
@@ -136,14 +138,16 @@ function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, i
       movers.bouncy = arbiters[k]!.fixed === 0;
     }
     for (let pair = groundStamp === timeStamp ? grounds : null; pair !== null; pair = pair.next) {
-      const isFirst = pair.bodyB.kind === STATIC;
-      if (pair.isSolid() && (isFirst || pair.bodyA.kind === STATIC)) {
+      const sign = pair.bodyB.kind === STATIC ? 1 : -1;
+      if (pair.isSolid() && (sign > 0 || pair.bodyA.kind === STATIC)) {
         const { numbers: n, at: o } = pair;
-        const sign = isFirst ? 1 : -1;
-        const into = sign * (mover.dx * n[o + g.NX]! + mover.dy * n[o + g.NY]!);
+        // The normal points into the static body.
+        const nx = sign * n[o + g.NX]!;
+        const ny = sign * n[o + g.NY]!;
+        const into = mover.dx * nx + mover.dy * ny;
         if (into > 0) {
-          mover.dx -= sign * into * n[o + g.NX]!;
-          mover.dy -= sign * into * n[o + g.NY]!;
+          mover.dx -= into * nx;
+          mover.dy -= into * ny;
         }
       }
     }
@@ -156,6 +160,7 @@ function goAlongContacts({ movers, timeStamp }: World, mover: Mover, { shapes, i
  */
 function isFirst(world: World, { a, b, time }: Meeting): boolean {
   const { movers } = world;
+  // Both are asked in any case, as they note the time.
   const isFirstOfA = movers.of(a.owner!).comesFirst(time);
   const isFirstOfB = movers.of(b.owner!).comesFirst(time);
   return ((isFirstOfA && isFirstOfB) || isClose(world, a, b)) && canGiveWay(a.owner!) && canGiveWay(b.owner!);
@@ -237,16 +242,16 @@ function moveBack(
     const separation = n[o + g.S0 + g.POINT * i]!;
     const bx = ax - n[o + g.DX]!;
     const by = ay - n[o + g.DY]!;
-    const swingA = along(turnA, ax * nx + ay * ny - roundness(shapeA, separation), ax * ny - ay * nx);
-    const swingB = along(turnB, bx * nx + by * ny + roundness(shapeB, separation), bx * ny - by * nx);
-    const swing = swingB - swingA;
-    foresight[2 * foreseen + i] = way + swing;
-    n[o + g.S0 + g.POINT * i] = separation - way - swing;
+    const swingA = swing(turnA, ax * nx + ay * ny - roundness(shapeA, separation), ax * ny - ay * nx);
+    const swingB = swing(turnB, bx * nx + by * ny + roundness(shapeB, separation), bx * ny - by * nx);
+    const turned = swingB - swingA;
+    foresight[2 * foreseen + i] = way + turned;
+    n[o + g.S0 + g.POINT * i] = separation - way - turned;
   }
 }
 
 /** How far a turn moves the end of an arm along a direction. `length` and `across` are the components of the arm along and across it. */
-function along(turn: number, length: number, across: number): number {
+function swing(turn: number, length: number, across: number): number {
   return (cos(turn) - 1) * length + sin(turn) * across;
 }
 

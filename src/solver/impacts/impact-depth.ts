@@ -33,21 +33,15 @@ export const required = { turn: 0.5, depth: 0.5, isInTrain: false };
  * - Less deep for small shapes that land on each other, rather than slide over from another ground, as they would be seen to sink in.
  * - Deeper for bodies with joints, as stopping one of them alone opens its joints.
  */
-export function findRequired(
-  { ahead }: Movers,
-  a: Shape,
-  b: Shape,
-  one: Mover,
-  two: Mover,
-  isNew: boolean,
-  lands: boolean,
-): void {
+export function findRequired(movers: Movers, a: Shape, b: Shape, isNew: boolean, lands: boolean): void {
+  const one = movers.of(a.owner!);
+  const two = movers.of(b.owner!);
   findImpactDepth(a, b);
   required.turn = (a.isRound() ? 0 : one.spin) + (b.isRound() ? 0 : two.spin);
   // Putting one back alone would open joints to bodies that may move. What only hangs on static bodies, as a flipper, stays on its way.
   required.isInTrain = isInTrain(a.owner!) || isInTrain(b.owner!);
   const thinner = Math.min(halfWidthOf(a), halfWidthOf(b));
-  let depth = Math.min(ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, impactDepth[0]!);
+  let depth = Math.min(movers.ahead > 0 ? FORESIGHT_DEPTH : IMPACT_DEPTH, impactDepth[0]!);
   if (required.turn < IMPACT_TURN && (isNew || !mayBeForeseen(a, b))) {
     depth = Math.min(depth, IMPACT_SHARE_THIN * thinner);
   }

@@ -361,7 +361,7 @@ function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  findRequired(movers, pair.shapeA, pair.shapeB, a, b, false, true);
+  findRequired(movers, pair.shapeA, pair.shapeB, false, true);
   return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
 }
 
@@ -420,7 +420,7 @@ export function meets({ movers }: World, meeting: Meeting): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findRequired(movers, a, b, one, two, true, meeting.lands);
+  findRequired(movers, a, b, true, meeting.lands);
   sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;

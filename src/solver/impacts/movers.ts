@@ -210,8 +210,7 @@ export class Mover {
     this.moveBody();
   }
 
-  /** The same, for the time that is set as `at`. */
-  moveBody(): void {
+  private moveBody(): void {
     const { body } = this;
     if (body.kind === STATIC) {
       return;
@@ -340,10 +339,10 @@ export class Movers {
   bouncy = false;
   /** While a step is foreseen: whether there is no kinematic body and no bullet, so that bodies only meet what stands still. */
   alone = false;
-  /** For how long forces act on a body, on the average of the step, s. */
-  gain = 0;
-  /** By how much gravity may change a velocity, on that average, m/s. */
-  pull = 0;
+  /** For how long forces have acted on a body, on the average of the step, s. */
+  forceTime = 0;
+  /** By how much gravity may change a velocity in that time, m/s. */
+  gravityGain = 0;
 
   /**
    * Two numbers for each foreseen contact: by how much the separations of its points are less than those at the time when the shapes meet,

@@ -11,7 +11,6 @@ import { FOUND_LATE } from '../../events/events.js';
 import { preSolve } from '../../events/pre-solve.js';
 import { BEGIN } from '../../listeners.js';
 import type { List } from '../../math/list.js';
-import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
 import { joinLists } from '../arbiter-lists.js';
 import { wakeBody } from '../sleep.js';
@@ -31,11 +30,6 @@ export function beginLate(world: World, pair: Arbiter): void {
   world.events.interaction(BEGIN, pair, FOUND_LATE);
 }
 
-/** Begins the interaction of a sensor that was crossed. */
-export function beginSensing(world: World, a: Shape, b: Shape): void {
-  beginLate(world, world.pairs.obtain(a, b));
-}
-
 /**
  * Solves the impacts of shapes that meet on their ways, all at once, where their bodies are now, or that get too deep into each other.
  * @returns the pairs, without those that were refused; the list is used again by the next call.
@@ -44,15 +38,14 @@ export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
   const { struck } = world.movers;
   struck.clear();
   for (let i = 0; i < meetings.count; i += 1) {
-    meet(world, meetings.items[i]!);
+    findContact(world, meetings.items[i]!);
   }
   for (let i = 0; i < struck.count; i += 1) {
     const pair = struck.items[i]!;
-    rouse(world, pair.bodyA, begins(pair));
-    rouse(world, pair.bodyB, begins(pair));
-    if (begins(pair)) {
-      noteApproach(pair);
-    }
+    const isFirst = !pair.metAgain();
+    rouse(world, pair.bodyA, isFirst);
+    rouse(world, pair.bodyB, isFirst);
+    if (isFirst) noteApproach(pair);
   }
   if (world.profile !== null) {
     world.profile.impacts += struck.count;
@@ -61,7 +54,7 @@ export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
   for (let i = 0; i < struck.count; i += 1) {
     const pair = struck.items[i]!;
     pair.noteImpact();
-    if (begins(pair)) {
+    if (!pair.metAgain()) {
       world.events.hit(pair, FOUND_LATE);
     } else if (pair.bodyA.kind !== DYNAMIC || pair.bodyB.kind !== DYNAMIC) {
       stopComing(pair);
@@ -71,7 +64,7 @@ export function strike(world: World, meetings: List<Meeting>): List<Arbiter> {
 }
 
 /** Finds the contact of two shapes that meet; it is struck unless a handler refuses it. */
-function meet(world: World, { a, b }: Meeting): void {
+function findContact(world: World, { a, b }: Meeting): void {
   const pair = world.pairs.obtain(a, b);
   const isNew = !pair.active;
   a.place(pair.bodyA);
@@ -90,18 +83,11 @@ function meet(world: World, { a, b }: Meeting): void {
   if (preSolve(world, pair)) world.movers.struck.add(pair);
 }
 
-/** Whether the interaction is of this step, and has not met before in it. */
-function begins(pair: Arbiter): boolean {
-  return !pair.metAgain();
-}
-
-/** Wakes a dynamic body that is struck. At the first impact of a pair it gets the velocity of that time of the step. */
-function rouse(world: World, body: RigidBody, begins: boolean): void {
+/** Wakes a dynamic body that is struck. At the first impact of a pair in a step it gets the velocity of that time. */
+function rouse(world: World, body: RigidBody, isFirst: boolean): void {
   if (body.kind === DYNAMIC) {
     if (body.asleep) wakeBody(world, body, false);
-    if (begins) {
-      world.movers.of(body).rewindVelocity(world);
-    }
+    if (isFirst) world.movers.of(body).rewindVelocity(world);
   }
 }
 
