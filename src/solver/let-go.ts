@@ -1,7 +1,7 @@
 import type { World } from '../world.js';
 import { releaseAround } from './contacts/seams.js';
 import { releaseImpacts } from './impacts/impact.js';
-import { releaseMeetings } from './impacts/meetings.js';
+import { releaseMeetings } from './impacts/meeting-time.js';
 
 /**
  * Releases, between steps, what has left a world. Lists and objects that are used again would keep it, and everything that users bound to
