@@ -1,14 +1,10 @@
-import { IMPACT_DEPTH, IMPACT_SHARE } from '../config.js';
 import { Distance, measureDistance } from '../geometry/distance.js';
 import { Outline } from '../geometry/outline.js';
-import { halfWidthOf, type Shape } from '../shape/shape.js';
+import type { Shape } from '../shape/shape.js';
 
 const outlineA = /* @__PURE__ */ new Outline();
 const outlineB = /* @__PURE__ */ new Outline();
 const distance = /* @__PURE__ */ new Distance();
-
-/** The result of `findImpactDepth`, m; an array, so that it is not boxed. */
-export const impactDepth = /* @__PURE__ */ new Float64Array(1);
 
 /** The signed distance of two shapes where their bodies are now, relative to the origin of the first body. The object is reused by the next call. */
 export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
@@ -18,12 +14,4 @@ export function gapBetween(shapeA: Shape, shapeB: Shape): Distance {
   shapeB.outline(outlineB.put(b.x - a.x, b.y - a.y, b.cos, b.sin));
   measureDistance(outlineA, outlineB, distance);
   return distance;
-}
-
-/**
- * Writes to `impactDepth` how deep two shapes may overlap before it counts as an impact: `IMPACT_DEPTH`, or less if they are thin, so that
- * they cannot pass through each other.
- */
-export function findImpactDepth(a: Shape, b: Shape): void {
-  impactDepth[0] = Math.min(IMPACT_DEPTH, IMPACT_SHARE * (halfWidthOf(a) + halfWidthOf(b)));
 }

@@ -1,4 +1,3 @@
-import { findImpactDepth, impactDepth } from '../../collide/gap.js';
 import {
   BOUNCE_LOAD,
   BOUNCE_ROUNDS,
@@ -9,6 +8,7 @@ import {
   TOUCH_DEPTH,
 } from '../../config.js';
 import type { BounceList, SolverData } from '../data.js';
+import { findImpactDepth, impactDepth } from '../impact-depth.js';
 import * as d from '../layout.js';
 import { solveVelocityTwo } from '../loops.js';
 import { isTied } from '../ties.js';

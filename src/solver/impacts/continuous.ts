@@ -1,6 +1,5 @@
 import type { RigidBody } from '../../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
-import { findImpactDepth, impactDepth } from '../../collide/gap.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
 import { CONTACT_SLOP, PUSH_SHARE_STATIC, SAME_TIME } from '../../config.js';
@@ -9,6 +8,7 @@ import { ACCEPTED } from '../../contact/bits.js';
 import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
+import { findImpactDepth, impactDepth } from '../impact-depth.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
 import type { Meeting } from './meeting-queue.js';

@@ -12,9 +12,9 @@ import { Middle } from '../../geometry/middle.js';
 import { findImpact, findNext, Sweep } from '../../geometry/sweep.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
-import { findRequired, required, requireLess } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import type { Mover } from './movers.js';
+import { findRequiredDepth, lessenRequiredDepth, required } from './required-depth.js';
 import { sweepBounds } from './swept-bounds.js';
 
 // When exactly two shapes meet on their ways, if they do.
@@ -108,13 +108,13 @@ export function meets({ movers }: World, meeting: Meeting): boolean {
     meeting.time = sweep.time;
     return isMet;
   }
-  findRequired(movers, a, b, true, meeting.lands);
+  findRequiredDepth(movers, a, b, true, meeting.lands);
   sweep.target = -Math.min(TOUCH_DEPTH, required.depth / 2);
   if (!findImpact(sweep)) {
     return false;
   }
   const { time } = sweep;
-  if (time > from) requireLess(a, b, one, two);
+  if (time > from) lessenRequiredDepth(a, b, one, two);
   const isCarried = carries(one) || carries(two);
   const more = isCarried ? DEEPER_CARRIED : DEEPER_SHARE * required.depth;
   sweep.target = Math.min(-required.depth, sweep.distance.value - more);

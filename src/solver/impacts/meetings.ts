@@ -13,10 +13,10 @@ import type { World } from '../../world.js';
 import { growBounds } from '../bounds.js';
 import { mayInteract } from '../interaction.js';
 import { findNearby } from '../nearby.js';
-import { areElastic, findRequired, mayBeRefused, required } from './impact-depth.js';
 import type { Meeting } from './meeting-queue.js';
 import { findTime, isSensed, meets } from './meeting-time.js';
 import type { Mover, Movers } from './movers.js';
+import { areElastic, findRequiredDepth, mayBeRefused, required } from './required-depth.js';
 import { isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const bounds = /* @__PURE__ */ new Float64Array(4);
@@ -298,7 +298,7 @@ function isKnown(pair: Arbiter | null, movers: Movers): boolean {
   const a = movers.of(pair.bodyA);
   const b = movers.of(pair.bodyB);
   const way = Math.abs(b.dx - a.dx) + Math.abs(b.dy - a.dy) + Math.min(a.body.radius, b.body.radius);
-  findRequired(movers, pair.shapeA, pair.shapeB, false, true);
+  findRequiredDepth(movers, pair.shapeA, pair.shapeB, false, true);
   return pair.foreseen === 0 && required.turn * way < required.depth && holds(pair, a, b);
 }
 

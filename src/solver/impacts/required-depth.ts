@@ -1,4 +1,3 @@
-import { findImpactDepth, impactDepth } from '../../collide/gap.js';
 import {
   FORESIGHT_DEPTH,
   IMPACT_DEPTH,
@@ -13,13 +12,14 @@ import { PRE_SOLVE } from '../../listeners.js';
 import { mixElasticity } from '../../material.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { CIRCLE } from '../../shape/shape-kind.js';
+import { findImpactDepth, impactDepth } from '../impact-depth.js';
 import { isInTrain } from '../ties.js';
 import type { Mover, Movers } from './movers.js';
 
 // How deep shapes that meet in a step have to overlap for an impact: what gets less deep is left to contacts.
 
 /**
- * The result of `findRequired`: how far two shapes turn relative to each other in the step, rad (circles do not), how deep they have to get,
+ * The result of `findRequiredDepth`: how far two shapes turn relative to each other in the step, rad (circles do not), how deep they have to get,
  * m, and whether they are in a train. Scratch.
  */
 export const required = { turn: 0.5, depth: 0.5, isInTrain: false };
@@ -33,7 +33,7 @@ export const required = { turn: 0.5, depth: 0.5, isInTrain: false };
  * - Less deep for small shapes that land on each other, rather than slide over from another ground, as they would be seen to sink in.
  * - Deeper for bodies with joints, as stopping one of them alone opens its joints.
  */
-export function findRequired(movers: Movers, a: Shape, b: Shape, isNew: boolean, lands: boolean): void {
+export function findRequiredDepth(movers: Movers, a: Shape, b: Shape, isNew: boolean, lands: boolean): void {
   const one = movers.of(a.owner!);
   const two = movers.of(b.owner!);
   findImpactDepth(a, b);
@@ -56,7 +56,7 @@ export function findRequired(movers: Movers, a: Shape, b: Shape, isNew: boolean,
  * is too narrow for it. But it stays at what sliding shapes get into seams of tiles, and corners as they turn. Two circles cannot slide
  * over each other without being found first.
  */
-export function requireLess(a: Shape, b: Shape, one: Mover, two: Mover): void {
+export function lessenRequiredDepth(a: Shape, b: Shape, one: Mover, two: Mover): void {
   if (!required.isInTrain && !mayBeForeseen(a, b)) {
     const graze = a.kind === CIRCLE && b.kind === CIRCLE ? TOUCH_DEPTH : FORESIGHT_DEPTH;
     required.depth = Math.min(required.depth, graze + dip(a, one) + dip(b, two));
