@@ -1,5 +1,6 @@
 import { DYNAMIC } from '../body-kind.js';
 import { CROWD } from '../config.js';
+import { MAX_X, MAX_Y, MIN_X, MIN_Y } from '../geometry/layout.js';
 import { List } from '../math/list.js';
 import { sortFirst } from '../math/sort.js';
 import { isOlder, type Shape } from '../shape/shape.js';
@@ -83,9 +84,9 @@ function isCrowding(a: Shape, b: Shape): boolean {
 }
 
 function reaches({ numbers: a, at: i }: Shape, { numbers: b, at: j }: Shape): boolean {
-  const x = 0.5 * (b[j]! + b[j + 2]!);
-  const y = 0.5 * (b[j + 1]! + b[j + 3]!);
-  return a[i]! <= x && x <= a[i + 2]! && a[i + 1]! <= y && y <= a[i + 3]!;
+  const x = 0.5 * (b[j + MIN_X]! + b[j + MAX_X]!);
+  const y = 0.5 * (b[j + MIN_Y]! + b[j + MAX_Y]!);
+  return a[i + MIN_X]! <= x && x <= a[i + MAX_X]! && a[i + MIN_Y]! <= y && y <= a[i + MAX_Y]!;
 }
 
 function keepFirst(partners: List<Shape>, { arbiters }: Shape): void {

@@ -1,4 +1,10 @@
-// Offsets into the numbers of a shape. First come the world bounds: minX, minY, maxX, maxY, as of the last `place`.
+// Offsets into the numbers of a shape.
+
+/** The world bounds, as of the last `place`. */
+export const MIN_X = 0;
+export const MIN_Y = 1;
+export const MAX_X = 2;
+export const MAX_Y = 3;
 
 /**
  * For a circle, its centre follows, turned with the body and relative to the body's origin. It is not a field of the class: one that only

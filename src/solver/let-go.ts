@@ -1,5 +1,5 @@
 import type { World } from '../world.js';
-import { releaseAround } from './contacts/seams.js';
+import { releaseAround } from './contacts/grounds.js';
 import { releaseImpacts } from './impacts/impact.js';
 import { releaseMeetings } from './impacts/meeting-time.js';
 

@@ -2,8 +2,9 @@ import { collideCirclePolygon, collidePolygonCircle } from '../collide/circles.j
 import type { PolygonWorks } from '../collide/polygon-works.js';
 import { collidePolygons, polygonsIntersect } from '../collide/polygons.js';
 import { rayPolygon } from '../collide/rays.js';
+import { putGroundsBack } from './contacts/grounds.js';
 import { packTwo } from './contacts/pack-contacts.js';
-import { putGroundsBack, smoothMeeting, smoothSeams } from './contacts/seams.js';
+import { smoothMeeting, smoothSeams } from './contacts/seams.js';
 import { storeTwo } from './contacts/store-contacts.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './contacts/two-point.js';
 
