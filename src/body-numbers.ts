@@ -214,6 +214,11 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 21] = value;
   }
 
+  /** @internal as if it had not moved in the last step */
+  forgetMotion(): void {
+    this.numbers.fill(0, this.at + LAST_MOTION, this.at + LAST_MOTION_END);
+  }
+
   /** @internal given mass, or −1: from the shapes */
   get fixedMass(): number {
     return this.numbers[this.at + 22]!;

@@ -127,9 +127,7 @@ export class World extends WorldState {
     body.index = this.rigidBodies.push(body) - 1;
     body.order = this.nextOrder;
     this.nextOrder += 1;
-    body.lastDx = 0;
-    body.lastDy = 0;
-    body.lastTurn = 0;
+    body.forgetMotion();
     body.asleep = body.asleep || body.kind === STATIC;
     for (const shape of body.shapes) {
       this.enter(shape);

@@ -1,4 +1,5 @@
 import type { Arbiter } from '../contact/arbiter.js';
+import { ELASTICITY } from '../contact/layout.js';
 import type { Kernels } from '../kernels.js';
 import { grown, widened } from '../math/doubles.js';
 import { List } from '../math/list.js';
@@ -95,11 +96,11 @@ export class BounceList {
   state = new Uint8Array(16);
   /** The contacts that bounce in the present round: the places of their first points in the list. */
   bouncing = new Int32Array(16);
-  /** Of the pair. Whoever adds a point writes it here: else each sub-step would wait for the memory of its arbiter. */
+  /** Of the pair: else each sub-step would wait for its memory. */
   elasticity = new Float64Array(16);
 
-  /** Adds a point. @returns its place in the list. */
-  add(batch: ContactBatch, index: number, shift: number): number {
+  /** Adds a point. */
+  add(batch: ContactBatch, index: number, shift: number): void {
     const i = this.count;
     if (i === this.index.length) {
       this.grow();
@@ -118,8 +119,8 @@ export class BounceList {
     this.arms[at + d.BOUNCE_RN_A] = records[record + shift + d.RN_A1]!;
     this.arms[at + d.BOUNCE_RN_B] = records[record + shift + d.RN_B1]!;
     this.bias[i] = 0;
+    this.elasticity[i] = batch.numbers[index]![batch.at[index]! + ELASTICITY]!;
     this.count = i + 1;
-    return i;
   }
 
   private grow(): void {

@@ -38,10 +38,7 @@ export function restFrozen(world: World): void {
     body.fx = 0;
     body.fy = 0;
     body.appliedTorque = 0;
-    body.lastDx = 0;
-    body.lastDy = 0;
-    body.lastTurn = 0;
-    body.clearance = 0;
+    body.forgetMotion();
     for (const { arbiters } of body.shapes) {
       for (const pair of arbiters) {
         pair.dropPoints();

@@ -51,10 +51,7 @@ export function quieten(world: World, body: RigidBody): void {
   body.liveIndex = -1;
   world.jointsTouched = true;
   body.slot = 0;
-  body.lastDx = 0;
-  body.lastDy = 0;
-  body.lastTurn = 0;
-  body.clearance = 0;
+  body.forgetMotion();
   body.asleep = true;
   updateHandles(world, body);
 }

@@ -23,7 +23,7 @@ import * as c from '../../contact/layout.js';
 import type { List } from '../../math/list.js';
 import { POLYGON } from '../../shape/shape-kind.js';
 import type { World } from '../../world.js';
-import { type BounceList, type ContactBatch, recordAt, type SolverData } from '../data.js';
+import { type ContactBatch, recordAt, type SolverData } from '../data.js';
 import { canGiveWay } from '../interaction.js';
 import * as d from '../layout.js';
 import { markHard, markOf } from './hard-contacts.js';
@@ -368,7 +368,8 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     keepNormal(data, contact);
   }
   if (n[o + c.ELASTICITY]! > 0) {
-    addBounces(data.bounces, batch, index);
+    data.bounces.add(batch, index, 0);
+    if (isTwo) data.bounces.add(batch, index, d.SECOND);
   }
 }
 
@@ -377,15 +378,6 @@ function waits(bodies: Int32Array, index: number, a: number, b: number): boolean
   const otherA = bodies[2 * index - 2]!;
   const otherB = bodies[2 * index - 1]!;
   return (a !== 0 && (a === otherA || a === otherB)) || (b !== 0 && (b === otherA || b === otherB));
-}
-
-function addBounces(list: BounceList, batch: ContactBatch, index: number): void {
-  const { numbers, at } = batch.arbiters[index]!;
-  const count = batch.stride === d.TWO_STRIDE ? 2 : 1;
-  for (let i = 0; i < count; i += 1) {
-    const k = list.add(batch, index, d.SECOND * i);
-    list.elasticity[k] = numbers[at + c.ELASTICITY]!;
-  }
 }
 
 /**
