@@ -5,7 +5,7 @@ import { cos, sin } from '../math/trig.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { Arbiter } from './arbiter.js';
-import { HELD_NUMBERS } from './layout.js';
+import * as c from './layout.js';
 
 // A manifold is found for the placements at the start of a step. Here it is followed to those at the end: on demand, as most contacts are
 // never asked for, or just before a body is moved by hand.
@@ -13,7 +13,10 @@ import { HELD_NUMBERS } from './layout.js';
 /** The result of `normalAtEnd` and `pointAtEnd`: scratch. */
 export const atEnd = { nx: 0.5, ny: 0.5, x: 0.5, y: 0.5, penetration: 0.5 };
 
-const found = /* @__PURE__ */ new Float64Array(HELD_NUMBERS);
+/** The result of `carryArms`: scratch. */
+const ends = { ax: 0.5, ay: 0.5, bx: 0.5, by: 0.5 };
+
+const found = /* @__PURE__ */ new Float64Array(c.HELD_NUMBERS);
 
 /** By how much components of two equal unit vectors may differ by rounding; also a length, m, too short to give a direction. */
 const SAME = 1e-9;
@@ -26,13 +29,13 @@ export function holdAtEnd(arbiter: Arbiter): void {
   // Written to the arbiter only at the end: once it is held, `pointAtEnd` returns what is held.
   for (let which = 0; which < 2; which += 1) {
     pointAtEnd(arbiter, which);
-    const at = 2 + 3 * which;
-    found[at] = atEnd.x;
-    found[at + 1] = atEnd.y;
-    found[at + 2] = atEnd.penetration;
+    const at = c.HELD_POINT * which;
+    found[c.HELD_X + at] = atEnd.x;
+    found[c.HELD_Y + at] = atEnd.y;
+    found[c.HELD_PENETRATION + at] = atEnd.penetration;
   }
-  found[0] = atEnd.nx;
-  found[1] = atEnd.ny;
+  found[c.HELD_NX] = atEnd.nx;
+  found[c.HELD_NY] = atEnd.ny;
   arbiter.hold().set(found);
 }
 
@@ -50,8 +53,8 @@ export function normalAtEnd(arbiter: Arbiter): void {
   atEnd.ny = ny;
   if (arbiter.isHeld()) {
     const { numbers } = arbiter.held!;
-    atEnd.nx = numbers[0]!;
-    atEnd.ny = numbers[1]!;
+    atEnd.nx = numbers[c.HELD_NX]!;
+    atEnd.ny = numbers[c.HELD_NY]!;
     return;
   }
   if (a === null || b === null) {
@@ -99,21 +102,14 @@ function turnNormal(angle: number): void {
 
 /** The normal between two points that move with their bodies: the centre of a circle, the corner of a polygon. */
 function joinPoints(arbiter: Arbiter): void {
-  const { numbers: n, at: o, bodyA: a, bodyB: b, shapeA, shapeB } = arbiter;
+  const { numbers: n, at: o, shapeA, shapeB } = arbiter;
   const { nx, ny } = atEnd;
   const separation = n[o + g.S0]!;
   const toA = shapeA.kind === POLYGON ? 0.5 * separation : roundness(shapeA, separation);
   const toB = shapeB.kind === POLYGON ? 0.5 * separation : roundness(shapeB, separation);
-  const cA = cos(a.angle - n[o + g.ANGLE_A]!);
-  const sA = sin(a.angle - n[o + g.ANGLE_A]!);
-  const cB = cos(b.angle - n[o + g.ANGLE_B]!);
-  const sB = sin(b.angle - n[o + g.ANGLE_B]!);
-  const ax = n[o + g.X0]! - nx * toA;
-  const ay = n[o + g.Y0]! - ny * toA;
-  const bx = n[o + g.X0]! - n[o + g.DX]! + nx * toB;
-  const by = n[o + g.Y0]! - n[o + g.DY]! + ny * toB;
-  const x = b.x + cB * bx - sB * by - (a.x + cA * ax - sA * ay);
-  const y = b.y + sB * bx + cB * by - (a.y + sA * ax + cA * ay);
+  carryArms(arbiter, 0, toA, toB);
+  const x = ends.bx - ends.ax;
+  const y = ends.by - ends.ay;
   const length = Math.sqrt(x * x + y * y);
   // Corners that coincide define no direction, and of points that have passed through each other it is the wrong one.
   if (toA + toB > SAME && length > SAME && x * nx + y * ny > 0) {
@@ -122,37 +118,47 @@ function joinPoints(arbiter: Arbiter): void {
   }
 }
 
+/** Finds in `ends` where the bodies have carried a point, 0 or 1: on A as far back along the first normal as given, on B as far on. */
+function carryArms({ numbers: n, at: o, bodyA: a, bodyB: b }: Arbiter, which: number, toA: number, toB: number): void {
+  const nx = n[o + g.NX]!;
+  const ny = n[o + g.NY]!;
+  const x = n[o + g.X0 + g.POINT * which]!;
+  const y = n[o + g.Y0 + g.POINT * which]!;
+  const cA = cos(a.angle - n[o + g.ANGLE_A]!);
+  const sA = sin(a.angle - n[o + g.ANGLE_A]!);
+  const cB = cos(b.angle - n[o + g.ANGLE_B]!);
+  const sB = sin(b.angle - n[o + g.ANGLE_B]!);
+  const ax = x - nx * toA;
+  const ay = y - ny * toA;
+  const bx = x - n[o + g.DX]! + nx * toB;
+  const by = y - n[o + g.DY]! + ny * toB;
+  ends.ax = a.x + cA * ax - sA * ay;
+  ends.ay = a.y + sA * ax + cA * ay;
+  ends.bx = b.x + cB * bx - sB * by;
+  ends.by = b.y + sB * bx + cB * by;
+}
+
 /** Writes normal, position and penetration of a point, 0 or 1, to `atEnd`. The position is half-way into the overlap. */
 export function pointAtEnd(arbiter: Arbiter, which: number): void {
   normalAtEnd(arbiter);
   if (arbiter.isHeld()) {
     const { numbers } = arbiter.held!;
-    atEnd.x = numbers[2 + 3 * which]!;
-    atEnd.y = numbers[3 + 3 * which]!;
-    atEnd.penetration = numbers[4 + 3 * which]!;
+    const at = c.HELD_POINT * which;
+    atEnd.x = numbers[c.HELD_X + at]!;
+    atEnd.y = numbers[c.HELD_Y + at]!;
+    atEnd.penetration = numbers[c.HELD_PENETRATION + at]!;
     return;
   }
-  const { numbers: n, at: o } = arbiter;
-  const a = arbiter.bodyA;
-  const b = arbiter.bodyB;
-  const x = n[o + g.X0 + g.POINT * which]!;
-  const y = n[o + g.Y0 + g.POINT * which]!;
+  const { numbers: n, at: o, shapeA, shapeB } = arbiter;
   const separation = n[o + g.S0 + g.POINT * which]!;
-  const cA = cos(a.angle - n[o + g.ANGLE_A]!);
-  const sA = sin(a.angle - n[o + g.ANGLE_A]!);
-  const cB = cos(b.angle - n[o + g.ANGLE_B]!);
-  const sB = sin(b.angle - n[o + g.ANGLE_B]!);
   const { nx, ny } = atEnd;
-  const roundA = roundness(arbiter.shapeA, separation);
-  const roundB = roundness(arbiter.shapeB, separation);
-  const ax = x - n[o + g.NX]! * roundA;
-  const ay = y - n[o + g.NY]! * roundA;
-  const bx = x - n[o + g.DX]! + n[o + g.NX]! * roundB;
-  const by = y - n[o + g.DY]! + n[o + g.NY]! * roundB;
-  const endX = a.x + cA * ax - sA * ay + nx * roundA;
-  const endY = a.y + sA * ax + cA * ay + ny * roundA;
-  const gapX = b.x + cB * bx - sB * by - nx * roundB - endX;
-  const gapY = b.y + sB * bx + cB * by - ny * roundB - endY;
+  const roundA = roundness(shapeA, separation);
+  const roundB = roundness(shapeB, separation);
+  carryArms(arbiter, which, roundA, roundB);
+  const endX = ends.ax + nx * roundA;
+  const endY = ends.ay + ny * roundA;
+  const gapX = ends.bx - nx * roundB - endX;
+  const gapY = ends.by - ny * roundB - endY;
   const gap = nx * gapX + ny * gapY;
   // Along the surfaces half-way, too, unless exactly one is round: the point goes with its centre.
   const share = roundA > 0 === roundB > 0 ? 0.5 : roundB > 0 ? 1 : 0;

@@ -21,5 +21,12 @@ export const ROLLING_FRICTION = 26;
 /** Approach speed of the surfaces, m/s; only kept where a `hit` is listened for. */
 export const APPROACH = 39;
 
-/** How many numbers a held manifold has, in an array of its own: see `at-end.ts`. */
+/** A held manifold, in an array of its own, see `at-end.ts`: the normal; position and penetration of the first point … */
+export const HELD_NX = 0;
+export const HELD_NY = 1;
+export const HELD_X = 2;
+export const HELD_Y = 3;
+export const HELD_PENETRATION = 4;
+/** … the stride to those of the second; and how many numbers there are. */
+export const HELD_POINT = 3;
 export const HELD_NUMBERS = 8;

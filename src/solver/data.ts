@@ -19,6 +19,9 @@ export function batchOf({ one, two }: SolverData, contact: number): ContactBatch
   return (contact & 1) === 1 ? one : two;
 }
 
+/** The impulses of a contact in its record: of two points both normal ones and friction; of one the third is that of rolling. */
+export const IMPULSES = [d.NORMAL1, d.TANGENT, d.NORMAL2];
+
 /** Contacts of one kind, in the order in which they are solved. */
 export class ContactBatch {
   count = 0;
@@ -89,6 +92,10 @@ export class BounceList {
    * not bounce.
    */
   arms = new Float64Array(16 * d.BOUNCE_STRIDE);
+  /**
+   * What is planned: below 0 the normal velocity, with the sign changed, that a bounce ends with; 0 nothing; `OFF` that the point is left
+   * out; else with what speed it leaves anyway, m/s.
+   */
   bias = new Float64Array(16);
   /** With what speed a point that bounced was to leave, m/s. */
   leaves = new Float64Array(16);

@@ -83,29 +83,32 @@ export const RT_B = 12;
 /** Effective mass along the tangent, coefficient of friction. */
 export const TANGENT_MASS = 14;
 export const FRICTION = 16;
-/** Impulse of this sub-step, and of the whole step without this sub-step's. */
+/** Impulse of this sub-step, and of the whole step without this sub-step's: of each impulse the sum is SUM on. */
 export const TANGENT = 18;
-export const TANGENT_SUM = 20;
+export const SUM = 2;
+export const TANGENT_SUM = TANGENT + SUM;
 
 /** Of each point, from here to START1 and SEPARATION1: the arms … */
 export const RN_A1 = 22;
 export const RN_B1 = 24;
 /** … the impulse of this sub-step, and of the whole step without this sub-step's … */
 export const NORMAL1 = 26;
-export const NORMAL_SUM1 = 28;
+export const NORMAL_SUM1 = NORMAL1 + SUM;
 /** … the normal velocity that it is driven to, with the sign changed … */
 export const BIAS1 = 30;
 /** … and the separation at the start of the step, and at the start of the sub-step. */
 export const START1 = 32;
 export const SEPARATION1 = 34;
+/** From the numbers of the first point to those of the second. */
+export const SECOND = 16;
 
 /** One-point records only: effective mass along the normal. */
 export const NORMAL_MASS = 36;
-/** One-point records only: rolling. */
+/** One-point records only: rolling. Its impulse lies where records of two points have the second normal one, see `IMPULSES`. */
 export const ROLL_MASS = 38;
 export const ROLL_FRICTION = 40;
-export const ROLL = 42;
-export const ROLL_SUM = 44;
+export const ROLL = NORMAL1 + SECOND;
+export const ROLL_SUM = ROLL + SUM;
 /**
  * One-point records only: as RT, for the part of the arm that turns with the body. Of a circle that is the arm of its centre, as its
  * surface stays where it is when it turns.
@@ -124,8 +127,7 @@ export const ONE_STRIDE = 28;
 /** A bit of `ContactBatch.point`. */
 export const ONE_OF_TWO = 2;
 
-/** Two-point records only: the numbers of the second point, at the offsets of the first plus SECOND, and K of both points. */
-export const SECOND = 16;
+/** Two-point records only: the numbers of the second point, and K of both. */
 export const RN_A2 = RN_A1 + SECOND;
 export const RN_B2 = RN_B1 + SECOND;
 export const NORMAL2 = NORMAL1 + SECOND;

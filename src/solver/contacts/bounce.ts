@@ -7,7 +7,7 @@ import {
   FORESIGHT_DEPTH,
   TOUCH_DEPTH,
 } from '../../config.js';
-import type { BounceList, SolverData } from '../data.js';
+import { type BounceList, IMPULSES, type SolverData } from '../data.js';
 import { findImpactDepth, impactDepth } from '../impact-depth.js';
 import * as d from '../layout.js';
 import { solveVelocityTwo } from '../loops.js';
@@ -205,7 +205,7 @@ const ledger = /* @__PURE__ */ new Ledger();
 const given: number[] = [];
 
 /**
- * Lists the bodies of a round, which are marked. @returns whether nothing drives them, and nothing is set to bounce faster than it came.
+ * Lists the bodies of a round, which are marked, and loses their marks meanwhile, so that each is listed once. @returns whether nothing drives them, and nothing is set to bounce faster than it came.
  */
 function collect({ bounces: list, velocity: v }: SolverData, count: number, round: number): boolean {
   let isFree = true;
@@ -218,7 +218,7 @@ function collect({ bounces: list, velocity: v }: SolverData, count: number, roun
     for (let side = 0; side < 2; side += 1) {
       const at = list.bodies[2 * k + side]!;
       if (v[at + d.MARK] === -round) {
-        v[at + d.MARK] = -round - 0.5;
+        v[at + d.MARK] = 0;
         involved[bodyCount] = at;
         bodyCount += 1;
       }
@@ -257,10 +257,6 @@ function setVelocities({ velocity: v }: SolverData, from: Float64Array): void {
   }
 }
 
-/** The impulses of contacts of two points, and of one. */
-const OF_TWO = [d.NORMAL1, d.TANGENT, d.NORMAL2];
-const OF_ONE = [d.NORMAL1, d.TANGENT, d.ROLL];
-
 /** Keeps only as much friction in a round as makes no energy, see `no-gain.ts`. */
 function lessenFriction(data: SolverData, h: number, count: number): void {
   const { bounces: list } = data;
@@ -268,11 +264,11 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   let size = 0;
   for (let n = 0; n < count; n += 1) {
     const k = list.bouncing[n]!;
-    const { records: r, stride } = list.batches[k]!;
+    const { records: r } = list.batches[k]!;
     const record = list.record[k]!;
-    for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
-      given[size] = r[record + field]!;
-      r[record + field] = 0;
+    for (const impulse of IMPULSES) {
+      given[size] = r[record + impulse]!;
+      r[record + impulse] = 0;
       size += 1;
     }
   }
@@ -287,10 +283,11 @@ function lessenFriction(data: SolverData, h: number, count: number): void {
   size = 0;
   for (let n = 0; n < count; n += 1) {
     const k = list.bouncing[n]!;
-    const { records: r, stride } = list.batches[k]!;
+    const { records: r } = list.batches[k]!;
     const record = list.record[k]!;
-    for (const field of stride === d.TWO_STRIDE ? OF_TWO : OF_ONE) {
-      r[record + field] = r[record + field]! + kept * (given[size]! - r[record + field]!);
+    for (const impulse of IMPULSES) {
+      const without = r[record + impulse]!;
+      r[record + impulse] = without + kept * (given[size]! - without);
       size += 1;
     }
   }

@@ -1,7 +1,7 @@
 import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_WORK } from '../../config.js';
 import { JOINT_TORN } from '../../config-joints.js';
 import * as c from '../../contact/layout.js';
-import { batchOf, type ContactBatch, recordAt, type ShockList, type SolverData } from '../data.js';
+import { batchOf, type ContactBatch, IMPULSES, recordAt, type ShockList, type SolverData } from '../data.js';
 import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
 import { solveVelocityTwo } from '../loops.js';
@@ -233,17 +233,10 @@ function forget(data: SolverData, contact: number): void {
   }
   const i = recordAt(contact >> 1, stride);
   const kept = before / load;
-  lessen(r, i + d.NORMAL1, i + d.NORMAL_SUM1, kept);
-  lessen(r, i + d.TANGENT, i + d.TANGENT_SUM, kept);
-  if (stride === d.TWO_STRIDE) {
-    lessen(r, i + d.NORMAL2, i + d.NORMAL_SUM2, kept);
-  } else {
-    lessen(r, i + d.ROLL, i + d.ROLL_SUM, kept);
+  for (const impulse of IMPULSES) {
+    const at = i + impulse;
+    const was = r[at]!;
+    r[at] = kept * was;
+    r[at + d.SUM] = r[at + d.SUM]! + (was - kept * was);
   }
-}
-
-function lessen(records: Float64Array, impulse: number, sum: number, kept: number): void {
-  const was = records[impulse]!;
-  records[impulse] = kept * was;
-  records[sum] = records[sum]! + (was - kept * was);
 }
