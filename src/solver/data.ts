@@ -19,6 +19,15 @@ export function batchOf({ one, two }: SolverData, contact: number): ContactBatch
   return (contact & 1) === 1 ? one : two;
 }
 
+/** Packs that nothing is added to the velocity of a body or taken from it. */
+export function packUndriven({ drive }: SolverData, slot: number): void {
+  const at = slot * d.BODY_STRIDE;
+  drive.fill(0, at, at + d.BODY_STRIDE);
+  drive[at + d.KEEP_LINEAR] = 1;
+  drive[at + d.KEEP_ANGULAR] = 1;
+  drive[at + d.REST_RADIUS] = -1;
+}
+
 /** The impulses of a contact in its record: of two points both normal ones and friction; of one the third is that of rolling. */
 export const IMPULSES = [d.NORMAL1, d.TANGENT, d.NORMAL2];
 
@@ -178,7 +187,7 @@ export class ShockList {
   /** By slot: that the body is refused, or the latest round in which it was found. There is one round for each sub-step. */
   known = new Int32Array(64);
   round = 0;
-  /** By slot: one more than the index of the group of joints, 0 if there is none, −1 for what cannot be solved. */
+  /** By slot: one more than the index of the group of joints, 0 if there is none, or UNSOLVABLE. */
   groupOf = new Int32Array(64);
   /** The shock that was found last; and how many more contacts and joints it may have, negative if there were too many. */
   readonly contacts = new List<number>();
@@ -344,10 +353,7 @@ export class SolverData {
     }
     this.motion.fill(0, 0, count * d.BODY_STRIDE);
     this.velocity.fill(0, 0, d.BODY_STRIDE);
-    this.drive.fill(0, 0, d.BODY_STRIDE);
-    this.drive[d.KEEP_LINEAR] = 1;
-    this.drive[d.KEEP_ANGULAR] = 1;
-    this.drive[d.REST_RADIUS] = -1;
+    packUndriven(this, 0);
   }
 
   /** Makes room for so many contacts of one point and of two. */

@@ -4,9 +4,9 @@ import { MAX_GROWTH, MOST_SPANS, REST_SPIN_WEIGHT } from '../config.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import { packContacts } from './contacts/pack-contacts.js';
-import type { SolverData } from './data.js';
+import { packUndriven, type SolverData } from './data.js';
 import { findForces, forces } from './forces.js';
-import { holdWild } from './freeze.js';
+import { freezeIfWild } from './freeze.js';
 import * as d from './layout.js';
 import { findSqueezes } from './squeezes.js';
 
@@ -88,12 +88,8 @@ function packBodies(world: World): void {
   }
   for (let i = 0; i < kinematics.length; i += 1) {
     packBody(data, kinematics[i]!, slot);
-    const at = slot * d.BODY_STRIDE;
-    data.drive.fill(0, at, at + d.BODY_STRIDE);
-    data.drive[at + d.KEEP_LINEAR] = 1;
-    data.drive[at + d.KEEP_ANGULAR] = 1;
-    data.drive[at + d.REST_RADIUS] = -1;
-    holdWild(world, kinematics[i]!);
+    packUndriven(data, slot);
+    freezeIfWild(world, kinematics[i]!);
     slot += 1;
   }
 }
@@ -144,7 +140,7 @@ function packDrives(world: World, h: number): void {
     drive[at + d.REST_RADIUS] = invInertia === 0 ? 0 : (REST_SPIN_WEIGHT * invMass) / invInertia;
     drive[at + d.KEEP_LINEAR] = invMass === 0 ? 1 : linear.keep;
     drive[at + d.KEEP_ANGULAR] = invInertia === 0 ? 1 : angular.keep;
-    holdWild(world, body);
+    freezeIfWild(world, body);
   }
 }
 

@@ -13,9 +13,11 @@ import { solveVelocityOne } from './one-point.js';
 // began. Frames that stand on something, such as a table under a load, are solved as well, but keep their impulses: see `isBent` in
 // `joint-data.ts`.
 
-/** The end of a list of ends; also marks a body that hangs on what cannot be solved. */
+/** The end of a list of ends. */
 const NONE = -1;
-/** Marks a body that is part of a heap or a mechanism, for the whole step. */
+/** In `groupOf`: the body hangs on joints that cannot be solved once more. */
+export const UNSOLVABLE = -1;
+/** In `known`, marks a body that is part of a heap or a mechanism, for the whole step. */
 const REFUSED = 1;
 
 /** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
@@ -113,7 +115,7 @@ function gatherJoints(data: SolverData, slot: number): void {
   const { shocks, joints } = data;
   const { groupOf, groups } = shocks;
   const index = groupOf[slot]!;
-  if (index === NONE) {
+  if (index === UNSOLVABLE) {
     shocks.room = -1;
   } else if (index > 0 && !groups.has(index - 1)) {
     const group = joints.groups[index - 1]!;

@@ -1,5 +1,5 @@
 import * as c from '../../../contact/layout.js';
-import { canMove, keptAt, solveAround } from '../../contacts/shocks.js';
+import { canMove, keptAt, solveAround, UNSOLVABLE } from '../../contacts/shocks.js';
 import { batchOf, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import { type Group, hasCallbacks } from '../joint-data.js';
@@ -21,7 +21,7 @@ export function linkShocks(data: SolverData): void {
     if (group.runs.every(hasCallbacks)) {
       continue;
     }
-    const known = group.hasCustoms ? -1 : index + 1;
+    const known = group.hasCustoms ? UNSOLVABLE : index + 1;
     for (let n = 0; n < group.bodies.count; n += 1) {
       groupOf[group.bodies.items[n]! / d.BODY_STRIDE] = known;
     }
