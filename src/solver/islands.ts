@@ -9,7 +9,7 @@ import { rootOf, unite } from '../math/sets.js';
 import type { World } from '../world.js';
 import { isPushedAnew } from './forces.js';
 import { acts } from './joints/order/order.js';
-import { type Island, sleepIsland } from './sleep.js';
+import { type Island, isLiveDynamic, sleepIsland } from './sleep.js';
 
 /** Where the islands of a step are worked out: arrays by index in `liveDynamics`, kept from step to step. */
 export class IslandWork {
@@ -112,8 +112,9 @@ export function sleepIslands(world: World, dt: number): void {
  * would fall asleep by itself, and hang in the air once it goes.
  */
 function areTogether(pair: Arbiter): boolean {
-  if (pair.isSolid() || !pair.is(NEAR)) {
-    return pair.isSolid();
+  const isSolid = pair.isSolid();
+  if (isSolid || !pair.is(NEAR)) {
+    return isSolid;
   }
   findLeastSeparation(pair.numbers, pair.at);
   return leastSeparation[0]! < CONTACT_SLOP / 2;
@@ -156,7 +157,7 @@ function sleepReady(world: World, { parent, ready }: IslandWork): void {
     }
   });
   for (const constraint of world.liveConstraints) {
-    const body = constraint.members.find(({ kind, liveIndex }) => kind === DYNAMIC && liveIndex >= 0);
+    const body = constraint.members.find(isLiveDynamic);
     if (body !== undefined && acts(world, constraint)) {
       islands.get(rootOf(parent, body.liveIndex))?.constraints.push(constraint);
     }

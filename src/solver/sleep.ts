@@ -18,6 +18,11 @@ export interface Island {
   readonly constraints: Constraint[];
 }
 
+/** Whether a body is dynamic and awake in its world. */
+export function isLiveDynamic({ kind, liveIndex }: RigidBody): boolean {
+  return kind === DYNAMIC && liveIndex >= 0;
+}
+
 /** The step that a wake counts for: the running one, or the next. */
 function wakeStamp(world: World): number {
   return world.stepping ? world.timeStamp : world.timeStamp + 1;
@@ -75,11 +80,8 @@ export function quietenConstraint(world: World, constraint: Constraint): void {
 
 /** Wakes a body and what must wake with it. `silent`: no `wake` event for this very body. */
 export function wakeBody(world: World, body: RigidBody, silent: boolean): void {
-  if (body.kind !== STATIC && !body.asleep) {
-    stir(world, body);
-    return;
-  }
-  spreadWake(world, body, silent);
+  if (body.asleep) spreadWake(world, body, silent);
+  else stir(world, body);
 }
 
 /**
@@ -144,7 +146,7 @@ function spreadWake(world: World, start: RigidBody | Constraint, silent: boolean
 }
 
 function spreadFromBody(world: World, body: RigidBody, found: (RigidBody | Constraint)[]): void {
-  if (body.kind !== STATIC && !body.asleep) {
+  if (!body.asleep) {
     body.wakeTime = wakeStamp(world);
     return;
   }

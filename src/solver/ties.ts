@@ -6,7 +6,7 @@ import { takeOut } from '../math/list.js';
 import { unite } from '../math/sets.js';
 import type { World } from '../world.js';
 import { acts } from './joints/order/order.js';
-import { enliven, enlivenConstraint, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
+import { enliven, enlivenConstraint, isLiveDynamic, quietenConstraint, wakeBody, wakeConstraint } from './sleep.js';
 
 // Constraints that are added and removed, switched on and off, and sleep with what they join.
 
@@ -129,9 +129,7 @@ export function keepDriven(world: World): void {
 function keepAwake({ members }: Constraint, stamp: number): void {
   for (let i = 0; i < members.length; i += 1) {
     const body = members[i]!;
-    if (body.kind === DYNAMIC && body.liveIndex >= 0) {
-      body.wakeTime = stamp;
-    }
+    if (isLiveDynamic(body)) body.wakeTime = stamp;
   }
 }
 
@@ -139,16 +137,14 @@ function keepAwake({ members }: Constraint, stamp: number): void {
 export function joinTied(world: World, parent: Int32Array): void {
   const { liveConstraints } = world;
   for (let i = 0; i < liveConstraints.length; i += 1) {
-    const { members } = liveConstraints[i]!;
     if (acts(world, liveConstraints[i]!)) {
+      const { members } = liveConstraints[i]!;
       let joined = -1;
       for (let k = 0; k < members.length; k += 1) {
-        const body = members[k]!;
-        if (body.kind === DYNAMIC && body.liveIndex >= 0) {
-          if (joined >= 0) {
-            unite(parent, joined, body.liveIndex);
-          }
-          joined = body.liveIndex;
+        if (isLiveDynamic(members[k]!)) {
+          const { liveIndex } = members[k]!;
+          if (joined >= 0) unite(parent, joined, liveIndex);
+          joined = liveIndex;
         }
       }
     }
@@ -160,7 +156,7 @@ export function sleepIdle(world: World): void {
   const live = world.liveConstraints;
   for (let i = live.length - 1; i >= 0; i -= 1) {
     const constraint = live[i]!;
-    if (!constraint.members.some((body) => body.kind === DYNAMIC && body.liveIndex >= 0 && body.owner === world)) {
+    if (!constraint.members.some((body) => isLiveDynamic(body) && body.owner === world)) {
       quietenConstraint(world, constraint);
       world.events.constraint(SLEEP, constraint);
     }
