@@ -18,7 +18,7 @@ export function findSqueezes(world: World, h: number): void {
   const { contacts } = squeezes;
   let some = false;
   for (let i = 0; i < contacts.count && !some; i += 1) {
-    some = isDriven(solver, contacts.items[i]!);
+    some = isOneSided(solver, contacts.items[i]!);
   }
   if (!some) {
     contacts.clear();
@@ -31,7 +31,7 @@ export function findSqueezes(world: World, h: number): void {
   pressed.fill(0);
   for (let i = 0; i < contacts.count; i += 1) {
     const contact = contacts.items[i]!;
-    if (isDriven(solver, contact)) pressed[setOf(solver, contact)] = 1;
+    if (isOneSided(solver, contact)) pressed[setOf(solver, contact)] = 1;
   }
   let kept = 0;
   for (let i = 0; i < contacts.count; i += 1) {
@@ -79,9 +79,9 @@ function ease(r: Float64Array, at: number, least: Float64Array, which: number): 
 }
 
 /** Whether one body of the contact gives way and the other does not, as it is kinematic or of infinite mass. */
-function isDriven(data: SolverData, contact: number): boolean {
+function isOneSided(data: SolverData, contact: number): boolean {
   const { bodies } = batchOf(data, contact);
-  const a = bodies[contact & ~1]! & d.OFFSET;
+  const a = bodies[contact & d.EVEN]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
   return a > 0 && b > 0 && givesWay(data, a) !== givesWay(data, b);
 }
@@ -94,7 +94,7 @@ function givesWay({ velocity: v }: SolverData, at: number): boolean {
 /** The set of the first body of a contact that gives way; −1 if none does. */
 function setOf(data: SolverData, contact: number): number {
   const { bodies } = batchOf(data, contact);
-  const a = bodies[contact & ~1]! & d.OFFSET;
+  const a = bodies[contact & d.EVEN]! & d.OFFSET;
   const b = bodies[contact | 1]! & d.OFFSET;
   const at = givesWay(data, a) ? a : b;
   return givesWay(data, at) ? rootOf(data.squeezes.parent, indexOf(at)) : -1;

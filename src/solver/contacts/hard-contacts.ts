@@ -40,8 +40,8 @@ export function markHard(data: SolverData, count: number, stamp: number): number
     }
     if (stamp - latest < STRAIN_STEPS) {
       strained += 1;
-      note(data, bodyA, mark);
-      note(data, bodyB, mark);
+      setMark(data, bodyA, mark);
+      setMark(data, bodyB, mark);
     }
     rocking += pair.is(ROCKS) ? 1 : 0;
     fresh += stamp - began < NEW_STEPS && pair.active && isSlow(bodyA) && isSlow(bodyB) ? 1 : 0;
@@ -59,7 +59,7 @@ export function markHard(data: SolverData, count: number, stamp: number): number
     const { bodyA, bodyB } = window[i]!;
     const isNearA = markOf(data, bodyA) === mark;
     if (isNearA !== (markOf(data, bodyB) === mark)) {
-      note(data, isNearA ? bodyB : bodyA, mark + 1);
+      setMark(data, isNearA ? bodyB : bodyA, mark + 1);
     }
   }
   return mark;
@@ -79,7 +79,7 @@ function isSlow({ vx, vy }: RigidBody): boolean {
 }
 
 /** Sets the mark of a dynamic body. Others pass no load on. */
-function note({ velocity }: SolverData, { kind, slot }: RigidBody, mark: number): void {
+function setMark({ velocity }: SolverData, { kind, slot }: RigidBody, mark: number): void {
   if (kind === DYNAMIC) {
     velocity[slot * BODY_STRIDE + MARK] = mark;
   }
