@@ -6,7 +6,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import { ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
 import * as c from '../contact/layout.js';
-import { overlap, touch } from '../contact/touch.js';
+import { sensorIntersects, updateManifold } from '../contact/update.js';
 import { IN_STEP } from '../events/events.js';
 import { asksFirst, preSolve } from '../events/pre-solve.js';
 import { BEGIN, END, PROGRESS } from '../listeners.js';
@@ -109,7 +109,7 @@ function renew(world: World, pair: Arbiter, dt: number): boolean {
     pair.seen = stamp;
   }
   const isReported = pair.seen === stamp;
-  if (isReported && (pair.sensor ? overlap(pair) : touch(pair))) {
+  if (isReported && (pair.sensor ? sensorIntersects(pair) : updateManifold(pair))) {
     interact(world, pair);
     return true;
   }

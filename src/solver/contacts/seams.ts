@@ -5,7 +5,7 @@ import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js'
 import { FLUSH_TOLERANCE } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { NEAR } from '../../contact/bits.js';
-import { touch, touchAlong } from '../../contact/touch.js';
+import { updateManifold, updateManifoldAlong } from '../../contact/update.js';
 import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Polygon } from '../../shape/polygon.js';
 import type { Shape } from '../../shape/shape.js';
@@ -98,7 +98,7 @@ export function smoothMeeting(world: World, pair: Arbiter): void {
   }
   if (isHidden(world, pair)) {
     turn(pair);
-    if (pair.count === 0) touch(pair);
+    if (pair.count === 0) updateManifold(pair);
   }
   endMeeting();
 }
@@ -113,7 +113,7 @@ function turn(pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   n[o + g.NX] = sign * up.x;
   n[o + g.NY] = sign * up.y;
-  touchAlong(pair);
+  updateManifoldAlong(pair);
 }
 
 /** Whether a contact has the direction that was found. */

@@ -9,7 +9,7 @@ import type { Arbiter } from '../../contact/arbiter.js';
 import { NEAR } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';
 import * as c from '../../contact/layout.js';
-import { touch, touchAtPoint } from '../../contact/touch.js';
+import { makeNearestPoint, updateManifold } from '../../contact/update.js';
 import { asksFirst } from '../../events/pre-solve.js';
 import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
@@ -199,9 +199,9 @@ function openAt(world: World, pair: Arbiter, time: number): void {
   two.moveBodyTo(time);
   a.place(one.body);
   b.place(two.body);
-  const isApart = !touch(pair);
+  const isApart = !updateManifold(pair);
   if (isApart && time < 1) {
-    touchAtPoint(pair);
+    makeNearestPoint(pair);
   }
   works?.smoothMeeting(world, pair);
   // If `smoothMeeting` turned the contact, it would meet a surface that it does not touch.

@@ -6,7 +6,7 @@ import type { Arbiter } from '../../contact/arbiter.js';
 import { ACTIVE, LISTED, PERSISTENT } from '../../contact/bits.js';
 import { noteApproach } from '../../contact/hit.js';
 import * as c from '../../contact/layout.js';
-import { touch, touchAtPoint } from '../../contact/touch.js';
+import { makeNearestPoint, updateManifold } from '../../contact/update.js';
 import { FOUND_LATE } from '../../events/events.js';
 import { preSolve } from '../../events/pre-solve.js';
 import { BEGIN } from '../../listeners.js';
@@ -72,8 +72,8 @@ function findContact(world: World, { a, b }: Meeting): void {
   if (!isNew) {
     pair.meetAgain(world.pairs.spare);
   }
-  if (!touch(pair)) {
-    touchAtPoint(pair);
+  if (!updateManifold(pair)) {
+    makeNearestPoint(pair);
   }
   works?.smoothMeeting(world, pair);
   if (isNew) {

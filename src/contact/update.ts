@@ -15,7 +15,7 @@ function placePair({ numbers: n, at: o, bodyA, bodyB }: Arbiter): void {
 }
 
 /** Whether a sensor and another shape intersect; no contacts are made. */
-export function overlap(pair: Arbiter): boolean {
+export function sensorIntersects(pair: Arbiter): boolean {
   placePair(pair);
   return intersect(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
 }
@@ -34,7 +34,7 @@ function rememberFeatures({ shown, numbers: n, at: o }: Arbiter): void {
 }
 
 /** Collides the shapes anew, and carries the impulses of the points over. @returns whether the shapes collide. */
-export function touch(pair: Arbiter): boolean {
+export function updateManifold(pair: Arbiter): boolean {
   const { shapeA, shapeB, numbers: n, at: o } = pair;
   placePair(pair);
   rememberFeatures(pair);
@@ -43,8 +43,8 @@ export function touch(pair: Arbiter): boolean {
   return overlaps(n, o);
 }
 
-/** As `touch`, along a known direction: the normal in the record, a unit vector from A to B. It is not passed as numbers, as these would be boxed. */
-export function touchAlong(pair: Arbiter): void {
+/** As `updateManifold`, along a known direction: the normal in the record, a unit vector from A to B. It is not passed as numbers, as these would be boxed. */
+export function updateManifoldAlong(pair: Arbiter): void {
   rememberFeatures(pair);
   collideAlong(pair.shapeA, pair.shapeB, pair.numbers, pair.at);
   keepPoints(pair);
@@ -84,7 +84,7 @@ function matchPoints(pair: Arbiter): void {
 }
 
 /** Makes the one point where the shapes are nearest. For corners that meet corners, where no edges face each other. */
-export function touchAtPoint(pair: Arbiter): void {
+export function makeNearestPoint(pair: Arbiter): void {
   const { numbers: n, at: o } = pair;
   const distance = gapBetween(pair.shapeA, pair.shapeB);
   n[o + g.COUNT] = 1;
