@@ -28,17 +28,23 @@ const modules = {
   validate: 'src/audit/index.ts',
 };
 
+/** Members that are marked internal or private. */
+const MARKED =
+  /(?:@internal(?![^*]*Keeps its name)(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
+/** The bodies of classes and interfaces, and their members. */
+const TYPES = /^(?:export )?(?:abstract )?(?:class|interface) [^{]*\{\n([\s\S]*?)^\}/gm;
+const MEMBERS = /^ {2}(?:(?:readonly|override|abstract|protected|get|set) )*(\w+)(?=[?!]?:|\(| =|;)/gm;
+
 rmSync(dist, { recursive: true, force: true });
 buildTypes();
+const others = ['debug', 'outline', 'runner', 'state', 'validate'];
+await Promise.all(others.map((name) => buildEsm(name, false)));
 const internal = internalNames();
 // The validator reads nearly everything of a world: its minified bundle has the short names of the engine's.
 const { mangleCache } = await buildEsm('phys2d', true);
 await Promise.all([
   buildEsm('phys2d', false),
-  ...['debug', 'outline', 'runner', 'state', 'validate'].flatMap((name) => [
-    buildEsm(name, false),
-    buildEsm(name, true, mangleCache),
-  ]),
+  ...others.map((name) => buildEsm(name, true, mangleCache)),
   buildUmd(false),
   buildUmd(true),
   buildExamples(),
@@ -114,25 +120,35 @@ function minified(minify, mangleCache) {
 }
 
 /**
- * Members marked internal or private whose names appear neither in the published types nor in the language's own objects. What one bundle
- * reads of another's objects is marked so that it keeps its name.
+ * Members whose names appear neither in the published types nor in the language's own objects: those marked internal or private, and all
+ * others that neither the bundles beside the engine's nor the kernels in WebAssembly name. What one bundle reads of another's objects that
+ * is marked says that it keeps its name. The validator has short names, see above.
  */
 function internalNames() {
   const files = (folder, ending) =>
     readdirSync(folder, { recursive: true })
       .filter((name) => name.endsWith(ending))
-      .map((name) => readFileSync(join(folder, name), 'utf8'));
+      .map((name) => readFileSync(join(folder, name), 'utf8'))
+      .join('\n');
+  const words = (text) => text.match(/\w+/g);
   // The declarations name private members too, and the files they are in.
   const unpublished = /\/\*[\s\S]*?\*\/|^ *private .*|from '.*'/gm;
-  const published = new Set(files(dist, '.d.ts').join('\n').replace(unpublished, '').match(/\w+/g));
-  const language = [Object, Function, Array, Float64Array, Int32Array, Map, Set, Math, Number, String, RegExp, DataView]
+  const published = words(files(dist, '.d.ts').replace(unpublished, ''));
+  const types = [Object, Function, Array, Float64Array, Int32Array, Map, Set, Math, Number, String, RegExp, DataView];
+  const language = [...types, WebAssembly]
     .flatMap((type) => [type, type.prototype, Object.getPrototypeOf(type.prototype ?? {})])
     .flatMap((object) => (object ? Object.getOwnPropertyNames(object) : []));
-  const members =
-    /(?:@internal(?![^*]*Keeps its name)(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
-  const marked = [...files(join(root, 'src'), '.ts').join('\n').matchAll(members)].map(([, name]) => name);
+  const source = files(join(root, 'src'), '.ts');
+  const marked = [...source.matchAll(MARKED)].map(([, name]) => name);
+  const members = [...source.matchAll(TYPES)].flatMap(([, body]) =>
+    [...body.matchAll(MEMBERS)].map(([, name]) => name),
+  );
+  const beside = others
+    .filter((name) => name !== 'validate')
+    .map((name) => readFileSync(join(dist, `${name}.js`), 'utf8'));
+  const shared = new Set(words([...beside, files(join(root, 'simd'), '.ts')].join('\n')));
   const kept = new Set([...published, ...language, 'export', 'constructor']);
-  return [...new Set(marked)].filter((name) => !kept.has(name));
+  return [...new Set([...marked, ...members.filter((name) => !shared.has(name))])].filter((name) => !kept.has(name));
 }
 
 /** One file for CommonJS, AMD and the script tag. esbuild does not know UMD: the bundle is a function's body here. */
