@@ -18,6 +18,7 @@ import {
 } from './query/queries.js';
 import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
+import { POLYGON } from './shape/shape-kind.js';
 import { changeFilters } from './solver/find-pairs.js';
 import { letGo } from './solver/let-go.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
@@ -458,6 +459,8 @@ export class World extends WorldState {
   private enter(shape: Shape): void {
     shape.order = this.nextOrder;
     shape.entered = this.stamp;
+    // Its pairs are new. What was changed before is in no snapshot: it must not tell worlds apart that are alike.
+    if (shape.kind === POLYGON) shape.geometryStamp = 1;
     this.nextOrder += 1;
     insertHandle(this, shape);
   }

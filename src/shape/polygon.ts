@@ -105,7 +105,7 @@ export class Polygon extends BaseShape {
   /** @internal */
   form: Form;
 
-  /** @internal grows with every change of the geometry */
+  /** @internal grows with every change of the geometry while it is in a world */
   geometryStamp = 1;
 
   /** @internal use `createPolygonShape` */

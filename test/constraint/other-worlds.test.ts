@@ -80,3 +80,21 @@ it('a static body that another world restores elsewhere takes along what hangs o
   }
   expect(distance(body.getPosition(), [0, 0])).toBeLessThan(1e-3);
 });
+
+it('joints of another world change nothing in this one', () => {
+  const run = (isTied: boolean) => {
+    const [here, there] = [phys2D.createWorld(), weightless()];
+    const floor = phys2D.createPolygonShape({ vertices: phys2D.createRectangleVertices(-20, 0, 20, 1) });
+    here.addRigidBody(phys2D.createRigidBody({ type: 'static', shapes: [floor] }));
+    for (let i = 0; i < 60; i += 1) {
+      const size = 0.8 + 0.2 * (i % 3);
+      const position: [number, number] = [0.9 * (i % 4) - 1.5 + 0.05 * (i % 7), -1 - 0.9 * Math.floor(i / 4)];
+      const shapes = [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(size, size) })];
+      const crate = add(here, { position, shapes });
+      if (isTied) there.addConstraint(phys2D.createPointConstraint({ bodyA: add(there, { position }), bodyB: crate }));
+    }
+    for (let i = 0; i < 120; i += 1) here.step(DT);
+    return here.hash();
+  };
+  expect(run(true)).toBe(run(false));
+});
