@@ -6,7 +6,7 @@ export const POSE_STRIDE = 4;
 
 /** Options of `PoseBuffer.create`. */
 export interface PoseBufferParams {
-  /** How many bodies there is room for, an integer from 1 to 1e9. Default 1024. */
+  /** How many bodies there is room for, an integer from 1 to 1e9. Default: as many as `poses` has room for, or 1024. */
   capacity?: number | undefined;
   /**
    * The array to write to, with room for `capacity` bodies. On a `SharedArrayBuffer`, another thread can read it. Default: a new
@@ -34,9 +34,10 @@ export class PoseBuffer {
   /** @internal use `create` */
   constructor(params?: PoseBufferParams) {
     const where = 'PoseBuffer.create';
-    const { capacity = 1024, poses } = options(where, params, false);
-    this.capacity = integer(where, 'capacity', capacity, 1);
+    const { capacity, poses } = options(where, params, false);
     const isList = poses instanceof Float32Array || poses instanceof Float64Array;
+    const room = isList ? Math.max(1, Math.floor(poses.length / POSE_STRIDE)) : 1024;
+    this.capacity = integer(where, 'capacity', capacity === undefined ? room : capacity, 1);
     if (poses !== undefined && !(isList && poses.length >= POSE_STRIDE * this.capacity)) {
       throw typeError(where, 'poses', `a float array of ${POSE_STRIDE * this.capacity} numbers`, poses);
     }

@@ -363,6 +363,8 @@ describe('a pose buffer', () => {
     expect(() => PoseBuffer.create({ capacity: 3, poses: new Float32Array(8) })).toThrow(
       'PoseBuffer.create: poses must be a float array of 12 numbers',
     );
+    expect(PoseBuffer.create({ poses: new Float32Array(8) }).capacity).toBe(2);
+    expect(PoseBuffer.create().capacity).toBe(1024);
   });
 
   it('that is one of yours may throw: the events of the step are told all the same, in their order', () => {

@@ -90,6 +90,35 @@ describe.each(ways)('a world that was %s', (_name, empty, steps) => {
   });
 });
 
+it('lets go of a hinge that was struck, and of what hung on it', async () => {
+  const world = phys2D.createWorld({ gravity: [0, 0] });
+  const strike = (): WeakRef<object>[] => {
+    const base = phys2D.createRigidBody({ type: 'static' });
+    const bar = phys2D.createRigidBody({
+      position: [0, 1],
+      shapes: [phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(0.2, 2) })],
+    });
+    const ball = phys2D.createRigidBody({
+      position: [-3.2, 1.5],
+      velocity: [120, 0],
+      bullet: true,
+      shapes: [phys2D.createCircleShape({ radius: 0.1, material: phys2D.createMaterial({ elasticity: 0.8 }) })],
+    });
+    const hinge = phys2D.createPointConstraint({ bodyA: base, bodyB: bar, anchorB: [0, -1] });
+    for (const body of [base, bar, ball]) world.addRigidBody(body);
+    world.addConstraint(hinge);
+    for (let i = 0; i < 10; i += 1) world.step(DT);
+    expect(Math.abs(bar.getAngularVelocity())).toBeGreaterThan(1);
+    world.removeConstraint(hinge);
+    for (const body of [base, bar, ball]) world.removeRigidBody(body);
+    return [base, bar, ball, hinge].map((object) => new WeakRef(object));
+  };
+  const left = strike();
+  for (let i = 0; i < 10; i += 1) world.step(DT);
+  await collect();
+  expect(left.filter((ref) => ref.deref() !== undefined).length).toBe(0);
+});
+
 it('tells an event handler that clears the world what it was called for', () => {
   const world = phys2D.createWorld();
   world.addRigidBody(floor);

@@ -82,6 +82,11 @@ class Side {
     }
   }
 
+  forget(): void {
+    this.body = null!;
+    this.hinge = null;
+  }
+
   /** While an impact is solved, the velocity of a body on a hinge is that at the hinge, which is 0. */
   hold(): void {
     if (this.hinge !== null) {
@@ -147,12 +152,13 @@ export function solveImpacts({ solver, jointSolver }: World, pairs: List<Arbiter
   jointSolver?.noteHinges(impacts, count, bodies, ledger.before);
 }
 
-/** Releases the bodies of impacts that are over. */
+/** Releases the bodies and hinges of impacts that are over. */
 export function releaseImpacts(): void {
   release(bodies.items, 0);
-  for (const { a, b } of impacts) {
-    a.body = null!;
-    b.body = null!;
+  for (const impact of impacts) {
+    impact.pair = null!;
+    impact.a.forget();
+    impact.b.forget();
   }
 }
 
