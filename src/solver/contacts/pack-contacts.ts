@@ -151,6 +151,11 @@ function hasTwoPoints(pair: Arbiter): boolean {
   return count === 2 && n[o + g.S0]! <= limit && n[o + g.S1]! <= limit;
 }
 
+/** Whether there is a gap between shapes that may meet in the step. In contacts that are foreseen, points are where they will have met. */
+function isApart(pair: Arbiter): boolean {
+  return pair.is(NEAR) && pair.foreseen === 0;
+}
+
 /**
  * Writes arms, effective masses, friction and kept impulses of both points. Straight-line: this runs once a step for every contact.
  * Friction acts between the points as their loads share it; where nothing is carried yet, at the deeper one. It acts on the surface of
@@ -188,8 +193,7 @@ export function packTwo(data: SolverData, index: number): void {
   const s1 = n[o + g.S0]!;
   const s2 = n[o + g.S1]!;
   const part = p1 > 0 && p2 >= 0 ? p1 / (p1 + p2) : p2 > 0 || s2 < s1 ? 0 : 1;
-  const gap = pair.foreseen > 0 ? 0 : s2 + part * (s1 - s2);
-  const half = gap > 0 ? 0.5 * gap : 0;
+  const half = isApart(pair) ? 0.5 * (s2 + part * (s1 - s2)) : 0;
   const rt = (x2 + part * (x1 - x2)) * nx + (y2 + part * (y1 - y2)) * ny;
   const rtA = rt - half;
   const rtB = rt - dn + half;
@@ -248,7 +252,7 @@ function packOne(data: SolverData, index: number): void {
   const by = ay - n[o + g.DY]!;
   const separation = n[o + g.S0 + g.POINT * which]!;
   const gap = pair.foreseen > 0 ? 0 : separation;
-  const half = gap > 0 ? 0.5 * gap : 0;
+  const half = isApart(pair) ? 0.5 * gap : 0;
   const rnA = ax * ny - ay * nx;
   const rnB = bx * ny - by * nx;
   const alongA = ax * nx + ay * ny;
