@@ -4,34 +4,85 @@ import * as g from '../../collide/layout.js';
 import { MEET_PATIENCE, PASS_SHARE, SWEEP_TOLERANCE } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
-import { CENTRE_X, CENTRE_Y } from '../../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import { findImpact, Sweep } from '../../geometry/sweep.js';
-import { halfWidthOf } from '../../shape/shape.js';
+import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { CIRCLE } from '../../shape/shape-kind.js';
 import { goesFar } from './movers.js';
 
 // Two shapes that seem to collide and bounce may only pass each other: a contact keeps its normal for the whole step, and the bodies may
 // approach along it all the same.
 
+/** A circle; or a corner of a polygon, which is one of radius 0. Relative to the origin of its body. */
+class Round {
+  x = 0.5;
+  y = 0.5;
+  radius = 0.5;
+  /** From a corner to the two beside it. */
+  readonly sides = new Float64Array(4);
+
+  /** Whether a shape is round where one of its points is, at `(x, y)` relative to the origin of its body. */
+  find(shape: Shape, x: number, y: number): boolean {
+    if (shape.kind === CIRCLE) {
+      this.x = shape.numbers[shape.at + CENTRE_X]!;
+      this.y = shape.numbers[shape.at + CENTRE_Y]!;
+      this.radius = shape.radius;
+      this.sides.fill(0);
+      return true;
+    }
+    const { numbers: n, at, offsets } = shape;
+    const from = at + EDGES;
+    const end = from + EDGE_STRIDE * offsets.length;
+    for (let k = from; k < end; k += EDGE_STRIDE) {
+      if (Math.abs(n[k]! - x) + Math.abs(n[k + 1]! - y) < SAME) {
+        const before = k === from ? end - EDGE_STRIDE : k - EDGE_STRIDE;
+        const after = k + EDGE_STRIDE === end ? from : k + EDGE_STRIDE;
+        this.x = n[k]!;
+        this.y = n[k + 1]!;
+        this.radius = 0;
+        for (let i = 0; i < 2; i += 1) {
+          this.sides[i] = n[before + i]! - n[k + i]!;
+          this.sides[2 + i] = n[after + i]! - n[k + i]!;
+        }
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether it is what is met by something that lies in a direction: not where a corner stands for the edges beside it. */
+  faces(nx: number, ny: number): boolean {
+    const { sides } = this;
+    return nx * sides[0]! + ny * sides[1]! <= 0 && nx * sides[2]! + ny * sides[3]! <= 0;
+  }
+}
+
+/** m. By how much a point of a contact may be off a corner by rounding. */
+const SAME = 1e-9;
+
 /** Scratch of `passes`. */
 const way = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
+const one = /* @__PURE__ */ new Round();
+const two = /* @__PURE__ */ new Round();
 
 /**
- * Whether two elastic shapes pass each other within a step, as their bodies move now. If two circles will meet, their contact gets the
- * normal with which they do.
+ * Whether two elastic shapes pass each other within a step, as their bodies move now. If a circle will meet another one or a corner, their
+ * contact gets the normal with which they do.
  */
 export function passes(pair: Arbiter, dt: number): boolean {
   const { shapeA, shapeB, numbers, at } = pair;
   const a = shapeA.owner!;
   const b = shapeB.owner!;
-  const areRound = shapeA.kind === CIRCLE && shapeB.kind === CIRCLE;
-  if (numbers[at + c.ELASTICITY]! <= 0 || !slipsBy(pair, a, b, dt, areRound ? 0 : PASS_SHARE)) {
+  if (numbers[at + c.ELASTICITY]! <= 0 || !slipsBy(pair, a, b, dt, 0)) {
     return false;
   }
-  if (areRound) {
-    return !circlesMeet(pair, a, b, dt);
+  if (findRounds(pair) && meetRound(pair, a, b, dt)) {
+    return false;
   }
-  if (!(goesFar(a, dt) || goesFar(b, dt))) {
+  if (shapeA.kind === CIRCLE && shapeB.kind === CIRCLE) {
+    return true;
+  }
+  if (!(goesFar(a, dt) || goesFar(b, dt)) || !slipsBy(pair, a, b, dt, PASS_SHARE)) {
     return false;
   }
   way.a.start(shapeA, a, a);
@@ -45,20 +96,29 @@ export function passes(pair: Arbiter, dt: number): boolean {
   return isPassed;
 }
 
+/** Whether a circle is near another one or a corner, which are `one` and `two` then. */
+function findRounds({ shapeA, shapeB, numbers: n, at: o }: Arbiter): boolean {
+  if (shapeA.kind !== CIRCLE && shapeB.kind !== CIRCLE) {
+    return false;
+  }
+  const half = 0.5 * n[o + g.S0]!;
+  const x = n[o + g.X0]!;
+  const y = n[o + g.Y0]!;
+  const nx = half * n[o + g.NX]!;
+  const ny = half * n[o + g.NY]!;
+  return one.find(shapeA, x - nx, y - ny) && two.find(shapeB, x + nx - n[o + g.DX]!, y + ny - n[o + g.DY]!);
+}
+
 /**
- * Whether two circles meet within a step: |d + v·t| = r. If so, turns their contact so that it closes when they meet, along the line of
+ * Whether `one` and `two` meet within a step: |d + v·t| = r. If so, turns their contact so that it closes when they meet, along the line of
  * their centres then. The origins of the bodies are taken to be apart as they are then, too: so the arms of both lead along that line.
  */
-function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
-  const ax = shapeA.numbers[shapeA.at + CENTRE_X]!;
-  const ay = shapeA.numbers[shapeA.at + CENTRE_Y]!;
-  const bx = shapeB.numbers[shapeB.at + CENTRE_X]!;
-  const by = shapeB.numbers[shapeB.at + CENTRE_Y]!;
-  const dx = n[o + g.DX]! + bx - ax;
-  const dy = n[o + g.DY]! + by - ay;
-  const vx = b.vx - b.w * by - a.vx + a.w * ay;
-  const vy = b.vy + b.w * bx - a.vy - a.w * ax;
-  const reach = halfWidthOf(shapeA) + halfWidthOf(shapeB);
+function meetRound({ numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, dt: number): boolean {
+  const dx = n[o + g.DX]! + two.x - one.x;
+  const dy = n[o + g.DY]! + two.y - one.y;
+  const vx = b.vx - b.w * two.y - a.vx + a.w * one.y;
+  const vy = b.vy + b.w * two.x - a.vy - a.w * one.x;
+  const reach = one.radius + two.radius;
   const comes = -(dx * vx + dy * vy);
   const square = vx * vx + vy * vy;
   const left = comes * comes - square * (dx * dx + dy * dy - reach * reach);
@@ -66,16 +126,15 @@ function circlesMeet({ shapeA, shapeB, numbers: n, at: o }: Arbiter, a: RigidBod
     return false;
   }
   const time = (comes - Math.sqrt(left)) / square;
-  if (time > dt) {
-    return false;
-  }
   const nx = (dx + vx * time) / reach;
   const ny = (dy + vy * time) / reach;
-  const radius = halfWidthOf(shapeA);
+  if (time > dt || !one.faces(nx, ny) || !two.faces(-nx, -ny)) {
+    return false;
+  }
   const separation = -time * (vx * nx + vy * ny);
-  setPoint(n, o, nx, ny, ax + nx * radius, ay + ny * radius, separation);
-  n[o + g.DX] = ax - bx + nx * (reach + separation);
-  n[o + g.DY] = ay - by + ny * (reach + separation);
+  setPoint(n, o, nx, ny, one.x + nx * one.radius, one.y + ny * one.radius, separation);
+  n[o + g.DX] = one.x - two.x + nx * (reach + separation);
+  n[o + g.DY] = one.y - two.y + ny * (reach + separation);
   return true;
 }
 
