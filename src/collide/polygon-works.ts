@@ -5,6 +5,7 @@ import type { SolverData } from '../solver/data.js';
 import type { Start, Sweep } from '../solver/loops.js';
 import type { World } from '../world.js';
 import type { RayTest } from './rays.js';
+import type { Round } from './round.js';
 import type { Kernel } from './table.js';
 
 /** Everything that only polygons need, from their collision kernels to contacts of two points; `solver/polygons.ts` implements it. */
@@ -13,6 +14,7 @@ export interface PolygonWorks {
   readonly collidePolygonCircle: Kernel<Polygon, Circle>;
   readonly collidePolygons: Kernel<Polygon, Polygon>;
   readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
+  readonly findCorner: (round: Round, shape: Polygon, x: number, y: number) => boolean;
   readonly rayPolygon: (shape: Polygon, ray: RayTest) => boolean;
   readonly smoothSeams: (world: World) => void;
   readonly smoothMeeting: (world: World, pair: Arbiter) => void;

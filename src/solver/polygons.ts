@@ -2,6 +2,7 @@ import { collideCirclePolygon, collidePolygonCircle } from '../collide/circles.j
 import type { PolygonWorks } from '../collide/polygon-works.js';
 import { collidePolygons, polygonsIntersect } from '../collide/polygons.js';
 import { rayPolygon } from '../collide/rays.js';
+import { findCorner } from '../collide/round.js';
 import { putGroundsBack } from './contacts/grounds.js';
 import { packTwo } from './contacts/pack-contacts.js';
 import { smoothMeeting, smoothSeams } from './contacts/seams.js';
@@ -16,6 +17,7 @@ export const polygonWorks: PolygonWorks = {
   collidePolygonCircle,
   collidePolygons,
   polygonsIntersect,
+  findCorner,
   rayPolygon,
   smoothSeams,
   smoothMeeting,

@@ -1,10 +1,12 @@
 import type { RigidBody } from '../../body.js';
 import { setPoint } from '../../collide/circles.js';
 import * as g from '../../collide/layout.js';
+import { works } from '../../collide/polygon-works.js';
+import { faces, Round } from '../../collide/round.js';
 import { MEET_PATIENCE, PASS_SHARE, SWEEP_TOLERANCE } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
-import { CENTRE_X, CENTRE_Y, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import { CENTRE_X, CENTRE_Y } from '../../geometry/layout.js';
 import { findImpact, Sweep } from '../../geometry/sweep.js';
 import { halfWidthOf, type Shape } from '../../shape/shape.js';
 import { CIRCLE } from '../../shape/shape-kind.js';
@@ -12,53 +14,6 @@ import { goesFar } from './movers.js';
 
 // Two shapes that seem to collide and bounce may only pass each other: a contact keeps its normal for the whole step, and the bodies may
 // approach along it all the same.
-
-/** A circle; or a corner of a polygon, which is one of radius 0. Relative to the origin of its body. */
-class Round {
-  x = 0.5;
-  y = 0.5;
-  radius = 0.5;
-  /** From a corner to the two beside it. */
-  readonly sides = new Float64Array(4);
-
-  /** Whether a shape is round where one of its points is, at `(x, y)` relative to the origin of its body. */
-  find(shape: Shape, x: number, y: number): boolean {
-    if (shape.kind === CIRCLE) {
-      this.x = shape.numbers[shape.at + CENTRE_X]!;
-      this.y = shape.numbers[shape.at + CENTRE_Y]!;
-      this.radius = shape.radius;
-      this.sides.fill(0);
-      return true;
-    }
-    const { numbers: n, at, offsets } = shape;
-    const from = at + EDGES;
-    const end = from + EDGE_STRIDE * offsets.length;
-    for (let k = from; k < end; k += EDGE_STRIDE) {
-      if (Math.abs(n[k]! - x) + Math.abs(n[k + 1]! - y) < SAME) {
-        const before = k === from ? end - EDGE_STRIDE : k - EDGE_STRIDE;
-        const after = k + EDGE_STRIDE === end ? from : k + EDGE_STRIDE;
-        this.x = n[k]!;
-        this.y = n[k + 1]!;
-        this.radius = 0;
-        for (let i = 0; i < 2; i += 1) {
-          this.sides[i] = n[before + i]! - n[k + i]!;
-          this.sides[2 + i] = n[after + i]! - n[k + i]!;
-        }
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /** Whether it is what is met by something that lies in a direction: not where a corner stands for the edges beside it. */
-  faces(nx: number, ny: number): boolean {
-    const { sides } = this;
-    return nx * sides[0]! + ny * sides[1]! <= 0 && nx * sides[2]! + ny * sides[3]! <= 0;
-  }
-}
-
-/** m. By how much a point of a contact may be off a corner by rounding. */
-const SAME = 1e-9;
 
 /** Scratch of `passes`. */
 const way = /* @__PURE__ */ new Sweep(MEET_PATIENCE, true);
@@ -106,7 +61,19 @@ function findRounds({ shapeA, shapeB, numbers: n, at: o }: Arbiter): boolean {
   const y = n[o + g.Y0]!;
   const nx = half * n[o + g.NX]!;
   const ny = half * n[o + g.NY]!;
-  return one.find(shapeA, x - nx, y - ny) && two.find(shapeB, x + nx - n[o + g.DX]!, y + ny - n[o + g.DY]!);
+  return isRound(one, shapeA, x - nx, y - ny) && isRound(two, shapeB, x + nx - n[o + g.DX]!, y + ny - n[o + g.DY]!);
+}
+
+/** Whether a shape is round where one of its points is, at `(x, y)` relative to the origin of its body. */
+function isRound(round: Round, shape: Shape, x: number, y: number): boolean {
+  if (shape.kind !== CIRCLE) {
+    return works!.findCorner(round, shape, x, y);
+  }
+  round.x = shape.numbers[shape.at + CENTRE_X]!;
+  round.y = shape.numbers[shape.at + CENTRE_Y]!;
+  round.radius = shape.radius;
+  round.sides.fill(0);
+  return true;
 }
 
 /**
@@ -128,7 +95,7 @@ function meetRound({ numbers: n, at: o }: Arbiter, a: RigidBody, b: RigidBody, d
   const time = (comes - Math.sqrt(left)) / square;
   const nx = (dx + vx * time) / reach;
   const ny = (dy + vy * time) / reach;
-  if (time > dt || !one.faces(nx, ny) || !two.faces(-nx, -ny)) {
+  if (time > dt || !faces(one, nx, ny) || !faces(two, -nx, -ny)) {
     return false;
   }
   const separation = -time * (vx * nx + vy * ny);
