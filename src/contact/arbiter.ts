@@ -1,6 +1,6 @@
 import { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
-import { reset } from '../collide/manifold.js';
+import { findLeastSeparation, leastSeparation, reset } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
@@ -153,13 +153,14 @@ export class Arbiter extends PairState {
       y += sign * before!.y;
       w += ofB === 1 ? before!.wB : before!.wA;
     }
+    // The arms are those the solver used, not those at the end of the step: to the surface of either body, if these were apart.
+    findLeastSeparation(n, o);
+    const half = sign * 0.5 * Math.max(0, leastSeparation[0]!);
     for (let i = 0; i < this.shown; i += 1) {
       const normal = sign * n[o + c.STEP_NORMAL + c.IMPULSES * i]!;
       const tangent = sign * n[o + c.STEP_TANGENT + c.IMPULSES * i]!;
       const jx = n[o + g.NX]! * normal - n[o + g.NY]! * tangent;
       const jy = n[o + g.NY]! * normal + n[o + g.NX]! * tangent;
-      // The arms are those the solver used, not those at the end of the step: to the surface of either body, if these were apart.
-      const half = sign * 0.5 * Math.max(0, n[o + g.S0 + g.POINT * i]!);
       const armX = n[o + g.X0 + g.POINT * i]! - ofB * n[o + g.DX]! + half * n[o + g.NX]!;
       const armY = n[o + g.Y0 + g.POINT * i]! - ofB * n[o + g.DY]! + half * n[o + g.NY]!;
       w += armX * jy - armY * jx;

@@ -5,7 +5,7 @@ import { Digest } from './digest.js';
 /** How many words the header has. */
 const HEADER = 8;
 const MAGIC = 0x32643270;
-export const VERSION = 23;
+export const VERSION = 24;
 const LENGTH = 2;
 const NUMBERS = 3;
 const WORDS = 4;

@@ -434,6 +434,7 @@ export function keepGroup(tape: Tape, group: Group): void {
   group.sweeps = tape.integer(group.sweeps, 0, Math.max(MAX_JOINT_SWEEPS, NEW_JOINT_SWEEPS, FIRM_SWEEPS));
   group.span = tape.number(group.span);
   group.excess = tape.number(group.excess);
+  group.lost = tape.number(group.lost);
   group.settling = tape.integer(group.settling, 0, SETTLE_STEPS);
   group.stuckSteps = tape.integer(group.stuckSteps, 0, STUCK_STEPS);
   group.untrueSteps = tape.integer(group.untrueSteps, 0, UNTRUE_STEPS);

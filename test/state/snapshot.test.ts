@@ -309,7 +309,7 @@ describe('World.restore', () => {
     expect(() => world.restore(new ArrayBuffer(4096))).toThrow('World.restore: this is no snapshot of a world');
     const foreign = world.snapshot();
     new Int32Array(foreign)[1] = 9;
-    expect(() => world.restore(foreign)).toThrow('World.restore: the snapshot is of version 9, this is version 23');
+    expect(() => world.restore(foreign)).toThrow('World.restore: the snapshot is of version 9, this is version 24');
   });
 });
 

@@ -148,6 +148,8 @@ export class Group {
   untouchedSteps = FIRM_STEPS;
   /** J. The energy that its joints made in the steps so far and that was not taken back yet; below 0, what they lost a short while ago. */
   excess = 0;
+  /** J. What the group and its guests lost since it touches something, below 0: a bridge gives back some of what fell onto it. */
+  lost = 0;
 
   // … and from sub-step to sub-step: the plan.
 

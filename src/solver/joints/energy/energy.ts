@@ -146,13 +146,15 @@ function takeExcess(data: SolverData, group: Group): void {
   if (!isCalm) {
     const { bodies, guests } = group;
     removed = slowDown(data, bodies, excess - (touched ? TOUCHED_EXCESS : EXCESS_SHARE) * right, made);
-    // What the light bodies do not have was made in the heavy ones; what these do not have went into guests. From here on, all are light.
+    // What the light bodies do not have was made in the heavy ones. From here on, all count as light.
     sums[LIGHTEST] = 0;
     const wild = before + flung - EXCESS_WILD * right;
     removed += slowDown(data, bodies, wild - removed, made - removed);
+    // What these do not have either went into guests, or comes back to them after it was lost.
     sums[OWN_MASS] = sums[MASS]! - sums[OWN_MASS]!;
-    removed += slowDown(data, guests, wild - removed, made - removed);
+    removed += slowDown(data, guests, wild + group.lost - removed, made - removed);
   }
+  group.lost = touched ? Math.min(0, EXCESS_FADES * group.lost + made - removed) : 0;
   if (!touched) {
     group.excess = isCalm ? Math.min(0, excess) : excess - removed;
   }
