@@ -1,9 +1,10 @@
 import { RigidBody } from '../body.js';
 import * as g from '../collide/layout.js';
-import { findLeastSeparation, leastSeparation, reset } from '../collide/manifold.js';
+import { reset } from '../collide/manifold.js';
 import { mixElasticity, mixFriction } from '../material.js';
 import { type NumberSink, type Vec2, type Vec3, vec2, vec3 } from '../math/vectors.js';
 import type { Shape } from '../shape/shape.js';
+import { POLYGON } from '../shape/shape-kind.js';
 import { boolean, instance, nonNegative, notNaN } from '../validate.js';
 import { atEnd, normalAtEnd } from './at-end.js';
 import {
@@ -153,9 +154,8 @@ export class Arbiter extends PairState {
       y += sign * before!.y;
       w += ofB === 1 ? before!.wB : before!.wA;
     }
-    // The arms are those the solver used, not those at the end of the step: to the surface of either body, if these were apart.
-    findLeastSeparation(n, o);
-    const half = sign * 0.5 * Math.max(0, leastSeparation[0]!);
+    // The arms are those the solver used, not those at the end of the step: of circles to the surface, if they were apart.
+    const half = isRound(this) ? sign * 0.5 * Math.max(0, n[o + g.S0]!) : 0;
     for (let i = 0; i < this.shown; i += 1) {
       const normal = sign * n[o + c.STEP_NORMAL + c.IMPULSES * i]!;
       const tangent = sign * n[o + c.STEP_TANGENT + c.IMPULSES * i]!;
@@ -433,4 +433,9 @@ export class Arbiter extends PairState {
       world.wakeBoth(this);
     }
   }
+}
+
+/** Whether one of the shapes is a circle, so that there is one point. */
+export function isRound({ shapeA, shapeB }: Arbiter): boolean {
+  return shapeA.kind !== POLYGON || shapeB.kind !== POLYGON;
 }

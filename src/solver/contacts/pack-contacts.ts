@@ -17,7 +17,7 @@ import {
   UNEVEN,
 } from '../../config.js';
 import { HEAVY } from '../../config-joints.js';
-import type { Arbiter } from '../../contact/arbiter.js';
+import { type Arbiter, isRound } from '../../contact/arbiter.js';
 import { AWAKE, LISTED, NEAR } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
 import type { List } from '../../math/list.js';
@@ -151,16 +151,9 @@ function hasTwoPoints(pair: Arbiter): boolean {
   return count === 2 && n[o + g.S0]! <= limit && n[o + g.S1]! <= limit;
 }
 
-/** Whether there is a gap between shapes that may meet in the step. In contacts that are foreseen, points are where they will have met. */
-function isApart(pair: Arbiter): boolean {
-  return pair.is(NEAR) && pair.foreseen === 0;
-}
-
 /**
  * Writes arms, effective masses, friction and kept impulses of both points. Straight-line: this runs once a step for every contact.
- * Friction acts between the points as their loads share it; where nothing is carried yet, at the deeper one. It acts on the surface of
- * either body: points lie half-way between these, and where there is a gap, the arms are those of when it has closed, as in a contact that
- * is foreseen.
+ * Friction acts between the points as their loads share it; where nothing is carried yet, at the deeper one.
  */
 export function packTwo(data: SolverData, index: number): void {
   const batch = data.two;
@@ -193,10 +186,8 @@ export function packTwo(data: SolverData, index: number): void {
   const s1 = n[o + g.S0]!;
   const s2 = n[o + g.S1]!;
   const part = p1 > 0 && p2 >= 0 ? p1 / (p1 + p2) : p2 > 0 || s2 < s1 ? 0 : 1;
-  const half = isApart(pair) ? 0.5 * (s2 + part * (s1 - s2)) : 0;
-  const rt = (x2 + part * (x1 - x2)) * nx + (y2 + part * (y1 - y2)) * ny;
-  const rtA = rt - half;
-  const rtB = rt - dn + half;
+  const rtA = (x2 + part * (x1 - x2)) * nx + (y2 + part * (y1 - y2)) * ny;
+  const rtB = rtA - dn;
   r[at + d.PART] = part;
   r[at + d.RT_A] = rtA;
   r[at + d.RT_B] = rtB;
@@ -232,7 +223,11 @@ export function packTwo(data: SolverData, index: number): void {
   packPair(data, batch, index, a, b);
 }
 
-/** The same for a contact of one point, or for the deeper of two. */
+/**
+ * The same for a contact of one point, or for the deeper of two. Points lie half-way between the surfaces. Where a circle is yet to get
+ * there, the friction acts on the surface of either body, as in a contact that is foreseen. Refused: the same for polygons, as heaps of rods
+ * come to rest less often (16 of 216 do not within 15 s, instead of 9).
+ */
 function packOne(data: SolverData, index: number): void {
   const batch = data.one;
   const at = recordAt(index, d.ONE_STRIDE) & d.OFFSET;
@@ -252,7 +247,7 @@ function packOne(data: SolverData, index: number): void {
   const by = ay - n[o + g.DY]!;
   const separation = n[o + g.S0 + g.POINT * which]!;
   const gap = pair.foreseen > 0 ? 0 : separation;
-  const half = isApart(pair) ? 0.5 * gap : 0;
+  const half = isRound(pair) && pair.is(NEAR) && pair.foreseen === 0 ? 0.5 * gap : 0;
   const rnA = ax * ny - ay * nx;
   const rnB = bx * ny - by * nx;
   const alongA = ax * nx + ay * ny;
