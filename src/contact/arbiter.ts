@@ -435,7 +435,7 @@ export class Arbiter extends PairState {
   }
 }
 
-/** Whether one of the shapes is a circle, so that there is one point. */
+/** @internal whether one of the shapes is a circle, so that there is one point */
 export function isRound({ shapeA, shapeB }: Arbiter): boolean {
   return shapeA.kind !== POLYGON || shapeB.kind !== POLYGON;
 }
