@@ -7,7 +7,7 @@ import { type ContactBatch, recordAt } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
 
-// Bits for what the bodies of a group touch: something that is not part of it, …
+/** Bits for what the bodies of a group touch: something that is not part of it, … */
 export const OTHERS = 1;
 /** … something dynamic that is far heavier, … */
 export const HEAVIER = 2;
@@ -31,16 +31,16 @@ export function findNeighbours({ solver, liveDynamics }: World): void {
     group.neighbours = 0;
     if (group.touched) {
       isNeeded = true;
-      note(group, i + 1, liveDynamics.length);
+      nameBodies(group, i + 1, liveDynamics.length);
     }
   }
   if (isNeeded) {
-    look(one, groups, liveDynamics);
-    look(two, groups, liveDynamics);
+    readContacts(one, groups, liveDynamics);
+    readContacts(two, groups, liveDynamics);
   }
 }
 
-function note({ bodies }: Group, name: number, dynamics: number): void {
+function nameBodies({ bodies }: Group, name: number, dynamics: number): void {
   for (let n = 0; n < bodies.count; n += 1) {
     const slot = bodies.items[n]! / d.BODY_STRIDE;
     // A body that is not dynamic may be part of several groups.
@@ -48,7 +48,7 @@ function note({ bodies }: Group, name: number, dynamics: number): void {
   }
 }
 
-function look(
+function readContacts(
   { records: r, bodies, count, stride }: ContactBatch,
   groups: readonly Group[],
   dynamics: RigidBody[],
