@@ -155,7 +155,7 @@ export class Arbiter extends PairState {
       w += ofB === 1 ? before!.wB : before!.wA;
     }
     // The arms are those the solver used, not those at the end of the step: of circles to the surface, if they were apart.
-    const half = isRound(this) ? sign * 0.5 * Math.max(0, n[o + g.S0]!) : 0;
+    const half = hasCircle(this) ? sign * 0.5 * Math.max(0, n[o + g.S0]!) : 0;
     for (let i = 0; i < this.shown; i += 1) {
       const normal = sign * n[o + c.STEP_NORMAL + c.IMPULSES * i]!;
       const tangent = sign * n[o + c.STEP_TANGENT + c.IMPULSES * i]!;
@@ -436,6 +436,6 @@ export class Arbiter extends PairState {
 }
 
 /** @internal whether one of the shapes is a circle, so that there is one point */
-export function isRound({ shapeA, shapeB }: Arbiter): boolean {
+export function hasCircle({ shapeA, shapeB }: Arbiter): boolean {
   return shapeA.kind !== POLYGON || shapeB.kind !== POLYGON;
 }

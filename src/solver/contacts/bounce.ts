@@ -205,7 +205,8 @@ const ledger = /* @__PURE__ */ new Ledger();
 const given: number[] = [];
 
 /**
- * Lists the bodies of a round, which are marked, and loses their marks meanwhile, so that each is listed once. @returns whether nothing drives them, and nothing is set to bounce faster than it came.
+ * Lists the bodies of a round, which are marked, and loses their marks meanwhile, so that each is listed once. @returns whether nothing
+ * drives them, and nothing is set to bounce faster than it came.
  */
 function collect({ bounces: list, velocity: v }: SolverData, count: number, round: number): boolean {
   let isFree = true;

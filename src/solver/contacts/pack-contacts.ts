@@ -17,7 +17,7 @@ import {
   UNEVEN,
 } from '../../config.js';
 import { HEAVY } from '../../config-joints.js';
-import { type Arbiter, isRound } from '../../contact/arbiter.js';
+import { type Arbiter, hasCircle } from '../../contact/arbiter.js';
 import { AWAKE, LISTED, NEAR } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
 import type { List } from '../../math/list.js';
@@ -247,7 +247,7 @@ function packOne(data: SolverData, index: number): void {
   const by = ay - n[o + g.DY]!;
   const separation = n[o + g.S0 + g.POINT * which]!;
   const gap = pair.foreseen > 0 ? 0 : separation;
-  const half = isRound(pair) && pair.is(NEAR) && pair.foreseen === 0 ? 0.5 * gap : 0;
+  const half = hasCircle(pair) && pair.is(NEAR) && pair.foreseen === 0 ? 0.5 * gap : 0;
   const rnA = ax * ny - ay * nx;
   const rnB = bx * ny - by * nx;
   const alongA = ax * nx + ay * ny;

@@ -4,7 +4,7 @@ import * as g from '../../collide/layout.js';
 import { works } from '../../collide/polygon-works.js';
 import { faces, Round } from '../../collide/round.js';
 import { MEET_PATIENCE, PASS_SHARE, SWEEP_TOLERANCE } from '../../config.js';
-import type { Arbiter } from '../../contact/arbiter.js';
+import { type Arbiter, hasCircle } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
 import { CENTRE_X, CENTRE_Y } from '../../geometry/layout.js';
 import { findImpact, Sweep } from '../../geometry/sweep.js';
@@ -52,20 +52,21 @@ export function passes(pair: Arbiter, dt: number): boolean {
 }
 
 /** Whether a circle is near another one or a corner, which are `one` and `two` then. */
-function findRounds({ shapeA, shapeB, numbers: n, at: o }: Arbiter): boolean {
-  if (shapeA.kind !== CIRCLE && shapeB.kind !== CIRCLE) {
+function findRounds(pair: Arbiter): boolean {
+  if (!hasCircle(pair)) {
     return false;
   }
+  const { shapeA, shapeB, numbers: n, at: o } = pair;
   const half = 0.5 * n[o + g.S0]!;
   const x = n[o + g.X0]!;
   const y = n[o + g.Y0]!;
   const nx = half * n[o + g.NX]!;
   const ny = half * n[o + g.NY]!;
-  return isRound(one, shapeA, x - nx, y - ny) && isRound(two, shapeB, x + nx - n[o + g.DX]!, y + ny - n[o + g.DY]!);
+  return findRound(one, shapeA, x - nx, y - ny) && findRound(two, shapeB, x + nx - n[o + g.DX]!, y + ny - n[o + g.DY]!);
 }
 
-/** Whether a shape is round where one of its points is, at `(x, y)` relative to the origin of its body. */
-function isRound(round: Round, shape: Shape, x: number, y: number): boolean {
+/** Finds what is round of a shape at one of its points, `(x, y)` relative to the origin of its body. @returns whether there is anything. */
+function findRound(round: Round, shape: Shape, x: number, y: number): boolean {
   if (shape.kind !== CIRCLE) {
     return works!.findCorner(round, shape, x, y);
   }
