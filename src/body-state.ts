@@ -34,8 +34,11 @@ export abstract class BodyState extends BodyNumbers {
   isBullet = false;
   /** @internal the forces for one step, once there were any */
   applied: Applied | null = null;
-  /** @internal how many enabled constraints in a world keep it from interacting with the other body */
-  ignoring = 0;
+  /**
+   * @internal the bodies that enabled constraints of a world keep it from interacting with, itself included, once for each constraint;
+   * `null` before the first
+   */
+  ignoring: BodyState[] | null = null;
   /** @internal mass, inertia and radius have to be computed anew before their next use */
   massStale = true;
   /** @internal turned geometry, bounds and broadphase do not match the placement */

@@ -25,9 +25,10 @@ export function auditConstraints(audit: Audit): void {
     for (const constraint of body.constraints) {
       audit.demand(constraint.members.includes(body), body, 'lists a constraint that does not use it');
       audit.demand(constraint.owner !== null, body, 'lists a constraint that is in no world');
-      ignoring += constraint.enabled && constraint.ignoreInteractions ? 1 : 0;
+      ignoring += constraint.enabled && constraint.ignoreInteractions ? new Set(constraint.members).size : 0;
     }
-    audit.demand(body.ignoring === ignoring, body, `must count ${ignoring} that ignore, got ${body.ignoring}`);
+    const listed = body.ignoring?.length ?? 0;
+    audit.demand(listed === ignoring, body, `must list ${ignoring} that it ignores, got ${listed}`);
   }
 }
 

@@ -427,7 +427,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     if (last !== pair) {
       this.relink(2 * last, 2 * pair);
       this.relink(2 * last + 1, 2 * pair + 1);
-      this.pairs.copyWithin(pair * PAIR, last * PAIR, last * PAIR + PAIR);
+      for (let k = 0; k < PAIR; k += 1) {
+        this.pairs[pair * PAIR + k] = this.pairs[last * PAIR + k]!;
+      }
     }
   }
 

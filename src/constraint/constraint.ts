@@ -212,12 +212,12 @@ export abstract class BaseConstraint {
   configure(params: ConstraintConfig): void {
     const config = checkedConfig('Constraint.configure', params);
     const { owner } = this;
-    if (owner !== null) this.solver!.countIgnoring(this.self, -1);
+    if (owner !== null) this.solver!.listIgnoring(this.self, false);
     if (config.ignoreInteractions) owner?.changeFilters();
     Object.assign(this, config);
     if (!this.breakUnderForce || this.maxForce === Infinity) this.overloadedSteps = 0;
     if (owner !== null) {
-      this.solver!.countIgnoring(this.self, 1);
+      this.solver!.listIgnoring(this.self, true);
       owner.jointsStale = true;
     }
     this.rouse();

@@ -114,6 +114,8 @@ export class BounceList {
   bouncing = new Int32Array(16);
   /** Of the pair: else each sub-step would wait for its memory. */
   elasticity = new Float64Array(16);
+  /** m. How deep its shapes may overlap before that is an impact; 0 if nobody has asked yet. */
+  depth = new Float64Array(16);
 
   /** Adds a point. */
   add(batch: ContactBatch, index: number, shift: number): void {
@@ -136,6 +138,7 @@ export class BounceList {
     this.arms[at + d.BOUNCE_RN_B] = records[record + shift + d.RN_B1]!;
     this.bias[i] = 0;
     this.elasticity[i] = batch.numbers[index]![batch.at[index]! + ELASTICITY]!;
+    this.depth[i] = 0;
     this.count = i + 1;
   }
 
@@ -151,6 +154,7 @@ export class BounceList {
     this.bouncing = new Int32Array(size);
     this.state = new Uint8Array(size);
     this.elasticity = widened(this.elasticity, new Float64Array(size));
+    this.depth = widened(this.depth, new Float64Array(size));
   }
 }
 

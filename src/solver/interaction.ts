@@ -13,9 +13,7 @@ export function mayInteract(a: Shape, b: Shape): boolean {
 
 /** Whether filters or joints keep two shapes from interacting. That holds until either change, which `World.filters` counts. */
 export function areApart(a: Shape, b: Shape): boolean {
-  const bodyA = a.owner!;
-  const bodyB = b.owner!;
-  return !letsMeet(a, b) || (bodyA.ignoring > 0 && bodyB.ignoring > 0 && areKeptApart(bodyA, bodyB));
+  return !letsMeet(a, b) || areKeptApart(a.owner!, b.owner!);
 }
 
 /** Whether two shapes can interact: their bodies are two, not both asleep, and one of them is dynamic or one shape is a sensor. */

@@ -25,7 +25,7 @@ export function tie(world: World, constraint: Constraint): void {
   for (const body of distinct(constraint)) {
     body.constraints.push(constraint);
   }
-  countIgnoring(constraint, 1);
+  listIgnoring(constraint, true);
   if (constraint.enabled && !constraint.asleep) {
     enlivenConstraint(world, constraint);
     wakeMembers(world, constraint);
@@ -44,7 +44,7 @@ export function untie(world: World, constraint: Constraint): void {
 
 /** Resets what a constraint had from its world. */
 export function leaveWorld(constraint: Constraint): void {
-  countIgnoring(constraint, -1);
+  listIgnoring(constraint, false);
   for (const { constraints } of distinct(constraint)) {
     // The others keep their order, which is part of hashes: a body that is in no world may have constraints of several.
     constraints.splice(constraints.indexOf(constraint), 1);
@@ -72,14 +72,14 @@ function wakeMembers(world: World, { members }: Constraint): void {
 export function switchOn(world: World, constraint: Constraint): void {
   if (constraint.ignoreInteractions) world.changeFilters();
   constraint.enabled = true;
-  countIgnoring(constraint, 1);
+  listIgnoring(constraint, true);
   enlivenConstraint(world, constraint);
   wakeMembers(world, constraint);
 }
 
 /** Stops a constraint from acting. */
 export function switchOff(world: World, constraint: Constraint): void {
-  countIgnoring(constraint, -1);
+  listIgnoring(constraint, false);
   constraint.enabled = false;
   if (constraint.liveIndex >= 0) {
     quietenConstraint(world, constraint);
@@ -99,14 +99,23 @@ export function breakOff(world: World, constraint: Constraint): void {
 }
 
 /**
- * Updates the count that bodies keep of the constraints that keep them from interacting with others: most have none, and need not be asked
- * for more.
+ * Updates the lists that bodies keep of those that enabled constraints keep them from interacting with, as that is asked of each pair in
+ * each step: `begins` if the constraint does so from now on, else it does not any more.
  */
-export function countIgnoring(constraint: Constraint, change: number): void {
-  if (constraint.enabled && constraint.ignoreInteractions) {
-    constraint.owner!.changeFilters();
-    for (const body of distinct(constraint)) {
-      body.ignoring += change;
+export function listIgnoring(constraint: Constraint, begins: boolean): void {
+  if (!constraint.enabled || !constraint.ignoreInteractions) {
+    return;
+  }
+  constraint.owner!.changeFilters();
+  const bodies = [...distinct(constraint)];
+  for (const body of bodies) {
+    body.ignoring ??= [];
+    for (const other of bodies) {
+      if (begins) {
+        body.ignoring.push(other);
+      } else {
+        takeOut(body.ignoring, body.ignoring.indexOf(other));
+      }
     }
   }
 }
@@ -165,15 +174,14 @@ export function sleepIdle(world: World): void {
 
 /** Whether some constraint of the world keeps the two from interacting. */
 export function areKeptApart(a: RigidBody, b: RigidBody): boolean {
-  const few = a.constraints.length < b.constraints.length ? a : b;
-  const other = few === a ? b : a;
-  for (let i = 0; i < few.constraints.length; i += 1) {
-    const { enabled, ignoreInteractions, owner, members } = few.constraints[i]!;
-    if (enabled && ignoreInteractions && owner === few.owner && members.includes(other)) {
-      return true;
-    }
+  if (a.ignoring === null || !a.ignoring.includes(b)) {
+    return false;
   }
-  return false;
+  // It may be a constraint of another world, which both have left.
+  return a.constraints.some(
+    ({ enabled, ignoreInteractions, owner, members }) =>
+      enabled && ignoreInteractions && owner === a.owner && members.includes(b),
+  );
 }
 
 /** Whether the body has an enabled constraint of its world. */

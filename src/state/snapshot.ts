@@ -6,7 +6,7 @@ import { Shape } from '../shape/shape.js';
 import { Group, resetJoints } from '../solver/joints/joint-data.js';
 import { orderJoints } from '../solver/joints/order/order.js';
 import { insertHandle } from '../solver/refresh.js';
-import { countIgnoring, leaveWorld } from '../solver/ties.js';
+import { leaveWorld, listIgnoring } from '../solver/ties.js';
 import { instance, typeError } from '../validate.js';
 import type { World } from '../world.js';
 import type { WorldSaving } from '../world-state.js';
@@ -101,7 +101,7 @@ function restoreTo(
   assemble(world, scene, ids);
   walk(tape, world, scene);
   for (const constraint of scene.constraints) {
-    countIgnoring(constraint, 1);
+    listIgnoring(constraint, true);
   }
   walkGroups(tape, world);
   place(world, scene);

@@ -69,7 +69,7 @@ const FIXED: Readonly<Record<string, readonly string[]>> = {
 /** Kept, but of no influence: lists without order, and by what objects are found. */
 const UNHEARD: Readonly<Record<string, readonly string[]>> = {
   world: ['nextOrder'],
-  body: ['order', 'index', 'liveIndex', 'ignoring'],
+  body: ['order', 'index', 'liveIndex'],
   shape: ['order'],
   constraint: ['order', 'index', 'liveIndex'],
   arbiter: ['listIndex', 'indexA', 'indexB'],
@@ -159,7 +159,7 @@ describe.each([
           expect(world.hash(), `${kind}.${key} and the hash`).not.toBe(hash);
         }
         // By these the world finds its own objects again.
-        if (['index', 'liveIndex', 'ignoring', 'indexA', 'indexB', 'listIndex'].includes(key)) {
+        if (['index', 'liveIndex', 'indexA', 'indexB', 'listIndex'].includes(key)) {
           object[key] = before;
         }
         world.restore(snapshot);

@@ -411,15 +411,21 @@ export function spareBounces(data: SolverData): void {
   const { bounces: list } = data;
   for (let k = 0; k < list.count; k += 1) {
     if (list.bias[k] === d.OFF || fliesApart(data, k)) {
-      const { records: r, arbiters } = list.batches[k]!;
+      const { records: r } = list.batches[k]!;
       const at = list.record[k]! + list.shift[k]! + d.SEPARATION1;
       if (r[at]! < -FORESIGHT_DEPTH) {
-        const { shapeA, shapeB } = arbiters[list.index[k]!]!;
-        findImpactDepth(shapeA, shapeB);
-        r[at] = r[at]! + impactDepth[0]!;
+        if (list.depth[k] === 0) findDepth(list, k);
+        r[at] = r[at]! + list.depth[k]!;
       } else {
         r[at] = d.OUT_OF_REACH;
       }
     }
   }
+}
+
+/** Once a step, as the memory of shapes has to be waited for. */
+function findDepth({ batches, index, depth }: BounceList, k: number): void {
+  const { shapeA, shapeB } = batches[k]!.arbiters[index[k]!]!;
+  findImpactDepth(shapeA, shapeB);
+  depth[k] = impactDepth[0]!;
 }

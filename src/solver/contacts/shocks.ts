@@ -181,6 +181,7 @@ function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: 
 function isShock(data: SolverData, contact: number): boolean {
   const batch = batchOf(data, contact);
   const { velocity: v, traits } = data;
+  const load = loadOf(batch, contact);
   const a = batch.bodies[contact & d.EVEN]! & d.OFFSET;
   const b = batch.bodies[contact | 1]! & d.OFFSET;
   const mA = v[a + d.INV_MASS]!;
@@ -189,7 +190,8 @@ function isShock(data: SolverData, contact: number): boolean {
   if (mA > 0 && mB > 0 && ((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.LINKED) !== 0) {
     ease = Math.min(mA, mB);
   }
-  return (loadOf(batch, contact) - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
+  // What it bore before is only looked up where that may matter, as the numbers of pairs have to be waited for.
+  return load * ease > SHOCK_SPEED && (load - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
 }
 
 /** Sweeps over the contacts and joints that were found, until no contact changes a velocity by more than is worth it. */

@@ -50,6 +50,10 @@ export interface Joint {
   readonly angle: number;
   /** Pairs of indices of members that are the same body. */
   readonly twins: readonly (readonly [number, number])[];
+  /** Until one of the joints is changed: it drives its bodies, … */
+  drives: boolean;
+  /** … as in a run. */
+  turns: boolean;
 }
 
 /**
@@ -62,6 +66,8 @@ export interface Run {
   end: number;
   /** At the start of the sub-step, some error was larger than the one from which on joints are off. */
   isOff: boolean;
+  /** Until a joint is changed: the impulse of one turns with its bodies where these may be stressed, see `energy/stress.ts`. */
+  turns: boolean;
 }
 
 /**

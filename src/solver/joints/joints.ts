@@ -14,10 +14,10 @@ import { shareOfChange } from '../impacts/onset.js';
 import { sleepConstraint, wakeConstraint } from '../sleep.js';
 import {
   breakOff,
-  countIgnoring,
   joinTied,
   keepDriven,
   leaveWorld,
+  listIgnoring,
   sleepIdle,
   switchOff,
   switchOn,
@@ -467,7 +467,7 @@ export const jointSolver = {
   leaveWorld,
   switchOn,
   switchOff,
-  countIgnoring,
+  listIgnoring,
   wakeConstraint,
   sleepConstraint,
   keepDriven,

@@ -109,11 +109,11 @@ function joinTouching({ records: r, bodies, count, stride }: ContactBatch, dynam
 
 function joinTied({ joints: { joints, bodies } }: SolverData, dynamics: number): void {
   for (let k = 0; k < joints.length; k += 1) {
-    const { constraint, first: from, layout } = joints[k]!;
+    const { drives, first: from, layout } = joints[k]!;
     for (let n = from; n < from + layout.members; n += 1) {
       const slot = bodies[n]! / d.BODY_STRIDE;
       join(bodies[from]! / d.BODY_STRIDE, slot, dynamics);
-      if (constraint.drives) driven[slot] = 1;
+      if (drives) driven[slot] = 1;
     }
   }
   driven[0] = 0;

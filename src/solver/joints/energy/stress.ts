@@ -49,6 +49,14 @@ export function lookAtStress(data: SolverData, group: Group): void {
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isMixed = group.isIndeterminate && group.runs.some(({ kernel }) => kernel !== group.runs[0]!.kernel);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
+  for (const run of group.runs) {
+    run.turns = false;
+    for (let k = run.start; k < run.end; k += 1) {
+      const { constraint } = joints[k]!;
+      joints[k]!.turns = isFixed(constraint) && isRigid(constraint);
+      run.turns ||= joints[k]!.turns;
+    }
+  }
 }
 
 function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Group): boolean {
@@ -98,9 +106,11 @@ export function turnStress(data: SolverData, group: Group): void {
     return;
   }
   const { joints } = data.joints;
-  for (let k = group.start; k < group.end; k += 1) {
-    const { constraint } = joints[k]!;
-    if (isFixed(constraint) && isRigid(constraint)) turnImpulse(data, joints[k]!);
+  for (let i = 0; i < group.runs.length; i += 1) {
+    const { turns, start, end } = group.runs[i]!;
+    for (let k = start; k < end && turns; k += 1) {
+      if (joints[k]!.turns) turnImpulse(data, joints[k]!);
+    }
   }
 }
 

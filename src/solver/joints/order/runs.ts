@@ -40,12 +40,12 @@ export function addJoint(
   if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
     run.end += 1;
   } else {
-    const added = { kernel, start: joints.length, end: joints.length + 1, isOff: false };
+    const added = { kernel, start: joints.length, end: joints.length + 1, isOff: false, turns: false };
     group.runs.push(added);
     data.runs.push(added);
   }
   const where = { at: size, slot: 0, isPaired: false, isBeside: false, first: members };
-  joints.push({ constraint, kernel, layout, ...where, angle, twins });
+  joints.push({ constraint, kernel, layout, ...where, angle, twins, drives: false, turns: false });
   data.size += kernel === POINT ? KEPT_STRIDE : kernel === TURN ? TURN_STRIDE : layout.size;
   data.members += constraint.members.length;
   if (data.pose.length < POSE * layout.members) {

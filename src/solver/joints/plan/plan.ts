@@ -62,6 +62,7 @@ export function lookAtKinds(data: SolverData, group: Group): void {
   group.frequency = 0;
   for (let k = group.start; k < group.end; k += 1) {
     const { constraint } = joints[k]!;
+    joints[k]!.drives = constraint.drives;
     if (constraint.isElastic) group.frequency = Math.max(group.frequency, constraint.frequency);
     group.isDriven ||= constraint.drives;
     group.mayBreak ||= constraint.breakUnderForce && constraint.maxForce < Infinity;

@@ -1,4 +1,3 @@
-import type { RigidBody } from '../../../body.js';
 import { DYNAMIC } from '../../../body-kind.js';
 import * as g from '../../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../../collide/manifold.js';
@@ -6,7 +5,7 @@ import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '..
 import type { Arbiter } from '../../../contact/arbiter.js';
 import type { Shape } from '../../../shape/shape.js';
 import type { SolverData } from '../../data.js';
-import { QX, QY } from '../../layout.js';
+import { INV_MASS, QX, QY } from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
 import { CUSTOM, POINT, TURN } from '../joint-layout.js';
 import { forgetImpulse } from '../joint-numbers.js';
@@ -50,7 +49,7 @@ function closeOnce(data: SolverData, { runs }: Group): boolean {
     const isOpen = left[0]! > JOINT_OPEN;
     for (let k = start; k < end && isOpen; k += 1) {
       measure(data, kernel, k, k + 1);
-      if (left[0]! > JOINT_OPEN && mayClose(joints[k]!)) {
+      if (left[0]! > JOINT_OPEN && mayClose(data, joints[k]!)) {
         found = true;
         closePart(data, k);
       }
@@ -145,11 +144,9 @@ function goesInto({ numbers: n, at: o }: Arbiter, sign: number): boolean {
 }
 
 /** Whether a joint may be closed. Not if it has something immovable, which would drag bodies through a wall at once. */
-function mayClose({ constraint }: Joint): boolean {
-  return constraint.members.every(canBeMoved);
-}
-
-function canBeMoved(body: RigidBody): boolean {
-  body.refreshMass();
-  return body.kind === DYNAMIC && body.mass > 0 && body.mass < Infinity;
+function mayClose({ motion: q, joints: { bodies } }: SolverData, { first, layout }: Joint): boolean {
+  for (let n = first; n < first + layout.members; n += 1) {
+    if (q[bodies[n]! + INV_MASS] === 0) return false;
+  }
+  return true;
 }
