@@ -73,7 +73,7 @@ export const I12 = 14;
 export const I22 = 16;
 /**
  * … then what position iterations use: the arms at the last exact sweep, the part of the error that is constant in the linear sweeps after
- * it, corrections …
+ * it, corrections, how far each body had turned in the sub-step at that exact sweep, rad …
  */
 export const PLACED_AX = 18;
 export const PLACED_AY = 20;
@@ -83,24 +83,23 @@ export const OFFSET_X = 26;
 export const OFFSET_Y = 28;
 export const PUSH_X = 30;
 export const PUSH_Y = 32;
+export const PLACED_WA = 34;
+export const PLACED_WB = 36;
 /** … the error at the start of the sub-step; 1 if a large one is corrected without turning the bodies … */
-export const ERROR_X = 34;
-export const ERROR_Y = 36;
-export const POINT_SNAPS = 38;
+export const ERROR_X = 38;
+export const ERROR_Y = 40;
+export const POINT_SNAPS = 42;
 /** … anchors … */
-export const ANCHOR_AX = 40;
-export const ANCHOR_AY = 42;
-export const ANCHOR_BX = 44;
-export const ANCHOR_BY = 46;
+export const ANCHOR_AX = 44;
+export const ANCHOR_AY = 46;
+export const ANCHOR_BX = 48;
+export const ANCHOR_BY = 50;
 /** … what the step gave so far; and the same as CARRY. */
-export const SUM_X = 48;
-export const SUM_Y = 50;
-export const SUM_WA = 52;
-export const SUM_WB = 54;
-export const POINT_CARRY = 56;
-/** How far each body had turned in the sub-step at the last exact sweep, rad. */
-export const PLACED_WA = 58;
-export const PLACED_WB = 60;
+export const SUM_X = 52;
+export const SUM_Y = 54;
+export const SUM_WA = 56;
+export const SUM_WB = 58;
+export const POINT_CARRY = 60;
 /** How many numbers a record has. */
 export const POINT_STRIDE = 31;
 

@@ -1,5 +1,5 @@
 import { MIN_INVERSE_MASS } from '../../../config.js';
-import { JOINT_SNAP, JOINT_TOLERANCE, SINGULAR } from '../../../config-joints.js';
+import { JOINT_FAR_TURN, JOINT_SNAP, JOINT_TOLERANCE, SINGULAR } from '../../../config-joints.js';
 import { COS, SIN, X, Y } from '../../../constraint/layout.js';
 import { cosSin } from '../../../math/trig.js';
 import type { SolverData } from '../../data.js';
@@ -280,6 +280,23 @@ export function pushPointsLinearly(data: SolverData, from: number, to: number, s
     q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
   return found;
+}
+
+/** Whether a body has turned far since the last exact position sweep. */
+export function haveTurned(data: SolverData, from: number, to: number, step: number): boolean {
+  const { points: r, pointBodies: bodies, motion: q } = data;
+  for (let k = from; k !== to; k += step) {
+    if ((bodies[2 * k]! & d.MISSING) !== 0) {
+      continue;
+    }
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const wA = Math.abs(q[(bodies[2 * k]! & d.OFFSET) + d.QW]! - r[i + j.PLACED_WA]!);
+    const wB = Math.abs(q[(bodies[2 * k + 1]! & d.OFFSET) + d.QW]! - r[i + j.PLACED_WB]!);
+    if (wA > JOINT_FAR_TURN || wB > JOINT_FAR_TURN) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** Writes to `left` the largest error now, m, as if linear in the motion since the last exact sweep. */

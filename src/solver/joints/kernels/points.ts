@@ -1,4 +1,4 @@
-import { JOINT_FAR_TURN, JOINT_MOMENTUM } from '../../../config-joints.js';
+import { JOINT_MOMENTUM } from '../../../config-joints.js';
 import type { PointConstraint } from '../../../constraint/point.js';
 import { recordAt, remember, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
@@ -261,17 +261,9 @@ export function finishPoints(data: SolverData, start: number, end: number): void
   runLoop(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);
 }
 
+/** Whether a body of some joints has turned far since their last exact sweep. */
 function haveTurned(data: SolverData, start: number, end: number): boolean {
-  const { points: r, pointBodies: bodies, motion: q } = data;
   const { joints } = data.joints;
-  let most = 0;
-  for (let k = start; k < end; k += 1) {
-    const { slot } = joints[k]!;
-    const i = recordAt(slot, j.POINT_STRIDE);
-    const wA = Math.abs(q[(bodies[2 * slot]! & d.OFFSET) + d.QW]! - r[i + j.PLACED_WA]!);
-    const wB = Math.abs(q[bodies[2 * slot + 1]! + d.QW]! - r[i + j.PLACED_WB]!);
-    most = wA > most ? wA : most;
-    most = wB > most ? wB : most;
-  }
-  return most > JOINT_FAR_TURN;
+  const step = stepOf(data, start, end);
+  return plain.haveTurned(data, joints[start]!.slot, joints[end - 1]!.slot + step, step);
 }
