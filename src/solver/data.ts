@@ -182,8 +182,10 @@ export class TurningList {
  * number, plus 1 for B.
  */
 export class ShockList {
-  /** Contacts whose surfaces approach each other fast as the step begins. */
+  /** Contacts whose surfaces approach each other fast as the step begins, or whose bodies hang on joints. */
   readonly struck = new List<number>();
+  /** By contact, for those of `struck`: the normal impulse with which the step began, N·s. The numbers of pairs would have to be waited for. */
+  before = new Float64Array(64);
   /** Linked lists of the ends at each body: `first` by slot, `next` by end. Made at most once a step. */
   isLinked = false;
   first = new Int32Array(64);

@@ -27,6 +27,7 @@ import { type ContactBatch, recordAt, type SolverData } from '../data.js';
 import { canGiveWay } from '../interaction.js';
 import * as d from '../layout.js';
 import { markHard, markOf } from './hard-contacts.js';
+import { noteStruck } from './shocks.js';
 import { keepNormal } from './turning.js';
 
 /**
@@ -334,7 +335,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     comes + r[at + d.RN_B1]! * wB - r[at + d.RN_A1]! * wA < -SHOCK_SPEED ||
     comes + r[other + d.RN_B1]! * wB - r[other + d.RN_A1]! * wA < -SHOCK_SPEED
   ) {
-    data.shocks.struck.add(contact);
+    noteStruck(data, contact);
   }
 
   let share = PUSH_SHARE_STATIC;

@@ -1,6 +1,7 @@
 import { SHOCK_CONTACTS, SHOCK_SPEED, SHOCK_WORK } from '../../config.js';
 import { JOINT_TORN } from '../../config-joints.js';
 import * as c from '../../contact/layout.js';
+import { widened } from '../../math/doubles.js';
 import { batchOf, type ContactBatch, IMPULSES, recordAt, type ShockList, type SolverData } from '../data.js';
 import type { JointSolver } from '../joints/joints.js';
 import * as d from '../layout.js';
@@ -19,6 +20,16 @@ const NONE = -1;
 export const UNSOLVABLE = -1;
 /** In `known`, marks a body that is part of a heap or a mechanism, for the whole step. */
 const REFUSED = 1;
+
+/** Notes a contact that may be struck in this step, as it is packed. */
+export function noteStruck(data: SolverData, contact: number): void {
+  const { shocks } = data;
+  shocks.struck.add(contact);
+  if (contact >= shocks.before.length) {
+    shocks.before = widened(shocks.before, new Float64Array(2 * contact));
+  }
+  shocks.before[contact] = loadOf(batchOf(data, contact), contact);
+}
 
 /** Ends the velocity sweeps of a sub-step: solves what was struck in it, and frames that stand on something and are bent. */
 export function solveShocks(data: SolverData, jointSolver: JointSolver | null): void {
@@ -166,7 +177,7 @@ export function keptAt({ at, point }: ContactBatch, contact: number): number {
 }
 
 /** The normal impulse with which the step began, or that it bore when a frame was solved since, N·s. */
-function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: number): number {
+export function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: number): number {
   const n = batch.numbers[contact >> 1]!;
   const first = keptAt(batch, contact);
   const isOne = (contact & 1) === 1;
@@ -181,7 +192,6 @@ function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: 
 function isShock(data: SolverData, contact: number): boolean {
   const batch = batchOf(data, contact);
   const { velocity: v, traits } = data;
-  const load = loadOf(batch, contact);
   const a = batch.bodies[contact & d.EVEN]! & d.OFFSET;
   const b = batch.bodies[contact | 1]! & d.OFFSET;
   const mA = v[a + d.INV_MASS]!;
@@ -190,8 +200,7 @@ function isShock(data: SolverData, contact: number): boolean {
   if (mA > 0 && mB > 0 && ((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.LINKED) !== 0) {
     ease = Math.min(mA, mB);
   }
-  // What it bore before is only looked up where that may matter, as the numbers of pairs have to be waited for.
-  return load * ease > SHOCK_SPEED && (load - loadBefore(data, batch, contact)) * ease > SHOCK_SPEED;
+  return (loadOf(batch, contact) - data.shocks.before[contact]!) * ease > SHOCK_SPEED;
 }
 
 /** Sweeps over the contacts and joints that were found, until no contact changes a velocity by more than is worth it. */

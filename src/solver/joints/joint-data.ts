@@ -66,7 +66,10 @@ export interface Run {
   end: number;
   /** At the start of the sub-step, some error was larger than the one from which on joints are off. */
   isOff: boolean;
-  /** Until a joint is changed: the impulse of one turns with its bodies where these may be stressed, see `energy/stress.ts`. */
+  /**
+   * Until a joint is changed: the impulse of one turns with its bodies where these may be stressed, see `energy/stress.ts`. Points all do,
+   * and are not told here.
+   */
   turns: boolean;
 }
 

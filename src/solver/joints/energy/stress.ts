@@ -7,7 +7,9 @@ import type { World } from '../../../world.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
-import { heldRows, impulseAt, markBodies, numbersOf, shorterList, visit } from '../joint-numbers.js';
+import { POINT } from '../joint-layout.js';
+import { heldRows, impulseAt, markBodies, shorterList, visit } from '../joint-numbers.js';
+import { turnPoints } from '../kernels/points.js';
 
 // Where there are more welds or points than it takes to hold bodies together, as in frames, wheels and nets, and between two bodies that
 // are hinged twice, joints may pull against each other. That moves nothing, so no sweep sees such a stress, and it stays. As the bodies
@@ -53,7 +55,7 @@ export function lookAtStress(data: SolverData, group: Group): void {
     run.turns = false;
     for (let k = run.start; k < run.end; k += 1) {
       const { constraint } = joints[k]!;
-      joints[k]!.turns = isFixed(constraint) && isRigid(constraint);
+      joints[k]!.turns = run.kernel !== POINT && isFixed(constraint) && isRigid(constraint);
       run.turns ||= joints[k]!.turns;
     }
   }
@@ -107,7 +109,8 @@ export function turnStress(data: SolverData, group: Group): void {
   }
   const { joints } = data.joints;
   for (let i = 0; i < group.runs.length; i += 1) {
-    const { turns, start, end } = group.runs[i]!;
+    const { kernel, turns, start, end } = group.runs[i]!;
+    if (kernel === POINT) turnPoints(data, start, end);
     for (let k = start; k < end && turns; k += 1) {
       if (joints[k]!.turns) turnImpulse(data, joints[k]!);
     }
@@ -135,9 +138,8 @@ function isTurning(data: SolverData, group: Group): boolean {
 /** Turns the impulse of a joint by the mean turn of its bodies. The sine of the angle need not be exact for this. */
 function turnImpulse(data: SolverData, joint: Joint): void {
   const { motion: q, joints } = data;
-  const { bodies } = joints;
+  const { bodies, records: r } = joints;
   const { first, layout } = joint;
-  const r = numbersOf(data, joint);
   const half = 0.25 * (q[bodies[first]! + d.QW]! + q[bodies[first + 1]! + d.QW]!);
   const kept = 1 - STRESS_FADES * Math.min(1, 2 * Math.abs(half));
   if (layout.rows !== 2) {

@@ -1,5 +1,5 @@
 import { MIN_INVERSE_MASS } from '../../../config.js';
-import { JOINT_FAR_TURN, JOINT_SNAP, JOINT_TOLERANCE, SINGULAR } from '../../../config-joints.js';
+import { JOINT_FAR_TURN, JOINT_SNAP, JOINT_TOLERANCE, SINGULAR, STRESS_FADES } from '../../../config-joints.js';
 import { COS, SIN, X, Y } from '../../../constraint/layout.js';
 import { cosSin } from '../../../math/trig.js';
 import type { SolverData } from '../../data.js';
@@ -280,6 +280,26 @@ export function pushPointsLinearly(data: SolverData, from: number, to: number, s
     q[b + d.QW] = wB - q[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
   return found;
+}
+
+/** Turns the impulses by the mean turn of their bodies in the sub-step, and lets them fade, as `energy/stress.ts` does with all others. */
+export function turnPoints(data: SolverData, from: number, to: number, step: number): void {
+  const { points: r, pointBodies: bodies, motion: q } = data;
+  for (let k = from; k !== to; k += step) {
+    if ((bodies[2 * k]! & d.MISSING) !== 0) {
+      continue;
+    }
+    const i = ((k & d.EVEN) * j.POINT_STRIDE + (k & 1)) & d.OFFSET;
+    const half = 0.25 * (q[(bodies[2 * k]! & d.OFFSET) + d.QW]! + q[(bodies[2 * k + 1]! & d.OFFSET) + d.QW]!);
+    const kept = 1 - STRESS_FADES * Math.min(1, 2 * Math.abs(half));
+    const share = kept / (1 + half * half);
+    const c = share * (1 - half * half);
+    const s = share * 2 * half;
+    const x = r[i + j.IMPULSE_X]!;
+    const y = r[i + j.IMPULSE_Y]!;
+    r[i + j.IMPULSE_X] = c * x - s * y;
+    r[i + j.IMPULSE_Y] = s * x + c * y;
+  }
 }
 
 /** Whether a body has turned far since the last exact position sweep. */

@@ -256,6 +256,13 @@ export function measurePoints(data: SolverData, start: number, end: number): voi
   plain.measurePoints(data, joints[start]!.slot, joints[end - 1]!.slot + step, step);
 }
 
+/** Turns the impulses with the bodies: see `energy/stress.ts`. */
+export function turnPoints(data: SolverData, start: number, end: number): void {
+  const { joints } = data.joints;
+  const step = stepOf(data, start, end);
+  plain.turnPoints(data, joints[start]!.slot, joints[end - 1]!.slot + step, step);
+}
+
 /** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joints gave. */
 export function finishPoints(data: SolverData, start: number, end: number): void {
   runLoop(data, start, end, false, data.pointKernels?.finish, plain.finishPoints);

@@ -1,5 +1,5 @@
 import * as c from '../../../contact/layout.js';
-import { canMove, keptAt, solveAround, UNSOLVABLE } from '../../contacts/shocks.js';
+import { canMove, keptAt, loadBefore, solveAround, UNSOLVABLE } from '../../contacts/shocks.js';
 import { batchOf, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import { type Group, hasCallbacks } from '../joint-data.js';
@@ -91,5 +91,6 @@ function keepContacts(data: SolverData): void {
     const to = keptAt(batch, contact);
     n[to] = r[from + d.NORMAL1]! / impulseScale;
     if (stride === d.TWO_STRIDE) n[to + c.IMPULSES] = r[from + d.NORMAL2]! / impulseScale;
+    shocks.before[contact] = loadBefore(data, batch, contact);
   }
 }
