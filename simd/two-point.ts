@@ -178,8 +178,8 @@ export function solveVelocityTwo(records: usize, bodies: usize, velocity: usize,
         const only1 = v128.and(f64x2.ge(y1, zero), f64x2.ge(f64x2.add(f64x2.mul(k12, y1), e2), zero));
         const only2 = v128.and(f64x2.ge(y2, zero), f64x2.ge(f64x2.add(f64x2.mul(k12, y2), e1), zero));
         const none = v128.and(f64x2.ge(e1, zero), f64x2.ge(e2, zero));
-        x1 = pick(both, x1, pick(only1, y1, pick(v128.or(only2, none), zero, p1)));
-        x2 = pick(both, x2, pick(only1, zero, pick(only2, y2, pick(none, zero, p2))));
+        x1 = pick(both, x1, pick(only1, y1, pick(v128.or(only2, none), zero, f64x2.pmax(zero, x1))));
+        x2 = pick(both, x2, pick(only1, zero, pick(only2, y2, pick(none, zero, f64x2.pmax(zero, x2)))));
       }
       if (busy !== 3) {
         const mask = maskOf(busy);

@@ -78,7 +78,9 @@ export function warmStartTwo(data: SolverData, from: number, to: number, h: numb
  * One sweep over the contacts from one index to another. Friction, within ± μ · both normal impulses; then both normals as one linear
  * complementarity problem, by trying in turn "both push", "only the first", "only the second", "none" (Catto, "Modeling and Solving
  * Constraints", GDC 2009): K x + β ≥ 0, x ≥ 0, with β = vₙ + bias − K · p, where p is the impulse so far. When both push, x = p − K⁻¹(vₙ +
- * bias). A contact without impulses whose surfaces do not approach is skipped.
+ * bias). Where one point hardly pushes, rounding may deny all four cases: then "both push" holds but for what is below 0. With the impulses
+ * left as they are, a crate that had been pressed into a wall left it at 1,500 m/s, as none was needed any more. A contact without impulses
+ * whose surfaces do not approach is skipped.
  *
  * @returns whether any velocity changed by more than CALM_ACCELERATION would change it in the sub-step, of length h.
  */
@@ -137,8 +139,10 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
     const c1 = vn + rnB1 * wB - rnA1 * wA + r[i + d.BIAS1]!;
     const c2 = vn + rnB2 * wB - rnA2 * wA + r[i + d.BIAS2]!;
     const i12 = r[i + d.I12]!;
-    let x1 = p1 - (r[i + d.I11]! * c1 + i12 * c2);
-    let x2 = p2 - (i12 * c1 + r[i + d.I22]! * c2);
+    const both1 = p1 - (r[i + d.I11]! * c1 + i12 * c2);
+    const both2 = p2 - (i12 * c1 + r[i + d.I22]! * c2);
+    let x1 = both1;
+    let x2 = both2;
     if (!(x1 >= 0 && x2 >= 0)) {
       const k11 = r[i + d.K11]!;
       const k12 = r[i + d.K12]!;
@@ -154,8 +158,8 @@ export function solveVelocityTwo(data: SolverData, from: number, to: number, h: 
           if (b1 >= 0 && b2 >= 0) {
             x2 = 0;
           } else {
-            x1 = p1;
-            x2 = p2;
+            x1 = both1 > 0 ? both1 : 0;
+            x2 = both2 > 0 ? both2 : 0;
           }
         }
       }
