@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
-import { add, box, staticBody, steps, tie } from '../conformance/setting.js';
+import { add, box, plainBody, speed, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 
 // What rigid constraints drag along, haul up or press down stays in front of what is in its way, however slowly and far they go on: the constraints stay open.
 
@@ -43,6 +43,26 @@ describe('a box that a hand drags against a wall', () => {
       }
     },
   );
+});
+
+describe('a box on a weld of a hand that goes on into a wall', () => {
+  it.each([0, 0.4, 0.8])('stands, at an angle of %f', (angle) => {
+    for (const substeps of [1, 4, 8]) {
+      const world = weightless({ substeps });
+      const dragged = plainBody({ shapes: [box(0.8, 0.8)] });
+      const velocity = [-0.3 * Math.cos(angle), -0.3 * Math.sin(angle)];
+      const hand = phys2D.createRigidBody({ type: 'kinematic', velocity });
+      add(world, staticBody({ shapes: [box(1, 40)], position: [-0.91, 0] }), dragged, hand);
+      tie(world, KINDS.weld!(hand, dragged, [0, 0], [0, 0]));
+      let fastest = 0;
+      for (let i = 0; i < 240; i += 1) {
+        world.step(1 / 60);
+        fastest = Math.max(fastest, speed(dragged));
+      }
+      // 19.2 m/s before, for a quarter of a second: the momentum of corrections that the wall undid.
+      expect(fastest, `${substeps} sub-steps`).toBeLessThan(1);
+    }
+  });
 });
 
 /** A load under a ceiling, on links that meet nothing, the last of which is held by a hand. */

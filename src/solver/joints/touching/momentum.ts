@@ -5,6 +5,7 @@ import {
   FIRM_FEW,
   FRAME_BENT,
   FRAME_JOINTS,
+  JOINT_TORN,
   ROPE_JOINTS,
   TOUCHED_MOMENTUM,
   TOUCHED_QUIET,
@@ -14,7 +15,7 @@ import { INV_MASS, TOUCHED } from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
 import { CUSTOM, TURN } from '../joint-layout.js';
 import { carryAt, impulseAt, numbersOf, steady } from '../joint-numbers.js';
-import { ALIKE, HEAVIER, ITSELF, OTHERS } from './neighbours.js';
+import { ALIKE, HEAVIER, ITSELF, isBlocked, OTHERS } from './neighbours.js';
 
 // How much momentum the corrections of joints make where something is touched.
 
@@ -25,7 +26,8 @@ import { ALIKE, HEAVIER, ITSELF, OTHERS } from './neighbours.js';
  *
  * Three kinds of joints still make most of theirs, see TOUCHED_MOMENTUM: those that hold an angle, and those that bear much under a weight,
  * both unless the group overlaps itself; and those of ropes that bear something heavy, and lie on nothing that is as light as they are.
- * Joints that hold an angle lose it again while they are few and solved together with their contacts, see `isBent`.
+ * Joints that hold an angle lose it again while they are few and solved together with their contacts, see `isBent`; and where they are
+ * pulled into what is in their way, see `isPulledIn`.
  *
  * If errors are as small as those of what swings freely, contacts undo nothing: then joints with a body that touches nothing make all of
  * theirs. So do all joints of a group that touches nothing but itself, such as welded blocks and coiled chains.
@@ -33,7 +35,7 @@ import { ALIKE, HEAVIER, ITSELF, OTHERS } from './neighbours.js';
 export function steadyTouched(data: SolverData, group: Group): void {
   const { neighbours, errorSquare } = group;
   const isAlone = neighbours === 0 && errorSquare < ALONE_ERROR * ALONE_ERROR;
-  const isBeam = (neighbours & (OTHERS | ITSELF)) === OTHERS;
+  const isBeam = (neighbours & (OTHERS | ITSELF)) === OTHERS && !isPulledIn(group);
   group.isBent = isBeam && errorSquare > FRAME_BENT * FRAME_BENT && isFrame(data, group);
   group.stands = group.isMechanism && !isAlone && (neighbours & ITSELF) === 0 && countTouched(data, group) <= FIRM_FEET;
   if (!isAlone) {
@@ -42,6 +44,14 @@ export function steadyTouched(data: SolverData, group: Group): void {
     const isPressed = (neighbours & (HEAVIER | ITSELF)) === HEAVIER;
     steadyJoints(data, group, isTaut, isBeam, isPressed);
   }
+}
+
+/**
+ * Whether something that does not move, or moves on, pulls a group into what is in its way. As contacts undo all of the corrections then,
+ * no angle may make momentum of them: a box on a weld of a hand that went on into a wall stood, and had 19 m/s.
+ */
+function isPulledIn(group: Group): boolean {
+  return group.anchors > 0 && group.errorSquare > JOINT_TORN * JOINT_TORN && isBlocked(group);
 }
 
 /** Lets all joints of a taut rope make most of their momentum; of a beam, those that hold an angle; under a weight, those that bear much. */
