@@ -20,6 +20,7 @@ import { bodyOf } from './shape/presently.js';
 import type { Shape } from './shape/shape.js';
 import { POLYGON } from './shape/shape-kind.js';
 import { changeFilters } from './solver/find-pairs.js';
+import { wakePushed } from './solver/forces.js';
 import { letGo } from './solver/let-go.js';
 import { changeKind, cutPairs, rouseNeighbours } from './solver/membership.js';
 import { insertHandle } from './solver/refresh.js';
@@ -72,6 +73,8 @@ export class World extends WorldState {
   step(deltaTime: number): void {
     positive('World.step', 'deltaTime', deltaTime);
     this.refuseInside('World.step');
+    // Before the step begins, as other wakes are: within it, contacts that go on would begin anew, and lose their impulses.
+    if (this.pushed.size > 0) wakePushed(this, deltaTime);
     this.stamp += 1;
     this.time = Math.min(this.time + deltaTime, Number.MAX_VALUE);
     this.stepping = true;

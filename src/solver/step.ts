@@ -5,7 +5,7 @@ import { partCrowds, solvePositionContacts, solveVelocityContacts, warmStartCont
 import { solveShocks } from './contacts/shocks.js';
 import { turnContacts } from './contacts/turning.js';
 import { findPairs } from './find-pairs.js';
-import { passPushed, wakePushed } from './forces.js';
+import { passPushed } from './forces.js';
 import { continuous } from './impacts/continuous.js';
 import { foresee } from './impacts/foresee.js';
 import { advance, integratePositions, integrateVelocities } from './integrate.js';
@@ -27,7 +27,6 @@ export function step(world: World, dt: number): void {
   solver.substeps = substeps;
   profile?.begin();
   if (world.someLeft) letGo(world);
-  if (world.pushed.size > 0) wakePushed(world, dt);
   refreshMoved(world);
   findPairs(world, dt);
   profile?.lap('pairs');

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { phys2D, type RigidBody, type RigidBodyParams, type World } from '../../src/index.js';
-import { add, addFloor, box, boxBody, DT, heavy, plainBody, steps, weightless } from '../conformance/setting.js';
+import { add, addFloor, box, boxBody, DT, heavy, near, plainBody, steps, weightless } from '../conformance/setting.js';
 
 // Forces that act in the next step, and no longer.
 
@@ -441,5 +441,37 @@ describe('what else moves a body by hand', () => {
     const out = new Float64Array(2);
     expect(body.getVelocityAtPoint([3.5, -0.5], out)).toBe(out);
     expect([...out]).toEqual([2, 2]);
+  });
+});
+
+describe('a force for one step on what sleeps', () => {
+  /** The upper one of two boxes on a floor, at rest, and the events of its world from then on. */
+  function rest(allowSleeping: boolean): { world: World; upper: RigidBody; told: string[] } {
+    const world = heavy({ allowSleeping });
+    addFloor(world);
+    const boxes = [0, 1].map((i) => boxBody(1, 1, { position: [0, -0.5 - i] }));
+    add(world, ...boxes);
+    steps(world, 300);
+    const told: string[] = [];
+    for (const type of ['begin', 'progress', 'end', 'hit'] as const) {
+      world.addEventListener(type, () => told.push(type));
+    }
+    return { world, upper: boxes[1]!, told };
+  }
+
+  it.each([
+    ['a force', (body: RigidBody) => body.applyForce([600, 0])],
+    ['a torque', (body: RigidBody) => body.applyTorque(3)],
+  ])('does what it would if that was awake: %s', (_, push) => {
+    const [asleep, awake] = [rest(true), rest(false)];
+    expect([asleep.upper.sleeping, awake.upper.sleeping]).toEqual([true, false]);
+    for (const { world, upper, told } of [asleep, awake]) {
+      push(upper);
+      world.step(DT);
+      // Their contacts go on. They began anew, with a hit, and lost the impulses of before.
+      expect(told).toEqual(['progress', 'progress']);
+      steps(world, 60);
+    }
+    near(pose(asleep.upper), pose(awake.upper), 1e-6);
   });
 });
