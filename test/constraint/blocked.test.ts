@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D, type RigidBody, type Vec2, type World } from '../../src/index.js';
-import { add, box, plainBody, speed, staticBody, steps, tie, weightless } from '../conformance/setting.js';
+import { add, box, disc, plainBody, speed, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 
 // What rigid constraints drag along, haul up or press down stays in front of what is in its way, however slowly and far they go on: the constraints stay open.
 
@@ -61,6 +61,31 @@ describe('a box on a weld of a hand that goes on into a wall', () => {
       }
       // 19.2 m/s before, for a quarter of a second: the momentum of corrections that the wall undid.
       expect(fastest, `${substeps} sub-steps`).toBeLessThan(1);
+    }
+  });
+});
+
+describe('a row that a hand presses against a wall', () => {
+  it.each(
+    [1, 3, 5].flatMap((count) => [2, 10].flatMap((seconds) => [4, 8].map((substeps) => [count, seconds, substeps]))),
+  )('of %i comes off it slowly when that lets go after %i s, %i sub-steps', (count, seconds, substeps) => {
+    for (const shape of [() => box(0.8, 0.8), () => disc(0.4)]) {
+      const world = weightless({ substeps });
+      const row = Array.from({ length: count }, (_, i) =>
+        plainBody({ position: [0.4 + 0.8 * i, 0], shapes: [shape()] }),
+      );
+      const last = row[count - 1]!;
+      const hand = phys2D.createRigidBody({ type: 'kinematic', position: last.getPosition(), velocity: [-0.3, 0] });
+      add(world, staticBody({ shapes: [box(1, 40)], position: [-0.5, 0] }), ...row, hand);
+      const grip = KINDS.point!(hand, last, [0, 0], [0, 0]);
+      tie(world, grip);
+      steps(world, 60 * seconds);
+      // Up to 5,000 N·s and 232 m/s before, and more the longer it took.
+      const [pull] = grip.getImpulseForBody(last);
+      expect(Math.abs(pull)).toBeLessThan(40);
+      world.removeConstraint(grip);
+      steps(world, 2);
+      expect(Math.max(...row.map(speed))).toBeLessThan(2.5);
     }
   });
 });
