@@ -3,6 +3,7 @@ import { CENTRE_X, CENTRE_Y, EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geo
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
+import { works } from './polygon-works.js';
 
 const asked = /* @__PURE__ */ new Float64Array(2);
 
@@ -16,7 +17,7 @@ export function containsPoint(shape: Shape, x: number, y: number): boolean {
   }
   asked[0] = x;
   asked[1] = y;
-  return polygonContains(shape, asked, POLYGON_POINT_TOLERANCE);
+  return works!.polygonContains(shape, asked, POLYGON_POINT_TOLERANCE);
 }
 
 /**

@@ -15,7 +15,11 @@ export interface PolygonWorks {
   readonly collidePolygons: Kernel<Polygon, Polygon>;
   readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
   readonly findCorner: (round: Round, shape: Polygon, x: number, y: number) => boolean;
+  readonly polygonContains: (shape: Polygon, point: Float64Array, tolerance: number) => boolean;
   readonly rayPolygon: (shape: Polygon, ray: RayTest) => boolean;
+  readonly rememberFeatures: (pair: Arbiter) => void;
+  readonly matchPoints: (pair: Arbiter) => void;
+  readonly hasEdge: (shape: Polygon, nx: number, ny: number, angle: number) => boolean;
   readonly smoothSeams: (world: World) => void;
   readonly smoothMeeting: (world: World, pair: Arbiter) => void;
   readonly putGroundsBack: (world: World, pair: Arbiter) => void;

@@ -379,22 +379,6 @@ export class Arbiter extends PairState {
     this.unmark((3 << USED) | (3 << FRESH));
   }
 
-  /** @internal drops the impulses of one point: it is new */
-  dropPoint(which: 0 | 1): void {
-    clearPoint(this.numbers, this.at, which);
-    this.unmark((1 << (USED + which)) | (1 << (USED_BEFORE + which)));
-  }
-
-  /** @internal point `which` is the one that used to be the other: takes over its impulses, and the other one is new */
-  shiftPoint(which: 0 | 1): void {
-    const to = this.at + c.NORMAL + c.IMPULSES * which;
-    const from = this.at + c.NORMAL + c.IMPULSES * (1 - which);
-    this.numbers.copyWithin(to, from, from + c.IMPULSES);
-    this.put(1 << (USED + which), this.is(1 << (USED + 1 - which)));
-    this.put(1 << (USED_BEFORE + which), this.is(1 << (USED_BEFORE + 1 - which)));
-    this.dropPoint(which === 0 ? 1 : 0);
-  }
-
   /** @internal zeroes the impulses of this step; those that warm start the next one stay */
   idle(): void {
     const { numbers: n, at: o } = this;

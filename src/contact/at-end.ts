@@ -1,8 +1,9 @@
 import { roundness } from '../collide/along.js';
 import * as g from '../collide/layout.js';
+import { works } from '../collide/polygon-works.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE } from '../geometry/layout.js';
 import { cos, sin } from '../math/trig.js';
-import type { Shape } from '../shape/shape.js';
+import type { Polygon } from '../shape/polygon.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import type { Arbiter } from './arbiter.js';
 import * as c from './layout.js';
@@ -66,25 +67,21 @@ export function normalAtEnd(arbiter: Arbiter): void {
   if (turnA === 0 && turnB === 0 && b.x - a.x === n[o + g.DX] && b.y - a.y === n[o + g.DY]) {
     return;
   }
-  if (hasEdge(shapeA, nx, ny, n[o + g.ANGLE_A]!)) {
+  if (shapeA.kind === POLYGON && works!.hasEdge(shapeA, nx, ny, n[o + g.ANGLE_A]!)) {
     turnNormal(turnA);
-  } else if (hasEdge(shapeB, -nx, -ny, n[o + g.ANGLE_B]!)) {
+  } else if (shapeB.kind === POLYGON && works!.hasEdge(shapeB, -nx, -ny, n[o + g.ANGLE_B]!)) {
     turnNormal(turnB);
   } else if (nx * nx + ny * ny > 0) {
     joinPoints(arbiter);
   }
 }
 
-/** Whether a shape is a polygon with this outward edge normal when turned by `angle`. */
-function hasEdge(shape: Shape, nx: number, ny: number, angle: number): boolean {
-  if (shape.kind !== POLYGON) {
-    return false;
-  }
+/** Whether a polygon has this outward edge normal when turned by `angle`. */
+export function hasEdge({ localEdges: edges }: Polygon, nx: number, ny: number, angle: number): boolean {
   const c = cos(angle);
   const s = sin(angle);
   const x = c * nx + s * ny;
   const y = c * ny - s * nx;
-  const { localEdges: edges } = shape;
   let found = false;
   for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
     found ||= Math.abs(edges[k + EDGE_NX]! - x) < SAME && Math.abs(edges[k + EDGE_NY]! - y) < SAME;

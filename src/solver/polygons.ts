@@ -1,8 +1,11 @@
 import { collideCirclePolygon, collidePolygonCircle } from '../collide/circles.js';
+import { polygonContains } from '../collide/contains.js';
 import type { PolygonWorks } from '../collide/polygon-works.js';
 import { collidePolygons, polygonsIntersect } from '../collide/polygons.js';
 import { rayPolygon } from '../collide/rays.js';
 import { findCorner } from '../collide/round.js';
+import { hasEdge } from '../contact/at-end.js';
+import { matchPoints, rememberFeatures } from '../contact/features.js';
 import { putGroundsBack } from './contacts/grounds.js';
 import { packTwo } from './contacts/pack-contacts.js';
 import { smoothMeeting, smoothSeams } from './contacts/seams.js';
@@ -18,7 +21,11 @@ export const polygonWorks: PolygonWorks = {
   collidePolygons,
   polygonsIntersect,
   findCorner,
+  polygonContains,
   rayPolygon,
+  rememberFeatures,
+  matchPoints,
+  hasEdge,
   smoothSeams,
   smoothMeeting,
   putGroundsBack,
