@@ -1,6 +1,6 @@
 import type { RigidBody } from '../body.js';
 import { Applied } from '../body-applied.js';
-import { LAST_MOTION, LAST_MOTION_END, MOTION } from '../body-numbers.js';
+import { LAST_MOTION, LAST_MOTION_END, LASTING, LASTING_END, MOTION } from '../body-numbers.js';
 import * as g from '../collide/layout.js';
 import { FAR, MAX_SIZE } from '../config.js';
 import {
@@ -87,15 +87,9 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
       (b.kind << 3) |
       (isPushed ? 32 : 0) |
       (b.mayRest ? 64 : 0);
-    n[0] = b.fx;
-    n[1] = b.fy;
-    n[2] = b.appliedTorque;
-    n[3] = b.surfaceX;
-    n[4] = b.surfaceY;
-    n[5] = b.linearDrag;
-    n[6] = b.angularDrag;
-    n[7] = fixedMass;
-    n[8] = fixedInertia;
+    for (let i = LASTING; i < LASTING_END; i += 1) {
+      n[i - LASTING] = numbers[at + i]!;
+    }
     n[9] = b.wakeTime;
     n[10] = b.unloaded;
     n[11] = b.gravityScale;
@@ -110,15 +104,9 @@ export function keepBody(tape: Tape, b: RigidBody): boolean {
     b.isBullet = (flags & 4) !== 0;
     b.kind = (flags >> 3) & 3;
     b.mayRest = (flags & 64) !== 0;
-    b.fx = n[0]!;
-    b.fy = n[1]!;
-    b.appliedTorque = n[2]!;
-    b.surfaceX = n[3]!;
-    b.surfaceY = n[4]!;
-    b.linearDrag = n[5]!;
-    b.angularDrag = n[6]!;
-    b.fixedMass = n[7]!;
-    b.fixedInertia = n[8]!;
+    for (let i = LASTING; i < LASTING_END; i += 1) {
+      numbers[at + i] = n[i - LASTING]!;
+    }
     b.wakeTime = n[9]! | 0;
     b.unloaded = n[10]! | 0;
     b.gravityScale = n[11]!;
