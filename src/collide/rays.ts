@@ -1,4 +1,5 @@
 import { CENTRE_X, CENTRE_Y, EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../geometry/layout.js';
+import type { Ray } from '../math/vectors.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { Shape } from '../shape/shape.js';
@@ -12,12 +13,32 @@ export class RayTest {
   dx = 1;
   dy = 0;
   most = Infinity;
+  /** How many of d the direction of the ray as it was given is long, and how many of that it goes. */
+  scale = 1;
+  maxFactor = Infinity;
   /** A ray that starts inside a shape does not hit it. */
   outerOnly = false;
   /** The hit: its factor f, and the unit normal of the surface there, which faces against the ray. */
   factor = 0;
   nx = 0;
   ny = 0;
+
+  /** Takes over a direction, scaled so that its larger component is 1, as those of any length shall be equally good. */
+  aim({ direction, maxFactor }: Ray, outerOnly: boolean): void {
+    const dx = direction[0]!;
+    const dy = direction[1]!;
+    this.scale = Math.max(Math.abs(dx), Math.abs(dy));
+    this.dx = dx / this.scale;
+    this.dy = dy / this.scale;
+    this.most = maxFactor * this.scale;
+    this.maxFactor = maxFactor;
+    this.outerOnly = outerOnly;
+  }
+
+  /** The factor of the hit, in lengths of the direction as it was given. */
+  get share(): number {
+    return this.factor / this.scale + 0;
+  }
 }
 
 /** Whether a ray hits the surface of a placed shape. Shapes are convex, so it does so from outside or, if it starts inside, from within. */
@@ -88,7 +109,8 @@ function rayCircle({ numbers: n, at, radius }: Circle, ray: RayTest): boolean {
 }
 
 function accept(ray: RayTest, outer: boolean, factor: number, nx: number, ny: number): boolean {
-  if (!(factor >= 0 && factor < ray.most) || (!outer && ray.outerOnly)) {
+  const { most, scale, maxFactor, outerOnly } = ray;
+  if (!(factor >= 0 && factor < most && factor / scale < maxFactor) || (!outer && outerOnly)) {
     return false;
   }
   ray.factor = factor;

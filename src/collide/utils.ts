@@ -64,22 +64,18 @@ export class CollisionUtils {
   rayTest(shape: Shape, ray: Ray, normal: NumberSink, ignoreInnerSurfaces: boolean = false): number | undefined {
     const where = 'CollisionUtils.rayTest';
     const { x, y } = bodyOf(where, 'shape', shape);
-    const { origin, direction, maxFactor } = checkedRay(where, ray);
+    checkedRay(where, ray);
     sink(where, 'normal', normal, 2);
     boolean(where, 'ignoreInnerSurfaces', ignoreInnerSurfaces);
-    const scale = Math.max(Math.abs(direction[0]!), Math.abs(direction[1]!));
-    test.ox = origin[0]! - x;
-    test.oy = origin[1]! - y;
-    test.dx = direction[0]! / scale;
-    test.dy = direction[1]! / scale;
-    test.most = maxFactor * scale;
-    test.outerOnly = ignoreInnerSurfaces;
-    if (!presently(shape, () => rayShape(shape, test)) || !(test.factor / scale < maxFactor)) {
+    test.aim(ray, ignoreInnerSurfaces);
+    test.ox = ray.origin[0]! - x;
+    test.oy = ray.origin[1]! - y;
+    if (!presently(shape, () => rayShape(shape, test))) {
       return undefined;
     }
     normal[0] = test.nx + 0;
     normal[1] = test.ny + 0;
-    return test.factor / scale + 0;
+    return test.share;
   }
 
   /**

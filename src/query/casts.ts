@@ -37,29 +37,17 @@ function emptyResult(shape: Shape): CastResult {
   return { shape, hitPoint: [0, 0], hitNormal: [0, 0], factor: 0 };
 }
 
-/**
- * A ray cast. The direction is scaled so that its larger component is 1, as directions of any length shall be equally good. The ray is
- * copied, as callbacks may change theirs.
- */
+/** A ray cast. The ray is copied, as callbacks may change theirs. */
 class RayWalk {
   /** The scaled ray, relative to the body that is being asked. */
   readonly test = new RayTest();
   private readonly x: number;
   private readonly y: number;
-  private readonly scale: number;
-  private readonly maxFactor: number;
 
-  constructor({ origin, direction, maxFactor }: Ray, outerOnly: boolean) {
-    const dx = direction[0]!;
-    const dy = direction[1]!;
-    this.x = origin[0]!;
-    this.y = origin[1]!;
-    this.scale = Math.max(Math.abs(dx), Math.abs(dy));
-    this.maxFactor = maxFactor;
-    this.test.dx = dx / this.scale;
-    this.test.dy = dy / this.scale;
-    this.test.outerOnly = outerOnly;
-    this.test.most = maxFactor * this.scale;
+  constructor(ray: Ray, outerOnly: boolean) {
+    this.x = ray.origin[0]!;
+    this.y = ray.origin[1]!;
+    this.test.aim(ray, outerOnly);
   }
 
   /** The factor at which the ray hits a shape, in units of the scaled direction; −1 if it does not. */
@@ -69,14 +57,14 @@ class RayWalk {
     test.ox = this.x - body.x;
     test.oy = this.y - body.y;
     const isMet = body.owner!.stepping ? presently(shape, () => rayShape(shape, test)) : rayShape(shape, test);
-    return isMet && test.factor / this.scale < this.maxFactor ? test.factor : -1;
+    return isMet ? test.factor : -1;
   }
 
   /** Fills in the hit that `meet` has just found. */
   write(shape: Shape, result: CastResult): void {
     const { test } = this;
     result.shape = shape;
-    result.factor = test.factor / this.scale + 0;
+    result.factor = test.share;
     result.hitPoint[0] = this.x + test.dx * test.factor;
     result.hitPoint[1] = this.y + test.dy * test.factor;
     result.hitNormal[0] = test.nx + 0;
