@@ -1,6 +1,6 @@
 import { grown, widened } from '../math/doubles.js';
 import type { RectLike, Vec2Like } from '../math/vectors.js';
-import { boolean, callable } from '../validate.js';
+import { boolean, callable, callbackOf } from '../validate.js';
 import {
   type Broadphase,
   type BroadphaseFilter,
@@ -178,14 +178,10 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
-    if (callback !== undefined) {
-      callable('BoxTreeBroadphase.clear', 'callback', callback);
-    }
+    const call = callbackOf('BoxTreeBroadphase.clear', callback);
     try {
-      if (callback !== undefined) {
-        for (const handle of [...this.moving.items, ...this.still.items]) {
-          if (handle !== null) callback.call(thisObject, handle);
-        }
+      for (const handle of [...this.moving.items, ...this.still.items]) {
+        if (handle !== null) call?.call(thisObject, handle);
       }
     } finally {
       this.empty();

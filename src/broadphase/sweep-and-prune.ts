@@ -1,5 +1,5 @@
 import type { RectLike } from '../math/vectors.js';
-import { boolean, callable } from '../validate.js';
+import { boolean, callable, callbackOf } from '../validate.js';
 import {
   type Broadphase,
   type BroadphaseFilter,
@@ -37,7 +37,7 @@ class SweepList<T> {
   readonly handles: SweepHandle<T>[] = [];
   /** Of the sorted list: the largest `maxX` of each handle and all before it. */
   private readonly reach: number[] = [];
-  private sorted = true;
+  sorted = true;
 
   add(handle: SweepHandle<T>): void {
     handle.index = this.handles.push(handle) - 1;
@@ -51,10 +51,6 @@ class SweepList<T> {
       last.index = handle.index;
       this.sorted = false;
     }
-  }
-
-  changed(): void {
-    this.sorted = false;
   }
 
   clear(): void {
@@ -83,7 +79,8 @@ class SweepList<T> {
       list[j + 1] = handle;
     }
     if (budget === 0) {
-      list.sort((a, b) => (a.minX < b.minX ? -1 : a.minX > b.minX ? 1 : 0));
+      // Of two infinite ones the difference is NaN.
+      list.sort((a, b) => a.minX - b.minX || 0);
     }
     let reach = -Infinity;
     for (let i = 0; i < list.length; i += 1) {
@@ -143,7 +140,7 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
     const becomesStatic = isStatic === undefined ? own.isStatic : boolean('SweepAndPrune.update', 'isStatic', isStatic);
     own.set(bounds);
     if (becomesStatic === own.isStatic) {
-      this.listOf(own).changed();
+      this.listOf(own).sorted = false;
       return;
     }
     this.listOf(own).remove(own);
@@ -158,14 +155,10 @@ export class SweepAndPrune<T = unknown> implements Broadphase<T> {
   }
 
   clear(callback?: (handle: BroadphaseHandle<T>) => void, thisObject?: unknown): void {
-    if (callback !== undefined) {
-      callable('SweepAndPrune.clear', 'callback', callback);
-    }
+    const call = callbackOf('SweepAndPrune.clear', callback);
     try {
-      if (callback !== undefined) {
-        for (const handle of [...this.moving.handles, ...this.still.handles]) {
-          callback.call(thisObject, handle);
-        }
+      for (const handle of [...this.moving.handles, ...this.still.handles]) {
+        call?.call(thisObject, handle);
       }
     } finally {
       this.moving.clear();

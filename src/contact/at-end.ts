@@ -82,11 +82,12 @@ export function hasEdge({ localEdges: edges }: Polygon, nx: number, ny: number, 
   const s = sin(angle);
   const x = c * nx + s * ny;
   const y = c * ny - s * nx;
-  let found = false;
   for (let k = 0; k < edges.length; k += EDGE_STRIDE) {
-    found ||= Math.abs(edges[k + EDGE_NX]! - x) < SAME && Math.abs(edges[k + EDGE_NY]! - y) < SAME;
+    if (Math.abs(edges[k + EDGE_NX]! - x) < SAME && Math.abs(edges[k + EDGE_NY]! - y) < SAME) {
+      return true;
+    }
   }
-  return found;
+  return false;
 }
 
 function turnNormal(angle: number): void {

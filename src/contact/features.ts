@@ -7,6 +7,9 @@ import * as c from './layout.js';
 // Points of two polygons keep their impulses from step to step. With other edges than last time, they are recognised by the corners that
 // limit them.
 
+/** Which steps used the first point; of the second one, the bits are one higher. */
+const USES = (1 << USED) | (1 << USED_BEFORE);
+
 /** The corners and edges of the two points found last time: scratch. */
 const last = { id0: 0, id1: 0, edgeA: 0, edgeB: 0 };
 
@@ -39,15 +42,16 @@ export function matchPoints(pair: Arbiter): void {
 /** Drops the impulses of one point: it is new. */
 function dropPoint(pair: Arbiter, which: number): void {
   clearPoint(pair.numbers, pair.at, which);
-  pair.unmark((1 << (USED + which)) | (1 << (USED_BEFORE + which)));
+  pair.unmark(USES << which);
 }
 
 /** Point `which` is the one that used to be the other: takes over its impulses, and the other one is new. */
 function shiftPoint(pair: Arbiter, which: number): void {
+  const other = 1 - which;
   const to = pair.at + c.NORMAL + c.IMPULSES * which;
-  const from = pair.at + c.NORMAL + c.IMPULSES * (1 - which);
+  const from = pair.at + c.NORMAL + c.IMPULSES * other;
   pair.numbers.copyWithin(to, from, from + c.IMPULSES);
-  pair.put(1 << (USED + which), pair.is(1 << (USED + 1 - which)));
-  pair.put(1 << (USED_BEFORE + which), pair.is(1 << (USED_BEFORE + 1 - which)));
-  dropPoint(pair, 1 - which);
+  pair.unmark(USES << which);
+  pair.mark(((pair.bits >> other) & USES) << which);
+  dropPoint(pair, other);
 }

@@ -65,35 +65,33 @@ export function createRegularPolygonVertices(diameterX: number, diameterY: numbe
  * @throws TypeError for anything but a list of points; RangeError, naming the vertex, unless the vertices are at least three, finite,
  * distinct and go once around a convex polygon.
  */
-export function convexVertices(where: string, name: string, value: unknown): number[] {
+export function convexVertices(where: string, value: unknown): number[] {
   const list = value as ArrayLike<Vec2Like> | null | undefined;
   if (typeof list !== 'object' || list === null || typeof list.length !== 'number') {
-    throw typeError(where, name, 'an array of vertices [x, y]', value);
+    throw typeError(where, 'vertices', 'an array of vertices [x, y]', value);
   }
   const count = list.length;
   if (count < 3) {
-    throw new RangeError(`${where}: ${name} must have at least 3 vertices, got ${count}`);
+    throw new RangeError(`${where}: vertices must have at least 3 vertices, got ${count}`);
   }
   const flat: number[] = [];
   for (let i = 0; i < count; i += 1) {
     const given = list[i];
-    const point = isVector(given, 2, MAX_SIZE) ? given : vector(where, `${name}[${i}]`, given, 2, MAX_SIZE);
+    const point = isVector(given, 2, MAX_SIZE) ? given : vector(where, `vertices[${i}]`, given, 2, MAX_SIZE);
     flat.push(point[0]!, point[1]!);
   }
-  refuseRepeats(where, name, flat);
-  if (polygonArea(flat) < 0) {
-    reverse(flat);
-    return withoutCollinear(where, name, flat, true);
-  }
-  return withoutCollinear(where, name, flat, false);
+  refuseRepeats(where, flat);
+  const reversed = polygonArea(flat) < 0;
+  if (reversed) reverse(flat);
+  return withoutCollinear(where, flat, reversed);
 }
 
-function refuseRepeats(where: string, name: string, flat: readonly number[]): void {
+function refuseRepeats(where: string, flat: readonly number[]): void {
   const i = repeatedVertex(flat);
   if (i >= 0) {
     const j = (i + 1) % (flat.length / 2);
-    const rule = `must be distinct, got vertex ${j} equal to vertex ${i}`;
-    throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`);
+    const found = `vertex ${j} equal to vertex ${i}: [${flat[2 * j]}, ${flat[2 * j + 1]}]`;
+    throw new RangeError(`${where}: vertices must be distinct, got ${found}`);
   }
 }
 
@@ -126,33 +124,37 @@ function reverse(flat: number[]): void {
  * Every corner must turn clockwise or not at all, and all turns together must be one full turn: the x-direction of the
  * edges then changes its sign exactly twice. A path that winds twice (a pentagram) turns one way only, yet changes more often.
  */
-function withoutCollinear(where: string, name: string, flat: readonly number[], reversed: boolean): number[] {
+function withoutCollinear(where: string, flat: readonly number[], reversed: boolean): number[] {
   const count = flat.length / 2;
   const kept: number[] = [];
   for (let i = 0; i < count; i += 1) {
     const before = (i + count - 1) % count;
     const after = (i + 1) % count;
-    const ax = flat[2 * i]! - flat[2 * before]!;
-    const ay = flat[2 * i + 1]! - flat[2 * before + 1]!;
-    const bx = flat[2 * after]! - flat[2 * i]!;
-    const by = flat[2 * after + 1]! - flat[2 * i + 1]!;
+    const x = flat[2 * i]!;
+    const y = flat[2 * i + 1]!;
+    const ax = x - flat[2 * before]!;
+    const ay = y - flat[2 * before + 1]!;
+    const bx = flat[2 * after]! - x;
+    const by = flat[2 * after + 1]! - y;
     const turn = ax * by - ay * bx;
     const limit = COLLINEAR_TOLERANCE * Math.sqrt((ax * ax + ay * ay) * (bx * bx + by * by));
     if (turn > limit) {
-      kept.push(flat[2 * i]!, flat[2 * i + 1]!);
+      kept.push(x, y);
     } else if (turn < -limit || ax * bx + ay * by < 0) {
       const vertex = reversed ? count - 1 - i : i;
       const found = turn < -limit ? 'bending the other way' : 'turning straight back';
-      const rule = `must go once around a convex polygon, got vertex ${vertex} ${found}`;
-      throw new RangeError(`${where}: ${name} ${rule}: [${flat[2 * i]}, ${flat[2 * i + 1]}]`);
+      throw notAround(where, `vertex ${vertex} ${found}: [${x}, ${y}]`);
     }
   }
   const winding = kept.length < 6 ? -1 : firstSecondRound(kept, count * COLLINEAR_TOLERANCE);
   if (winding !== 0) {
-    const found = winding < 0 ? 'all vertices on one line' : `a second round at vertex ${winding}`;
-    throw new RangeError(`${where}: ${name} must go once around a convex polygon, got ${found}`);
+    throw notAround(where, winding < 0 ? 'all vertices on one line' : `a second round at vertex ${winding}`);
   }
   return kept;
+}
+
+function notAround(where: string, found: string): RangeError {
+  return new RangeError(`${where}: vertices must go once around a convex polygon, got ${found}`);
 }
 
 /**

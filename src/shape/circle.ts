@@ -139,7 +139,7 @@ export class Circle extends BaseShape {
     const radius = this.radius * (Math.abs(area - 1) < ROUNDING ? 1 : Math.sqrt(area));
     const x = m[0]! * originX + m[2]! * originY + m[4]!;
     const y = m[1]! * originX + m[3]! * originY + m[5]!;
-    if (!(radius > 0 && radius <= MAX_SIZE && Math.abs(x) <= MAX_SIZE && Math.abs(y) <= MAX_SIZE)) {
+    if (!(radius > 0 && Math.max(radius, Math.abs(x), Math.abs(y)) <= MAX_SIZE)) {
       return false;
     }
     this.radius = radius;

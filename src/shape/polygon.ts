@@ -112,7 +112,7 @@ export class Polygon extends BaseShape {
   constructor(params: PolygonParams) {
     const where = 'createPolygonShape';
     const given = options(where, params, true);
-    const vertices = convexVertices(where, 'vertices', given.vertices);
+    const vertices = convexVertices(where, given.vertices);
     super(where, given, POLYGON, EDGES + vertices.length * 2);
     this.form = formOf(vertices);
     this.offsets = this.form.offsets;
@@ -136,7 +136,7 @@ export class Polygon extends BaseShape {
 
   /** Replaces the corners, with the rules of `PolygonParams.vertices`. Ignored during a step and for a static body in a world. Wakes the body. */
   setVertices(vertices: ArrayLike<Vec2Like>): void {
-    const checked = convexVertices('Polygon.setVertices', 'vertices', vertices);
+    const checked = convexVertices('Polygon.setVertices', vertices);
     if (!this.isLocked()) {
       this.takeVertices(checked);
       this.geometryChanged();

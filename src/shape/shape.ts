@@ -236,10 +236,10 @@ export abstract class BaseShape {
   scale(scaleX: number, scaleY: number = scaleX): void {
     finite('Shape.scale', 'scaleX', scaleX);
     finite('Shape.scale', 'scaleY', scaleY);
-    if (this.isLocked() || scaleX <= 0 || (this.type === 'POLYGON' && scaleY <= 0)) {
+    const other = this.type === 'POLYGON' ? scaleY : scaleX;
+    if (this.isLocked() || scaleX <= 0 || other <= 0) {
       return;
     }
-    const other = this.type === 'POLYGON' ? scaleY : scaleX;
     // Blame the factor that changes more.
     const isOther = Math.max(other, 1 / other) > Math.max(scaleX, 1 / scaleX);
     this.map('Shape.scale', isOther ? 'scaleY' : 'scaleX', isOther ? other : scaleX, [scaleX, 0, 0, other, 0, 0]);

@@ -3,7 +3,7 @@ import { COLLINEAR_TOLERANCE, VERTEX_TOLERANCE } from '../../src/config.js';
 import { convexVertices, repeatedVertex } from '../../src/geometry/vertices.js';
 import { phys2D, type Vec2 } from '../../src/index.js';
 
-const clean = (vertices: unknown): number[] => convexVertices('f', 'v', vertices);
+const clean = (vertices: unknown): number[] => convexVertices('f', vertices);
 
 describe('vertices of', () => {
   it('a box are clockwise from the upper left', () => {
@@ -69,7 +69,7 @@ describe('a convex polygon', () => {
     const vertices = { length: 3, 0: [0, 0], 1: new Float32Array([3, 0]), 2: { length: 2, 0: 0, 1: 3 } };
     expect(clean(vertices)).toEqual([0, 0, 3, 0, 0, 3]);
     for (const bad of [null, undefined, 3, 'abc', {}, { length: '3' }]) {
-      expect(() => clean(bad)).toThrow('f: v must be an array of vertices [x, y]');
+      expect(() => clean(bad)).toThrow('f: vertices must be an array of vertices [x, y]');
     }
   });
 
@@ -98,7 +98,9 @@ describe('a convex polygon', () => {
 
   it('is refused with the vertex that bends the other way, as the caller counts', () => {
     const dent = pairs([0, 0, 4, 0, 4, 4, 3, 1]);
-    expect(() => clean(dent)).toThrow('f: v must go once around a convex polygon, got vertex 3 bending the other way');
+    expect(() => clean(dent)).toThrow(
+      'f: vertices must go once around a convex polygon, got vertex 3 bending the other way',
+    );
     expect(() => clean(dent)).toThrow('[3, 1]');
     expect(() => clean([...dent].reverse())).toThrow('vertex 0 bending the other way: [3, 1]');
   });
@@ -145,6 +147,6 @@ describe('a convex polygon', () => {
     expect(repeatedVertex([5, 5, 5 + VERTEX_TOLERANCE, 5 + VERTEX_TOLERANCE, 7, 8])).toBe(-1);
     expect(repeatedVertex([5, 5, 5, 5, 7, 8])).toBe(0);
     expect(() => clean(pairs([5, 5, 5, 5, 7, 8]))).toThrow('got vertex 1 equal to vertex 0: [5, 5]');
-    expect(() => clean(pairs(gap(0)))).toThrow('f: v must be distinct, got vertex 2 equal to vertex 1: [2, 0]');
+    expect(() => clean(pairs(gap(0)))).toThrow('f: vertices must be distinct, got vertex 2 equal to vertex 1: [2, 0]');
   });
 });
