@@ -57,7 +57,7 @@ export const PROGRAMS: readonly Program[] = [
     name: 'world, circles and a broadphase',
     code: `import { ${FREE} } from 'phys2d';${DROP}`,
     parts: [],
-    budget: 56_800,
+    budget: 56_500,
   },
   {
     name: 'everything but constraints',
@@ -71,7 +71,7 @@ globalThis.used = [createMaterial(), createPolygonShape, createCollisionUtils(),
       name: `one kind of constraint, ${kind}`,
       code: `import { ${FREE}, ${MARKS[kind]} } from 'phys2d';\nglobalThis.used = ${MARKS[kind]};${DROP}`,
       parts: [kind, 'joints'],
-      budget: 87_300,
+      budget: 86_800,
     }),
   ),
   {
@@ -87,7 +87,7 @@ saved.restore(saved.snapshot());${DROP}`,
     name: 'everything',
     code: `import { phys2D } from 'phys2d';\n${DEVICE}${DROP}`,
     parts: ALL,
-    budget: 117_400,
+    budget: 116_400,
   },
   {
     name: 'everything, with debug drawing',
@@ -99,7 +99,7 @@ debug.drawWorld(phys2D.createWorld());
 debug.end();
 ${DEVICE}${DROP}`,
     parts: [...ALL, 'debug'],
-    budget: 124_400,
+    budget: 123_400,
   },
 ];
 
