@@ -9,7 +9,7 @@ import type { PulleyConstraint } from '../constraint/pulley.js';
 import type { AnchoredConstraint } from '../constraint/two-body.js';
 import type { WeldConstraint } from '../constraint/weld.js';
 import { cosSin } from '../math/trig.js';
-import { addCircle, addLinearSpring, addSpiral, addSpiralSpring } from './curves.js';
+import { addCircle, addLinearSpring, addSpiral } from './curves.js';
 import type { Physics2DDebugDraw } from './draw.js';
 import type { Color } from './settings.js';
 
@@ -214,7 +214,7 @@ function radiusAt(debug: Physics2DDebugDraw, angle: number, start: number): numb
 
 function addTurnSpring(debug: Physics2DDebugDraw, x: number, y: number, from: number, to: number, start: number): void {
   const coils = debug.constraintSpiralNumCoils;
-  addSpiralSpring(debug, x, y, from, to, radiusAt(debug, from, start), radiusAt(debug, to, start), coils);
+  addSpiral(debug, x, y, from, to, radiusAt(debug, from, start), radiusAt(debug, to, start), coils);
 }
 
 function addSpring(debug: Physics2DDebugDraw, x1: number, y1: number, x2: number, y2: number): void {

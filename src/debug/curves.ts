@@ -134,7 +134,10 @@ function goTo(x: number, y: number, angle: number, radius: number, slope: number
   far[V] = v / length;
 }
 
-/** Adds a spiral: the radius goes from `radius1` at `angle1` to `radius2` at `angle2`, in proportion to the angle. */
+/**
+ * Adds a spiral: the radius goes from `radius1` at `angle1` to `radius2` at `angle2`, in proportion to the angle, with `coils` sine waves on
+ * it if that is above 0.
+ */
 export function addSpiral(
   debug: Physics2DDebugDraw,
   x: number,
@@ -143,41 +146,7 @@ export function addSpiral(
   angle2: number,
   radius1: number,
   radius2: number,
-): void {
-  const count = pieces(Math.abs(angle2 - angle1) / debug.spiralMaxArc);
-  addWaves(debug, x, y, angle1, angle2, radius1, radius2, 0, count);
-}
-
-/** Adds a spiral with `coils` sine waves on its radius. */
-export function addSpiralSpring(
-  debug: Physics2DDebugDraw,
-  x: number,
-  y: number,
-  angle1: number,
-  angle2: number,
-  radius1: number,
-  radius2: number,
-  coils: number,
-): void {
-  if (coils <= 0) {
-    addSpiral(debug, x, y, angle1, angle2, radius1, radius2);
-    return;
-  }
-  const span = Math.abs(angle2 - angle1);
-  const count = pieces(Math.max(span / (3 * debug.spiralMaxArc), 40 * coils));
-  addWaves(debug, x, y, angle1, angle2, radius1, radius2, coils, count);
-}
-
-function addWaves(
-  debug: Physics2DDebugDraw,
-  x: number,
-  y: number,
-  angle1: number,
-  angle2: number,
-  radius1: number,
-  radius2: number,
-  waves: number,
-  count: number,
+  coils = 0,
 ): void {
   if (angle1 === angle2) {
     return;
@@ -187,16 +156,20 @@ function addWaves(
   const end = upward ? angle2 : angle1;
   const inner = upward ? radius1 : radius2;
   const outer = upward ? radius2 : radius1;
-  const slope = (outer - inner) / (end - start);
+  const span = end - start;
+  const arc = debug.spiralMaxArc;
+  const waves = Math.max(0, coils);
+  const count = pieces(waves > 0 ? Math.max(span / (3 * arc), 40 * waves) : span / arc);
+  const slope = (outer - inner) / span;
   const amplitude = waves > 0 ? debug.spiralSpringSize * Math.abs(TWO_PI * slope) : 0;
-  const pace = (TWO_PI * waves) / (end - start);
+  const pace = (TWO_PI * waves) / span;
   for (let i = 0; i <= count; i += 1) {
     const t = i / count;
     turn[0] = TWO_PI * waves * t;
     cosSin(turn);
     const radius = inner + t * (outer - inner) + amplitude * turn[2]!;
     near.set(far);
-    goTo(x, y, i === count ? end : start + t * (end - start), radius, slope + amplitude * pace * turn[1]!);
+    goTo(x, y, i === count ? end : start + t * span, radius, slope + amplitude * pace * turn[1]!);
     if (i > 0) {
       addPiece(debug, MAX_PIECES / count);
     }

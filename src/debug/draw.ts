@@ -7,7 +7,7 @@ import type { World } from '../world.js';
 import { addRectangle, addRigidBody } from './bodies.js';
 import { addConstraint } from './constraints.js';
 import { addContacts } from './contacts.js';
-import { addCircle, addCurve, addLinearSpring, addSpiral, addSpiralSpring } from './curves.js';
+import { addCircle, addCurve, addLinearSpring, addSpiral } from './curves.js';
 import type { ColorLike, DebugGraphicsDevice } from './device.js';
 import { LineBuffer } from './lines.js';
 import { checkedColor, DebugSettings } from './settings.js';
@@ -259,7 +259,7 @@ export class Physics2DDebugDraw extends DebugSettings {
     checkSpiral(where, x, y, angle1, angle2, radius1, radius2);
     finite(where, 'numCoils', numCoils);
     this.lines.setColor(checkedColor(where, 'color', color));
-    addSpiralSpring(this, x, y, angle1, angle2, radius1, radius2, numCoils);
+    addSpiral(this, x, y, angle1, angle2, radius1, radius2, numCoils);
   }
 
   /** The device. @throws after `destroy`. */

@@ -99,7 +99,7 @@ debug.drawWorld(phys2D.createWorld());
 debug.end();
 ${DEVICE}${DROP}`,
     parts: [...ALL, 'debug'],
-    budget: 123_400,
+    budget: 123_300,
   },
 ];
 
