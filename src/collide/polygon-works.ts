@@ -2,6 +2,7 @@ import type { Arbiter } from '../contact/arbiter.js';
 import type { Circle } from '../shape/circle.js';
 import type { Polygon } from '../shape/polygon.js';
 import type { SolverData } from '../solver/data.js';
+import type { Mover } from '../solver/impacts/movers.js';
 import type { Start, Sweep } from '../solver/loops.js';
 import type { World } from '../world.js';
 import type { RayTest } from './rays.js';
@@ -20,6 +21,7 @@ export interface PolygonWorks {
   readonly rememberFeatures: (pair: Arbiter) => void;
   readonly matchPoints: (pair: Arbiter) => void;
   readonly hasEdge: (shape: Polygon, nx: number, ny: number, angle: number) => boolean;
+  readonly isBeyondEdge: (mover: Mover, shape: Polygon, bounds: Float64Array) => boolean;
   readonly smoothSeams: (world: World) => void;
   readonly smoothMeeting: (world: World, pair: Arbiter) => void;
   readonly putGroundsBack: (world: World, pair: Arbiter) => void;

@@ -11,6 +11,7 @@ import { packTwo } from './contacts/pack-contacts.js';
 import { smoothMeeting, smoothSeams } from './contacts/seams.js';
 import { storeTwo } from './contacts/store-contacts.js';
 import { solvePositionTwo, solveVelocityTwo, warmStartTwo } from './contacts/two-point.js';
+import { isBeyondEdge } from './impacts/swept-bounds.js';
 
 /**
  * What polygons bring along: their collision kernels, what keeps things from catching on the seams of tiles, and contacts of two points.
@@ -26,6 +27,7 @@ export const polygonWorks: PolygonWorks = {
   hasEdge,
   rememberFeatures,
   matchPoints,
+  isBeyondEdge,
   smoothSeams,
   smoothMeeting,
   putGroundsBack,

@@ -2,6 +2,7 @@ import type { RigidBody } from '../../body.js';
 import { DYNAMIC, KINEMATIC, STATIC } from '../../body-kind.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
+import { works } from '../../collide/polygon-works.js';
 import { CONTACT_SLOP, SAME_TIME } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED, NEAR } from '../../contact/bits.js';
@@ -9,6 +10,7 @@ import * as c from '../../contact/layout.js';
 import { crossing, REACHED } from '../../geometry/crossing.js';
 import { materials } from '../../material.js';
 import type { Shape } from '../../shape/shape.js';
+import { POLYGON } from '../../shape/shape-kind.js';
 import type { World } from '../../world.js';
 import { growBounds } from '../bounds.js';
 import { mayInteract } from '../interaction.js';
@@ -17,7 +19,7 @@ import type { Meeting } from './meeting-queue.js';
 import { findTime, isSensed, meets } from './meeting-time.js';
 import type { Mover, Movers } from './movers.js';
 import { areElastic, findRequiredDepth, mayBeRefused, required } from './required-depth.js';
-import { isBeyondEdge, mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
+import { mayMeet, squareOfWay, sweepBounds, widenBounds } from './swept-bounds.js';
 
 const bounds = /* @__PURE__ */ new Float64Array(4);
 const around = /* @__PURE__ */ new Float64Array(4);
@@ -97,12 +99,17 @@ function isAmidSensors(world: World, shape: Shape): boolean {
   return true;
 }
 
+/** Whether bounds lie beyond an edge of a shape all the time that it is on its way. */
+function liesBeyond(mover: Mover, shape: Shape, there: Float64Array): boolean {
+  return shape.kind === POLYGON && works!.isBeyondEdge(mover, shape, there);
+}
+
 /** Whether a kinematic shape or a bullet may come into `bounds` on its way. */
 function comesNear({ all, ways }: Movers): boolean {
   const size = ways.find(bounds);
   for (let i = 0; i < size; i += 1) {
     const way = ways.found[i]!;
-    if (!isBeyondEdge(all[ways.movers[way]!]!, ways.shapes[way]!, bounds)) {
+    if (!liesBeyond(all[ways.movers[way]!]!, ways.shapes[way]!, bounds)) {
       return true;
     }
   }
@@ -190,7 +197,7 @@ function isUnforeseen({ ahead }: Movers, { sensor }: Shape): boolean {
 /** Whether a kinematic shape certainly misses one that does not look. */
 function isPassed({ movers }: World, mover: Mover, shape: Shape, other: Shape): boolean {
   widenBounds(other, movers.ahead > 0, around);
-  return isBeyondEdge(mover, shape, around);
+  return liesBeyond(mover, shape, around);
 }
 
 /**
@@ -219,7 +226,7 @@ function meetWays(world: World, index: number): void {
       const other = movers.all[place]!;
       const isToKinematic = other.body.kind === KINEMATIC;
       const isOnce = isKinematic === isToKinematic ? place < index || !isListed : isToKinematic;
-      const isFar = movers.ahead > 0 && isBeyondEdge(other, ways.shapes[way]!, bounds);
+      const isFar = movers.ahead > 0 && liesBeyond(other, ways.shapes[way]!, bounds);
       if (isOnce && !isFar && (mover.looks || other.looks)) {
         note(world, ways.shapes[way]!, shapes[i]!);
       }

@@ -2,8 +2,8 @@ import { endOfEdges } from '../../collide/polygons.js';
 import { SPECULATIVE_MARGIN } from '../../config.js';
 import { crosses, crossing } from '../../geometry/crossing.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
+import type { Polygon } from '../../shape/polygon.js';
 import type { Shape } from '../../shape/shape.js';
-import { POLYGON } from '../../shape/shape-kind.js';
 import { growBounds, HALF_MARGIN, squareAround } from '../bounds.js';
 import type { Mover } from './movers.js';
 
@@ -50,10 +50,7 @@ export function widenBounds(shape: Shape, ahead: boolean, out: Float64Array): vo
  * Whether bounds lie beyond an edge of a polygon all the time that it is on its way: the bounds of a long one that is turned are much
  * larger than it.
  */
-export function isBeyondEdge(mover: Mover, shape: Shape, bounds: Float64Array): boolean {
-  if (shape.kind !== POLYGON) {
-    return false;
-  }
+export function isBeyondEdge(mover: Mover, shape: Polygon, bounds: Float64Array): boolean {
   const { body, dx, dy } = mover;
   const { numbers: edges, at } = shape;
   const end = endOfEdges(shape);
