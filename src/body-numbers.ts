@@ -3,12 +3,12 @@ import { Slab } from './math/doubles.js';
 const COUNT = 25;
 /** How many of the first numbers are the placement and the velocity of a body, the velocity last. */
 export const MOTION = 8;
-/** The range of what was set by hand and lasts, but for the share of gravity, which follows. */
-export const LASTING = 11;
-export const LASTING_END = 20;
 /** The range of the motion of the last step, with the clearance after it. */
-export const LAST_MOTION = 21;
-export const LAST_MOTION_END = 25;
+export const LAST_MOTION = 11;
+export const LAST_MOTION_END = 15;
+/** The range of what was set by hand and lasts, but for the share of gravity, which follows. */
+export const LASTING = 15;
+export const LASTING_END = 24;
 
 const slab = /* @__PURE__ */ new Slab();
 
@@ -118,134 +118,134 @@ export abstract class BodyNumbers {
     this.numbers[this.at + 10] = value;
   }
 
-  /** @internal N */
-  get fx(): number {
+  /** @internal m. Motion of the last step. Keeps its name: other bundles read it */
+  get lastDx(): number {
     return this.numbers[this.at + 11]!;
   }
   /** @internal */
-  set fx(value: number) {
-    this.numbers[this.at + 11] = value;
-  }
-
-  /** @internal */
-  get fy(): number {
-    return this.numbers[this.at + 12]!;
-  }
-  /** @internal */
-  set fy(value: number) {
-    this.numbers[this.at + 12] = value;
-  }
-
-  /** @internal N·m */
-  get appliedTorque(): number {
-    return this.numbers[this.at + 13]!;
-  }
-  /** @internal */
-  set appliedTorque(value: number) {
-    this.numbers[this.at + 13] = value;
-  }
-
-  /** @internal m/s */
-  get surfaceX(): number {
-    return this.numbers[this.at + 14]!;
-  }
-  /** @internal */
-  set surfaceX(value: number) {
-    this.numbers[this.at + 14] = value;
-  }
-
-  /** @internal */
-  get surfaceY(): number {
-    return this.numbers[this.at + 15]!;
-  }
-  /** @internal */
-  set surfaceY(value: number) {
-    this.numbers[this.at + 15] = value;
-  }
-
-  /** @internal the share of the velocity lost per second */
-  get linearDrag(): number {
-    return this.numbers[this.at + 16]!;
-  }
-  /** @internal */
-  set linearDrag(value: number) {
-    this.numbers[this.at + 16] = value;
-  }
-
-  /** @internal */
-  get angularDrag(): number {
-    return this.numbers[this.at + 17]!;
-  }
-  /** @internal */
-  set angularDrag(value: number) {
-    this.numbers[this.at + 17] = value;
-  }
-
-  /** @internal given mass, or −1: from the shapes */
-  get fixedMass(): number {
-    return this.numbers[this.at + 18]!;
-  }
-  /** @internal */
-  set fixedMass(value: number) {
-    this.numbers[this.at + 18] = value;
-  }
-
-  /** @internal given inertia, or −1: from the shapes */
-  get fixedInertia(): number {
-    return this.numbers[this.at + 19]!;
-  }
-  /** @internal */
-  set fixedInertia(value: number) {
-    this.numbers[this.at + 19] = value;
-  }
-
-  /** @internal how much of the world's gravity acts on it */
-  get gravityScale(): number {
-    return this.numbers[this.at + 20]!;
-  }
-  /** @internal */
-  set gravityScale(value: number) {
-    this.numbers[this.at + 20] = value;
-  }
-
-  /** @internal m. Motion of the last step. Keeps its name: other bundles read it */
-  get lastDx(): number {
-    return this.numbers[this.at + 21]!;
-  }
-  /** @internal */
   set lastDx(value: number) {
-    this.numbers[this.at + 21] = value;
+    this.numbers[this.at + 11] = value;
   }
 
   /** @internal Keeps its name. */
   get lastDy(): number {
-    return this.numbers[this.at + 22]!;
+    return this.numbers[this.at + 12]!;
   }
   /** @internal */
   set lastDy(value: number) {
-    this.numbers[this.at + 22] = value;
+    this.numbers[this.at + 12] = value;
   }
 
   /** @internal rad. Keeps its name. */
   get lastTurn(): number {
-    return this.numbers[this.at + 23]!;
+    return this.numbers[this.at + 13]!;
   }
   /** @internal */
   set lastTurn(value: number) {
-    this.numbers[this.at + 23] = value;
+    this.numbers[this.at + 13] = value;
   }
 
   /** @internal m. How far it may move in this step, in any direction, without coming near anything that it would be swept against */
   get clearance(): number {
-    return this.numbers[this.at + 24]!;
+    return this.numbers[this.at + 14]!;
   }
   /** @internal */
   set clearance(value: number) {
-    this.numbers[this.at + 24] = value;
+    this.numbers[this.at + 14] = value;
   }
 
   /** @internal as if it had not moved in the last step */
   forgetMotion(): void {
     this.numbers.fill(0, this.at + LAST_MOTION, this.at + LAST_MOTION_END);
+  }
+
+  /** @internal N */
+  get fx(): number {
+    return this.numbers[this.at + 15]!;
+  }
+  /** @internal */
+  set fx(value: number) {
+    this.numbers[this.at + 15] = value;
+  }
+
+  /** @internal */
+  get fy(): number {
+    return this.numbers[this.at + 16]!;
+  }
+  /** @internal */
+  set fy(value: number) {
+    this.numbers[this.at + 16] = value;
+  }
+
+  /** @internal N·m */
+  get appliedTorque(): number {
+    return this.numbers[this.at + 17]!;
+  }
+  /** @internal */
+  set appliedTorque(value: number) {
+    this.numbers[this.at + 17] = value;
+  }
+
+  /** @internal m/s */
+  get surfaceX(): number {
+    return this.numbers[this.at + 18]!;
+  }
+  /** @internal */
+  set surfaceX(value: number) {
+    this.numbers[this.at + 18] = value;
+  }
+
+  /** @internal */
+  get surfaceY(): number {
+    return this.numbers[this.at + 19]!;
+  }
+  /** @internal */
+  set surfaceY(value: number) {
+    this.numbers[this.at + 19] = value;
+  }
+
+  /** @internal the share of the velocity lost per second */
+  get linearDrag(): number {
+    return this.numbers[this.at + 20]!;
+  }
+  /** @internal */
+  set linearDrag(value: number) {
+    this.numbers[this.at + 20] = value;
+  }
+
+  /** @internal */
+  get angularDrag(): number {
+    return this.numbers[this.at + 21]!;
+  }
+  /** @internal */
+  set angularDrag(value: number) {
+    this.numbers[this.at + 21] = value;
+  }
+
+  /** @internal given mass, or −1: from the shapes */
+  get fixedMass(): number {
+    return this.numbers[this.at + 22]!;
+  }
+  /** @internal */
+  set fixedMass(value: number) {
+    this.numbers[this.at + 22] = value;
+  }
+
+  /** @internal given inertia, or −1: from the shapes */
+  get fixedInertia(): number {
+    return this.numbers[this.at + 23]!;
+  }
+  /** @internal */
+  set fixedInertia(value: number) {
+    this.numbers[this.at + 23] = value;
+  }
+
+  /** @internal how much of the world's gravity acts on it */
+  get gravityScale(): number {
+    return this.numbers[this.at + 24]!;
+  }
+  /** @internal */
+  set gravityScale(value: number) {
+    this.numbers[this.at + 24] = value;
   }
 }
