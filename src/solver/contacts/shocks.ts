@@ -15,7 +15,7 @@ import { solveVelocityOne } from './one-point.js';
 // `joint-data.ts`.
 
 /** The end of a list of ends. */
-const NONE = -1;
+export const NONE = -1;
 /** In `groupOf`: the body hangs on joints that cannot be solved once more. */
 export const UNSOLVABLE = -1;
 /** In `known`, marks a body that is part of a heap or a mechanism, for the whole step. */
@@ -58,7 +58,7 @@ export function solveAround(
   mostGroups: number,
 ): boolean {
   if (!data.shocks.isLinked) {
-    link(data);
+    linkContacts(data);
     jointSolver?.linkShocks(data);
   }
   const isSolved = gather(data, body / d.BODY_STRIDE) > 0 && data.shocks.groups.count <= mostGroups;
@@ -66,7 +66,8 @@ export function solveAround(
   return isSolved;
 }
 
-function link({ shocks, one, two, bodyCount }: SolverData): void {
+/** Lists the contacts of each body. Joints have to be linked after it, see `linkShocks`. */
+export function linkContacts({ shocks, one, two, bodyCount }: SolverData): void {
   shocks.reserve(bodyCount, 4 * Math.max(one.count, two.count));
   shocks.first.fill(NONE, 0, bodyCount);
   shocks.known.fill(0, 0, bodyCount);

@@ -4,6 +4,7 @@ import { findLeastSeparation, leastSeparation } from '../../../collide/manifold.
 import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../../../config-joints.js';
 import type { Arbiter } from '../../../contact/arbiter.js';
 import type { Shape } from '../../../shape/shape.js';
+import { canMove, linkContacts, NONE } from '../../contacts/shocks.js';
 import { batchOf, IMPULSES, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
@@ -12,6 +13,7 @@ import { forgetImpulse, markBodies } from '../joint-numbers.js';
 import { lineariseBlock, measureBlock, pushBlock } from '../kernels/blocks.js';
 import { measurePoints, pushPoints } from '../kernels/points.js';
 import { measureTurns, pushTurns } from '../kernels/turns.js';
+import { linkShocks } from './joint-shocks.js';
 import { isBlocked } from './neighbours.js';
 
 /** Scratch: x, y and turn of a joint's members in the sub-step, before it is closed; pulleys have four members. */
@@ -54,25 +56,36 @@ function isDrawn({ velocity: v }: SolverData, { bodies }: Group): boolean {
   return false;
 }
 
-/** What is taken away was applied in this sub-step, and goes to the sums. */
+/** Only where a body of the group can be moved: what else lies on the one that draws it keeps its impulses. */
 function forgetContacts(data: SolverData, group: Group): void {
-  const { traits, shocks } = data;
-  const { items, count } = shocks.struck;
+  const { shocks, traits } = data;
+  if (!shocks.isLinked) {
+    linkContacts(data);
+    linkShocks(data);
+  }
+  const { first, next } = shocks;
   markBodies(data, group, d.MEMBER);
-  for (let i = 0; i < count; i += 1) {
-    const contact = items[i]!;
-    const { records: r, bodies, stride } = batchOf(data, contact);
-    const a = bodies[contact & d.EVEN]! & d.OFFSET;
-    const b = bodies[contact | 1]!;
-    if (((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.MEMBER) !== 0) {
-      for (const impulse of IMPULSES) {
-        const at = recordAt(contact >> 1, stride) + impulse;
-        r[at + d.SUM] = r[at + d.SUM]! + (1 - TORN_KEEP) * r[at]!;
-        r[at] = TORN_KEEP * r[at]!;
-      }
+  for (let n = 0; n < group.bodies.count; n += 1) {
+    const body = group.bodies.items[n]!;
+    for (let end = canMove(data, body) ? first[body / d.BODY_STRIDE]! : NONE; end !== NONE; end = next[end]!) {
+      const contact = end >> 1;
+      const other = batchOf(data, contact).bodies[(contact & d.EVEN) + 1 - (end & 1)]! & d.OFFSET;
+      const isMember = (traits[other / d.BODY_STRIDE]! & d.MEMBER) !== 0 && canMove(data, other);
+      // A contact of two of them is found twice.
+      if (!isMember || (end & 1) === 0) forgetContact(data, contact);
     }
   }
   markBodies(data, group, 0);
+}
+
+/** What is taken away was applied in this sub-step, and goes to the sums. */
+function forgetContact(data: SolverData, contact: number): void {
+  const { records: r, stride } = batchOf(data, contact);
+  for (const impulse of IMPULSES) {
+    const at = recordAt(contact >> 1, stride) + impulse;
+    r[at + d.SUM] = r[at + d.SUM]! + (1 - TORN_KEEP) * r[at]!;
+    r[at] = TORN_KEEP * r[at]!;
+  }
 }
 
 /** Closes the open joints of a group once. @returns whether there were any. */
