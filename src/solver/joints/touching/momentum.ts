@@ -5,7 +5,7 @@ import {
   FIRM_FEW,
   FRAME_BENT,
   FRAME_JOINTS,
-  JOINT_TORN,
+  JOINT_OPEN,
   ROPE_JOINTS,
   TOUCHED_MOMENTUM,
   TOUCHED_QUIET,
@@ -48,10 +48,11 @@ export function steadyTouched(data: SolverData, group: Group): void {
 
 /**
  * Whether something that does not move, or moves on, pulls a group into what is in its way. As contacts undo all of the corrections then,
- * no angle may make momentum of them: a box on a weld of a hand that went on into a wall stood, and had 19 m/s.
+ * no angle may make momentum of them: a box on a weld of a hand that went on into a wall stood, and had 19 m/s. What contacts hold open by
+ * less than JOINT_OPEN makes some, as beams do.
  */
 function isPulledIn(group: Group): boolean {
-  return group.anchors > 0 && group.errorSquare > JOINT_TORN * JOINT_TORN && isBlocked(group);
+  return group.anchors > 0 && group.errorSquare > JOINT_OPEN * JOINT_OPEN && isBlocked(group);
 }
 
 /** Lets all joints of a taut rope make most of their momentum; of a beam, those that hold an angle; under a weight, those that bear much. */
