@@ -87,7 +87,7 @@ saved.restore(saved.snapshot());${DROP}`,
     name: 'everything',
     code: `import { phys2D } from 'phys2d';\n${DEVICE}${DROP}`,
     parts: ALL,
-    budget: 116_900,
+    budget: 117_000,
   },
   {
     name: 'everything, with debug drawing',
