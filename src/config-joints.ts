@@ -397,6 +397,12 @@ export const STUCK_APART = 0.25;
  */
 export const UNTRUE_STEPS = 16;
 
+/**
+ * Steps. UNTRUE_STEPS where something that goes on draws a group into what is in its way, and motion with less than
+ * STUCK_STANDS of that energy. With 1 what bounces off that would stop.
+ */
+export const JAMMED_STEPS = 2;
+
 /** A share of kinetic energy, see UNTRUE_STEPS. It was 0.0003 for that tank and that belt. */
 export const UNTRUE_SHARE = 0.01;
 

@@ -1,7 +1,16 @@
-import { STUCK_APART, STUCK_STANDS, UNTRUE_ERROR, UNTRUE_SHARE, UNTRUE_STEPS } from '../../../config-joints.js';
+import {
+  JAMMED_STEPS,
+  STUCK_APART,
+  STUCK_STANDS,
+  UNTRUE_ERROR,
+  UNTRUE_SHARE,
+  UNTRUE_STEPS,
+} from '../../../config-joints.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
+import { isDrawn } from '../touching/close-joints.js';
+import { isBlocked } from '../touching/neighbours.js';
 
 // Compares the velocities of a group with how it moved.
 
@@ -14,17 +23,20 @@ const APART = 2;
 /**
  * Gives the bodies of a group the velocities with which they moved in the step, if theirs are wrong. Each sub-step corrects the same errors
  * once more, and contacts or other joints undo the momentum that this makes. A group whose joints cannot all be met gets them as soon as
- * its motion differs from its velocities by a share of their energy, and has less energy; one that touches something, such as a belt or a
- * track around wheels, if its motion has hardly any energy for some steps in a row.
+ * its motion differs from its velocities by a share of their energy, and has less energy; one that something draws into what is in its way,
+ * if that goes on; any other that touches something, such as a belt or a track around wheels, if its motion has hardly any energy for some
+ * steps in a row.
  */
 export function goAsMoved(data: SolverData, group: Group): void {
   measureMotion(data, group);
   const told = energies[TOLD]!;
   const moved = energies[MOVED]!;
-  const isUntrue = moved < UNTRUE_SHARE * told && group.errorSquare > UNTRUE_ERROR * UNTRUE_ERROR;
-  group.untrueSteps = isUntrue ? Math.min(group.untrueSteps + 1, UNTRUE_STEPS) : 0;
   const isWrong = energies[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
-  if (group.untrueSteps === UNTRUE_STEPS || (isWrong && group.isUnmet)) {
+  const isJammed = isBlocked(group) && isDrawn(data, group);
+  const isUntrue = isJammed ? isWrong : moved < UNTRUE_SHARE * told;
+  const isOpen = group.errorSquare > UNTRUE_ERROR * UNTRUE_ERROR;
+  group.untrueSteps = isUntrue && isOpen ? Math.min(group.untrueSteps + 1, UNTRUE_STEPS) : 0;
+  if (group.untrueSteps >= (isJammed ? JAMMED_STEPS : UNTRUE_STEPS) || (isWrong && group.isUnmet)) {
     takeMotion(data, group);
   }
 }

@@ -48,7 +48,7 @@ function forgetPart(data: SolverData, group: Group): void {
 }
 
 /** Whether a body of a group goes on whatever it meets. */
-function isDrawn({ velocity: v }: SolverData, { bodies }: Group): boolean {
+export function isDrawn({ velocity: v }: SolverData, { bodies }: Group): boolean {
   for (let n = 0; n < bodies.count; n += 1) {
     const i = bodies.items[n]!;
     if (v[i + d.INV_MASS] === 0 && (v[i + d.VX] !== 0 || v[i + d.VY] !== 0 || v[i + d.W] !== 0)) return true;
