@@ -9,8 +9,7 @@ import {
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
-import { isDrawn } from '../touching/close-joints.js';
-import { isBlocked } from '../touching/neighbours.js';
+import { isBlocked, isDrawn } from '../touching/neighbours.js';
 
 // Compares the velocities of a group with how it moved.
 

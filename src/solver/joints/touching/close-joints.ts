@@ -14,7 +14,7 @@ import { lineariseBlock, measureBlock, pushBlock } from '../kernels/blocks.js';
 import { measurePoints, pushPoints } from '../kernels/points.js';
 import { measureTurns, pushTurns } from '../kernels/turns.js';
 import { linkShocks } from './joint-shocks.js';
-import { isBlocked } from './neighbours.js';
+import { isBlocked, isDrawn } from './neighbours.js';
 
 /** Scratch: x, y and turn of a joint's members in the sub-step, before it is closed; pulleys have four members. */
 const before = /* @__PURE__ */ new Float64Array(12);
@@ -45,15 +45,6 @@ function forgetPart(data: SolverData, group: Group): void {
     forgetImpulse(data, data.joints.joints[k]!, TORN_KEEP);
   }
   if (group.touched && isBlocked(group) && isDrawn(data, group)) forgetContacts(data, group);
-}
-
-/** Whether a body of a group goes on whatever it meets. */
-export function isDrawn({ velocity: v }: SolverData, { bodies }: Group): boolean {
-  for (let n = 0; n < bodies.count; n += 1) {
-    const i = bodies.items[n]!;
-    if (v[i + d.INV_MASS] === 0 && (v[i + d.VX] !== 0 || v[i + d.VY] !== 0 || v[i + d.W] !== 0)) return true;
-  }
-  return false;
 }
 
 /** Only where a body of the group can be moved: what else lies on the one that draws it keeps its impulses. */

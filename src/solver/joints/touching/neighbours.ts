@@ -3,7 +3,7 @@ import { CONTACT_SLOP } from '../../../config.js';
 import { HEAVY } from '../../../config-joints.js';
 import { grown } from '../../../math/doubles.js';
 import type { World } from '../../../world.js';
-import { type ContactBatch, recordAt } from '../../data.js';
+import { type ContactBatch, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
 
@@ -95,4 +95,13 @@ function kindOf(dynamics: readonly RigidBody[], slot: number, other: number): nu
  */
 export function isBlocked({ neighbours }: Group): boolean {
   return (neighbours & (OTHERS | HEAVIER)) === OTHERS;
+}
+
+/** Whether a body of a group goes on whatever it meets. */
+export function isDrawn({ velocity: v }: SolverData, { bodies }: Group): boolean {
+  for (let n = 0; n < bodies.count; n += 1) {
+    const i = bodies.items[n]!;
+    if (v[i + d.INV_MASS] === 0 && (v[i + d.VX] !== 0 || v[i + d.VY] !== 0 || v[i + d.W] !== 0)) return true;
+  }
+  return false;
 }
