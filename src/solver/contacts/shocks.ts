@@ -57,17 +57,18 @@ export function solveAround(
   jointSolver: JointSolver | null,
   mostGroups: number,
 ): boolean {
-  if (!data.shocks.isLinked) {
-    linkContacts(data);
-    jointSolver?.linkShocks(data);
-  }
+  link(data, jointSolver?.linkShocks);
   const isSolved = gather(data, body / d.BODY_STRIDE) > 0 && data.shocks.groups.count <= mostGroups;
   if (isSolved) solve(data, jointSolver);
   return isSolved;
 }
 
-/** Lists the contacts of each body. Joints have to be linked after it, see `linkShocks`. */
-export function linkContacts({ shocks, one, two, bodyCount }: SolverData): void {
+/** Lists the contacts of each body, and by `linkJoints` its group of joints, unless that was done in this step. */
+export function link(data: SolverData, linkJoints: ((data: SolverData) => void) | undefined): void {
+  const { shocks, one, two, bodyCount } = data;
+  if (shocks.isLinked) {
+    return;
+  }
   shocks.reserve(bodyCount, 4 * Math.max(one.count, two.count));
   shocks.first.fill(NONE, 0, bodyCount);
   shocks.known.fill(0, 0, bodyCount);
@@ -76,6 +77,7 @@ export function linkContacts({ shocks, one, two, bodyCount }: SolverData): void 
   shocks.isLinked = true;
   linkAll(shocks, two, 0);
   linkAll(shocks, one, 1);
+  linkJoints?.(data);
 }
 
 function linkAll({ first, next }: ShockList, { count, bodies }: ContactBatch, kind: number): void {

@@ -1,7 +1,7 @@
 import type { RigidBody } from '../../body.js';
 import type { Constraint } from '../../constraint/constraint.js';
 import { recordAt, type SolverData } from '../data.js';
-import { BODY_STRIDE, MEMBER } from '../layout.js';
+import { BODY_STRIDE, MEMBER, VX, VY, W } from '../layout.js';
 import type { Group, Joint } from './joint-data.js';
 import {
   CARRY,
@@ -113,6 +113,11 @@ export function markBodies({ traits }: SolverData, { bodies }: Group, mark: numb
     const slot = bodies.items[n]! / BODY_STRIDE;
     traits[slot] = (traits[slot]! & ~MEMBER) | mark;
   }
+}
+
+/** Whether a body, given by the offset of its record, moves or turns. */
+export function isMoving({ velocity: v }: SolverData, body: number): boolean {
+  return v[body + VX] !== 0 || v[body + VY] !== 0 || v[body + W] !== 0;
 }
 
 /** Sets MEMBER in the traits of a body, given by the offset of its record. @returns whether it did not have that yet. */

@@ -5,7 +5,7 @@ import type { World } from '../../../world.js';
 import { type ContactBatch, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
-import { markBodies } from '../joint-numbers.js';
+import { isMoving, markBodies } from '../joint-numbers.js';
 
 // A company is all bodies that exchange energy: those that touch or are tied to each other, directly or by way of others. The guests of a
 // group are the bodies of its company that are not its own.
@@ -40,7 +40,7 @@ export function findCompanies({ solver, liveDynamics }: World): void {
     parent[slot] = slot;
     first[slot] = 0;
     size[slot] = 0;
-    driven[slot] = slot > liveDynamics.length && isMoving(solver, slot) ? 1 : 0;
+    driven[slot] = slot > liveDynamics.length && isMoving(solver, slot * d.BODY_STRIDE) ? 1 : 0;
     held[slot] = 0;
   }
   joinTouching(solver.one, liveDynamics.length);
@@ -117,9 +117,4 @@ function joinTied({ joints: { joints, bodies } }: SolverData, dynamics: number):
     }
   }
   driven[0] = 0;
-}
-
-function isMoving({ velocity: v }: SolverData, slot: number): boolean {
-  const i = slot * d.BODY_STRIDE;
-  return v[i + d.VX] !== 0 || v[i + d.VY] !== 0 || v[i + d.W] !== 0;
 }

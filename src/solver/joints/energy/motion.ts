@@ -9,7 +9,7 @@ import {
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
-import { isBlocked, isDrawn } from '../touching/neighbours.js';
+import { isJammed } from '../touching/neighbours.js';
 
 // Compares the velocities of a group with how it moved.
 
@@ -31,11 +31,11 @@ export function goAsMoved(data: SolverData, group: Group): void {
   const told = energies[TOLD]!;
   const moved = energies[MOVED]!;
   const isWrong = energies[APART]! > STUCK_APART * told && moved < (group.touched ? STUCK_STANDS : 1) * told;
-  const isJammed = isBlocked(group) && isDrawn(data, group);
-  const isUntrue = isJammed ? isWrong : moved < UNTRUE_SHARE * told;
+  const jams = isJammed(data, group);
+  const isUntrue = jams ? isWrong : moved < UNTRUE_SHARE * told;
   const isOpen = group.errorSquare > UNTRUE_ERROR * UNTRUE_ERROR;
   group.untrueSteps = isUntrue && isOpen ? Math.min(group.untrueSteps + 1, UNTRUE_STEPS) : 0;
-  if (group.untrueSteps >= (isJammed ? JAMMED_STEPS : UNTRUE_STEPS) || (isWrong && group.isUnmet)) {
+  if (group.untrueSteps >= (jams ? JAMMED_STEPS : UNTRUE_STEPS) || (isWrong && group.isUnmet)) {
     takeMotion(data, group);
   }
 }

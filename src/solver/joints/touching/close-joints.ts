@@ -4,7 +4,7 @@ import { findLeastSeparation, leastSeparation } from '../../../collide/manifold.
 import { CLOSING_ROUNDS, INTO_WALL, JOINT_OPEN, JOINT_TORN, TORN_KEEP } from '../../../config-joints.js';
 import type { Arbiter } from '../../../contact/arbiter.js';
 import type { Shape } from '../../../shape/shape.js';
-import { canMove, linkContacts, NONE } from '../../contacts/shocks.js';
+import { canMove, link, NONE } from '../../contacts/shocks.js';
 import { batchOf, IMPULSES, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group, Joint } from '../joint-data.js';
@@ -14,7 +14,7 @@ import { lineariseBlock, measureBlock, pushBlock } from '../kernels/blocks.js';
 import { measurePoints, pushPoints } from '../kernels/points.js';
 import { measureTurns, pushTurns } from '../kernels/turns.js';
 import { linkShocks } from './joint-shocks.js';
-import { isBlocked, isDrawn } from './neighbours.js';
+import { isJammed } from './neighbours.js';
 
 /** Scratch: x, y and turn of a joint's members in the sub-step, before it is closed; pulleys have four members. */
 const before = /* @__PURE__ */ new Float64Array(12);
@@ -44,16 +44,13 @@ function forgetPart(data: SolverData, group: Group): void {
   for (let k = group.start; k < group.end; k += 1) {
     forgetImpulse(data, data.joints.joints[k]!, TORN_KEEP);
   }
-  if (group.touched && isBlocked(group) && isDrawn(data, group)) forgetContacts(data, group);
+  if (isJammed(data, group)) forgetContacts(data, group);
 }
 
 /** Only where a body of the group can be moved: what else lies on the one that draws it keeps its impulses. */
 function forgetContacts(data: SolverData, group: Group): void {
   const { shocks, traits } = data;
-  if (!shocks.isLinked) {
-    linkContacts(data);
-    linkShocks(data);
-  }
+  link(data, linkShocks);
   const { first, next } = shocks;
   markBodies(data, group, d.MEMBER);
   for (let n = 0; n < group.bodies.count; n += 1) {
@@ -184,9 +181,9 @@ function goesInto({ numbers: n, at: o }: Arbiter, sign: number): boolean {
 }
 
 /** Whether a joint may be closed. Not if it has something immovable, which would drag bodies through a wall at once. */
-function mayClose({ motion: q, joints: { bodies } }: SolverData, { first, layout }: Joint): boolean {
+function mayClose(data: SolverData, { first, layout }: Joint): boolean {
   for (let n = first; n < first + layout.members; n += 1) {
-    if (q[bodies[n]! + d.INV_MASS] === 0) return false;
+    if (!canMove(data, data.joints.bodies[n]!)) return false;
   }
   return true;
 }

@@ -6,6 +6,7 @@ import type { World } from '../../../world.js';
 import { type ContactBatch, recordAt, type SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Group } from '../joint-data.js';
+import { isMoving } from '../joint-numbers.js';
 
 /** Bits for what the bodies of a group touch: something that is not part of it, … */
 export const OTHERS = 1;
@@ -97,11 +98,11 @@ export function isBlocked({ neighbours }: Group): boolean {
   return (neighbours & (OTHERS | HEAVIER)) === OTHERS;
 }
 
-/** Whether a body of a group goes on whatever it meets. */
-export function isDrawn({ velocity: v }: SolverData, { bodies }: Group): boolean {
-  for (let n = 0; n < bodies.count; n += 1) {
-    const i = bodies.items[n]!;
-    if (v[i + d.INV_MASS] === 0 && (v[i + d.VX] !== 0 || v[i + d.VY] !== 0 || v[i + d.W] !== 0)) return true;
+/** Whether a body of a blocked group goes on whatever it meets, and so draws the group into what is in its way. */
+export function isJammed(data: SolverData, group: Group): boolean {
+  const { items, count } = group.bodies;
+  for (let n = 0; n < count && isBlocked(group); n += 1) {
+    if (data.velocity[items[n]! + d.INV_MASS] === 0 && isMoving(data, items[n]!)) return true;
   }
   return false;
 }
