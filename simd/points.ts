@@ -101,7 +101,7 @@ export function warmStartPoints(records: usize, bodies: usize, velocity: usize, 
     const det = f64x2.sub(product, f64x2.mul(k12, k12));
     if (lanes & ~i64x2.bitmask(isRegular(k11, k22, product, det))) {
       v128.store(n.WORST, worst);
-      return k << 1;
+      return k << 2;
     }
     const square = f64x2.add(f64x2.mul(cx, cx), f64x2.mul(cy, cy));
     worst = f64x2.pmax(worst, square);
@@ -125,7 +125,7 @@ export function warmStartPoints(records: usize, bodies: usize, velocity: usize, 
     Bodies.give(velocity + b1, velocity + b2, lanes, px, py, jwB);
   }
   v128.store(n.WORST, worst);
-  return to << 1;
+  return to << 2;
 }
 
 export function pushPoints(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
@@ -193,11 +193,11 @@ export function pushPoints(records: usize, bodies: usize, motion: usize, from: i
     );
     if (lanes & i64x2.bitmask(v128.or(isRare, v128.not(isRegular(k11, k22, product, det))))) {
       v128.store(n.WORST, worst);
-      return (k << 1) | found;
+      return (k << 2) | found;
     }
     const mask = v128.and(f64x2.gt(square, number(TOLERANCE)), maskOf(lanes));
     if (v128.any_true(mask)) {
-      found = 1;
+      found |= i64x2.bitmask(mask);
       worst = f64x2.pmax(worst, v128.and(mask, square));
     }
     const inverse = f64x2.div(number(ONE), det);
@@ -241,7 +241,7 @@ export function pushPoints(records: usize, bodies: usize, motion: usize, from: i
     );
   }
   v128.store(n.WORST, worst);
-  return (to << 1) | found;
+  return (to << 2) | found;
 }
 
 /** Of a small turn, by its square. */
@@ -304,7 +304,7 @@ abstract class Points {
         cx = f64x2.add(at(r, rest), cx);
         cy = f64x2.add(at(r, rest + 2), cy);
         const square = f64x2.add(f64x2.mul(cx, cx), f64x2.mul(cy, cy));
-        if (i64x2.bitmask(f64x2.gt(square, number(TOLERANCE))) & lanes) found = 1;
+        found |= i64x2.bitmask(f64x2.gt(square, number(TOLERANCE))) & lanes;
       }
       const i12 = at(r, j.I12);
       const jx = f64x2.add(f64x2.mul(at(r, j.I11), cx), f64x2.mul(i12, cy));
@@ -332,7 +332,7 @@ abstract class Points {
         mB,
       );
     }
-    return (to << 1) | found;
+    return (to << 2) | found;
   }
 }
 
@@ -373,5 +373,5 @@ export function finishPoints(records: usize, bodies: usize, velocity: usize, fro
     put(r, j.SUM_WA, f64x2.sub(at(r, j.SUM_WA), f64x2.sub(f64x2.mul(ax, jy), f64x2.mul(ay, jx))));
     put(r, j.SUM_WB, f64x2.add(at(r, j.SUM_WB), f64x2.sub(f64x2.mul(bx, jy), f64x2.mul(by, jx))));
   }
-  return to << 1;
+  return to << 2;
 }

@@ -197,8 +197,11 @@ export class Group {
 
   /** The square of the largest error at the start of the sub-step. */
   errorSquare = 0;
-  /** The square of the largest error that the first position iteration found. */
+  /** The square of the largest error that the last exact position sweep found. */
   pushedSquare = 0;
+  /** Of two groups side by side: how many position sweeps have been done over both at once, and whether the last found no error of this one. */
+  pushed = 0;
+  isPushed = false;
   /** Its joints are solved to their end in this sub-step. */
   isFirm = false;
 

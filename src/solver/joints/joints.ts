@@ -31,9 +31,10 @@ import { turnStress } from './energy/stress.js';
 import { fetchAll, fetchNumbers, type Group, type Joint, resetJoints } from './joint-data.js';
 import { CUSTOM, POINT, PUSH } from './joint-layout.js';
 import { listBodies, steady } from './joint-numbers.js';
+import { areInStep, pushBeside, solveVelocityBeside } from './kernels/beside.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './kernels/blocks.js';
 import { breakOverloaded } from './kernels/breaking.js';
-import { finishPoints, pushPoints, solveVelocityPoints, warmStartPoints } from './kernels/points.js';
+import { finishPoints, solveVelocityPoints, warmStartPoints } from './kernels/points.js';
 import { advancePoses, hidePoses, packPoses } from './kernels/pose.js';
 import {
   finishRun,
@@ -215,29 +216,43 @@ function solveVelocityJoints(data: SolverData, i: number, count: number): void {
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
     const { beside } = group;
-    const areTwo = beside !== null && !group.isFirm && !beside.isFirm;
-    solveVelocityGroup(data, group, i, count, areTwo);
-    if (areTwo) {
-      solveVelocityGroup(data, beside, i, count, true);
-      if (i === count - 1) solveVelocityPoints(data, group.start, beside.end, false);
+    if (beside !== null && !group.isFirm && !beside.isFirm) {
+      solveVelocityBoth(data, group, beside, i, count);
       k += 1;
+    } else if (!group.isFirm) {
+      solveVelocityGroup(data, group, i, count, group.sweeps);
+    } else if (group.touched || i === count - 1) {
+      // A group that touches nothing is solved once, in the last iteration, as nothing changes its velocities in between.
+      solveFirmly(data, group);
     }
   }
 }
 
-/** Of two groups side by side, the last sweep is left out here, as it is done over both at once. */
-function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number, isOfTwo: boolean): void {
-  const { sweeps } = group;
-  const last = sweeps - 1;
-  if (group.isFirm) {
-    // A group that touches nothing is solved once, in the last iteration, as nothing changes its velocities in between.
-    if (group.touched || i === count - 1) solveFirmly(data, group);
-    return;
+/** Sweeps over two groups that lie side by side; the last one is always over both at once, as it is over all joints. */
+function solveVelocityBoth(data: SolverData, first: Group, second: Group, i: number, count: number): void {
+  if (areInStep(first, second)) {
+    const after = Math.min(sweepsBefore(first, i + 1, count), first.sweeps - 1);
+    for (let sweep = sweepsBefore(first, i, count); sweep < after; sweep += 1) {
+      solveVelocityBeside(data, first, second);
+    }
+  } else {
+    solveVelocityGroup(data, first, i, count, first.sweeps - 1);
+    solveVelocityGroup(data, second, i, count, second.sweeps - 1);
   }
-  const after = Math.floor(((i + 1) * sweeps) / count);
-  for (let sweep = Math.floor((i * sweeps) / count); sweep < after && !(isOfTwo && sweep === last); sweep += 1) {
-    sweepOver(data, group, sweep, sweep === last, solveVelocityRun);
+  if (i === count - 1) solveVelocityPoints(data, first.start, second.end, false);
+}
+
+/** Sweeps over a group, up to number `end` at most. */
+function solveVelocityGroup(data: SolverData, group: Group, i: number, count: number, end: number): void {
+  const after = Math.min(sweepsBefore(group, i + 1, count), end);
+  for (let sweep = sweepsBefore(group, i, count); sweep < after; sweep += 1) {
+    sweepOver(data, group, sweep, sweep === group.sweeps - 1, solveVelocityRun);
   }
+}
+
+/** How many velocity sweeps a group has had before iteration `i` of `count`. */
+function sweepsBefore({ sweeps }: Group, i: number, count: number): number {
+  return Math.floor((i * sweeps) / count);
 }
 
 /** Sweeps until a sweep changes nothing worth another, with conjugate gradients in between: see `plan/gradients.ts`. */
@@ -281,12 +296,12 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   let isLeft = data.joints.hasCustoms && sweepCustoms(data, i, pushCustom);
   for (let k = 0; k < groups.length; k += 1) {
     const group = groups[k]!;
-    if (i === 0 && group.beside !== null) {
-      pushBoth(data, group, group.beside);
-    }
     const sweeps = group.sweeps === 1 ? 1 : JOINT_PUSHES * group.sweeps;
     const before = Math.ceil((i * sweeps) / count);
     const after = Math.ceil(((i + 1) * sweeps) / count);
+    if (group.beside !== null) {
+      pushBeside(data, group, group.beside, before, after);
+    }
     if (after > before) {
       isLeft = (pushGroup(data, group, before, after) && after < sweeps) || isLeft;
     }
@@ -294,17 +309,8 @@ function solvePositionJoints(data: SolverData, i: number, count: number): boolea
   return isLeft;
 }
 
-/** The first position sweep over two groups side by side, over both at once. */
-function pushBoth(data: SolverData, first: Group, second: Group): void {
-  const { worst } = data.joints;
-  clearWorst(data);
-  pushPoints(data, first.start, second.end, false);
-  first.pushedSquare = worst[0]!;
-  second.pushedSquare = worst[1]!;
-}
-
 /**
- * Position sweeps, until errors are small; of two groups side by side, the first one is done already.
+ * Position sweeps, until errors are small; of two groups side by side, the first ones are done already.
  * @returns whether the last sweep found an error that was worth another one.
  */
 function pushGroup(data: SolverData, group: Group, before: number, after: number): boolean {
@@ -312,12 +318,11 @@ function pushGroup(data: SolverData, group: Group, before: number, after: number
   left[0] = 0;
   linearise(data, group, false);
   const isFar = left[0] > BLOCK_FAR;
-  const isBegun = before === 0 && group.isBeside;
   if (group.isFirm) beginGradients(data, group, true);
-  if (isBegun && group.pushedSquare === 0) {
+  if (group.isPushed) {
     return false;
   }
-  for (let sweep = isBegun ? 1 : before; sweep < after; sweep += 1) {
+  for (let sweep = Math.max(before, group.pushed); sweep < after; sweep += 1) {
     // Joints that are not points are linear in the motion, too, and are linearised anew where much turned.
     if (isFar && sweep > before && linearise(data, group, true) && group.isFirm) beginGradients(data, group, true);
     // Not linear where contacts came in between, or the bodies are to be moved without turning.

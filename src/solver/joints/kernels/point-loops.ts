@@ -13,7 +13,7 @@ import * as j from '../joint-layout.js';
 const turn = /* @__PURE__ */ new Float64Array(3);
 
 /** Starts a sub-step: finds arms, error and K⁻¹ for the present placement, and warm starts with the impulse of the last sub-step. */
-export function warmStartPoints(data: SolverData, from: number, to: number, step: number): void {
+export function warmStartPoints(data: SolverData, from: number, to: number, step: number): number {
   const { points: r, pointBodies: bodies, velocity: v, pose: p } = data;
   const { worst } = data.joints;
   for (let k = from; k !== to; k += step) {
@@ -70,6 +70,7 @@ export function warmStartPoints(data: SolverData, from: number, to: number, step
     v[b + d.VY] = v[b + d.VY]! + mB * py;
     v[b + d.W] = v[b + d.W]! + iB * (bx * py - by * px);
   }
+  return 0;
 }
 
 /**
@@ -95,7 +96,7 @@ function invert(r: Float64Array, i: number): void {
 }
 
 /** One velocity sweep: Δλ = −K⁻¹C'. */
-export function solveVelocityPoints(data: SolverData, from: number, to: number, step: number): void {
+export function solveVelocityPoints(data: SolverData, from: number, to: number, step: number): number {
   const { points: r, pointBodies: bodies, velocity: v } = data;
   for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
@@ -130,18 +131,19 @@ export function solveVelocityPoints(data: SolverData, from: number, to: number, 
     v[b + d.VY] = vby - mB * y;
     v[b + d.W] = wB - v[b + d.INV_INERTIA]! * (bx * y - by * x);
   }
+  return 0;
 }
 
 /**
  * One exact position sweep: corrects by −K⁻¹C, with error, arms and K⁻¹ of the placement reached so far. With K⁻¹ of the start of the
  * sub-step, a pendulum is 1 mm off after 5 s.
  *
- * @returns whether an error was worth another iteration.
+ * @returns which errors were worth another iteration: 1 for one in an even slot, plus 2 for one in an odd slot.
  */
-export function pushPoints(data: SolverData, from: number, to: number, step: number): boolean {
+export function pushPoints(data: SolverData, from: number, to: number, step: number): number {
   const { points: r, pointBodies: bodies, motion: q } = data;
   const { worst } = data.joints;
-  let found = false;
+  let found = 0;
   for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
@@ -184,7 +186,7 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
     const cy = r[i + j.ERROR_Y]! + (qby - qay) + (dby - day);
     const square = cx * cx + cy * cy;
     if (square > JOINT_TOLERANCE * JOINT_TOLERANCE) {
-      found = true;
+      found |= 1 + (k & 1);
       if (square > worst[k & 1]!) {
         worst[k & 1] = square;
       }
@@ -237,12 +239,11 @@ export function pushPoints(data: SolverData, from: number, to: number, step: num
 }
 
 /**
- * Another position sweep, as if error and arms were linear in the motion since the last exact one. @returns whether an error was worth
- * another iteration.
+ * Another position sweep, as if error and arms were linear in the motion since the last exact one. @returns as `pushPoints`.
  */
-export function pushPointsLinearly(data: SolverData, from: number, to: number, step: number): boolean {
+export function pushPointsLinearly(data: SolverData, from: number, to: number, step: number): number {
   const { points: r, pointBodies: bodies, motion: q } = data;
-  let found = false;
+  let found = 0;
   for (let k = from; k !== to; k += step) {
     if ((bodies[2 * k]! & d.MISSING) !== 0) {
       continue;
@@ -263,7 +264,7 @@ export function pushPointsLinearly(data: SolverData, from: number, to: number, s
     const cx = r[i + j.OFFSET_X]! + (qbx - qax - wB * by + wA * ay);
     const cy = r[i + j.OFFSET_Y]! + (qby - qay + wB * bx - wA * ax);
     if (cx * cx + cy * cy > JOINT_TOLERANCE * JOINT_TOLERANCE) {
-      found = true;
+      found |= 1 + (k & 1);
     }
     const i12 = r[i + j.I12]!;
     const x = r[i + j.I11]! * cx + i12 * cy;
@@ -343,7 +344,7 @@ export function measurePoints(data: SolverData, from: number, to: number, step: 
 }
 
 /** Ends a sub-step: makes momentum of a share of the corrections, and adds up what the joints gave. */
-export function finishPoints(data: SolverData, from: number, to: number, step: number): void {
+export function finishPoints(data: SolverData, from: number, to: number, step: number): number {
   const share = data.joints.share[0]!;
   const { points: r, pointBodies: bodies, velocity: v } = data;
   for (let k = from; k !== to; k += step) {
@@ -375,4 +376,5 @@ export function finishPoints(data: SolverData, from: number, to: number, step: n
     r[i + j.SUM_WA] = r[i + j.SUM_WA]! - (ax * jy - ay * jx);
     r[i + j.SUM_WB] = r[i + j.SUM_WB]! + (bx * jy - by * jx);
   }
+  return 0;
 }

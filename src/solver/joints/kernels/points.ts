@@ -13,8 +13,8 @@ import * as plain from './point-loops.js';
  */
 
 /**
- * A loop in WebAssembly over records, from one index to another, both even. @returns twice the index of the first record that it left to
- * the loop in TypeScript, plus 1 if an error was worth another iteration.
+ * A loop in WebAssembly over records, from one index to another, both even. @returns four times the index of the first record that it left
+ * to the loop in TypeScript, plus what that returns.
  */
 type FastLoop = (data: SolverData, from: number, to: number) => number;
 
@@ -32,10 +32,10 @@ export interface PointKernels {
 }
 
 /**
- * The same in TypeScript: over each record or, with a `step` of 2, every second one, or back, with a negative one. @returns `true` if an
- * error was worth another iteration.
+ * The same in TypeScript: over each record or, with a `step` of 2, every second one, or back, with a negative one. @returns which errors
+ * were worth another iteration, if any: 1 for one in an even slot, plus 2 for one in an odd slot.
  */
-type Loop = (data: SolverData, from: number, to: number, step: number) => unknown;
+type Loop = (data: SolverData, from: number, to: number, step: number) => number;
 
 /**
  * How many joints share the choice between an exact and a linear sweep where errors are large. With fewer the calls would be too many;
@@ -164,7 +164,7 @@ function isOff({ points: r, joints: { asked } }: SolverData, { slot }: Joint): b
  * Runs a loop over joints from one to another: the fast one, if there is one, and the plain one over what that leaves, where it stops and
  * at the ends, where only one of two is asked for. Joints of two groups that lie side by side are solved at once if both groups are asked
  * for. Back it is always the plain loop.
- * @returns whether some error was worth another iteration.
+ * @returns as `loop`.
  */
 function runLoop(
   data: SolverData,
@@ -173,36 +173,36 @@ function runLoop(
   isBack: boolean,
   fast: FastLoop | undefined,
   loop: Loop,
-): boolean {
+): number {
   const { pointBodies } = data;
   const { joints } = data.joints;
   const { slot, isPaired } = joints[start]!;
   const last = joints[end - 1]!.slot;
   const step = stepOf(data, start, end);
   if (isBack) {
-    return loop(data, last, slot - step, -step) === true;
+    return loop(data, last, slot - step, -step);
   }
   if (fast === undefined || !isPaired || step === 2) {
-    return loop(data, slot, last + step, step) === true;
+    return loop(data, slot, last + step, step);
   }
   const to = last + 1;
   let k = slot;
-  let found = false;
+  let found = 0;
   if (k % 2 === 1) {
-    found = loop(data, k, k + 1, 1) === true;
+    found = loop(data, k, k + 1, 1);
     k += 1;
   }
   const whole = to + (to & 1) * ((pointBodies[2 * to]! & d.MISSING) === 0 ? -1 : 1);
   while (k < whole) {
     const done = fast(data, k, whole);
-    found = (done & 1) === 1 || found;
-    k = done >> 1;
+    found |= done & 3;
+    k = done >> 2;
     if (k < whole) {
-      found = loop(data, k, k + 2, 1) === true || found;
+      found |= loop(data, k, k + 2, 1);
       k += 2;
     }
   }
-  return (k < to && loop(data, k, to, 1) === true) || found;
+  return k < to ? loop(data, k, to, 1) | found : found;
 }
 
 /**
@@ -223,28 +223,27 @@ export function solveVelocityPoints(data: SolverData, start: number, end: number
   runLoop(data, start, end, isBack, data.pointKernels?.solveVelocity, plain.solveVelocityPoints);
 }
 
-/** One exact position sweep. @returns whether an error was worth another iteration. */
-export function pushPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+/** One exact position sweep. @returns as `Loop`. */
+export function pushPoints(data: SolverData, start: number, end: number, isBack: boolean): number {
   return runLoop(data, start, end, isBack, data.pointKernels?.push, plain.pushPoints);
 }
 
-/** Another position sweep, with errors linear in the motion since the last exact one. @returns as `pushPoints`. */
-export function pushPointsLinearly(data: SolverData, start: number, end: number, isBack: boolean): boolean {
+/** Another position sweep, with errors linear in the motion since the last exact one. @returns as `Loop`. */
+export function pushPointsLinearly(data: SolverData, start: number, end: number, isBack: boolean): number {
   return runLoop(data, start, end, isBack, data.pointKernels?.pushLinearly, plain.pushPointsLinearly);
 }
 
 /**
  * Another position sweep, where errors are large: exact for blocks of a few joints if a body of one has turned since the last exact sweep,
- * else linear. @returns as `pushPoints`.
+ * else linear. @returns as `Loop`.
  */
-export function pushTurnedPoints(data: SolverData, start: number, end: number, isBack: boolean): boolean {
-  let found = false;
+export function pushTurnedPoints(data: SolverData, start: number, end: number, isBack: boolean): number {
+  let found = 0;
   const block = isBack ? 1 : FAR_BLOCK;
   for (let n = start; n < end; n += block) {
     const k = isBack ? start + end - 1 - n : n;
     const to = Math.min(k + block, end);
-    found =
-      (haveTurned(data, k, to) ? pushPoints(data, k, to, isBack) : pushPointsLinearly(data, k, to, isBack)) || found;
+    found |= haveTurned(data, k, to) ? pushPoints(data, k, to, isBack) : pushPointsLinearly(data, k, to, isBack);
   }
   return found;
 }

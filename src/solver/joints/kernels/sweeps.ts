@@ -128,7 +128,7 @@ export function solveVelocityRun(
 /** One position sweep. What is left of the errors of rows and blocks is not known: they always ask for another. @returns as `Solve`. */
 export function pushRun(data: SolverData, kernel: number, start: number, end: number, isBack: boolean): boolean {
   if (kernel === POINT) {
-    return pushPoints(data, start, end, isBack);
+    return pushPoints(data, start, end, isBack) !== 0;
   }
   if (kernel === TURN) {
     return pushTurns(data, start, end, isBack);
@@ -170,11 +170,15 @@ export function pushRunLinearly(
   end: number,
   isBack: boolean,
 ): boolean {
-  return kernel === POINT ? pushPointsLinearly(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
+  return kernel === POINT
+    ? pushPointsLinearly(data, start, end, isBack) !== 0
+    : pushRun(data, kernel, start, end, isBack);
 }
 
 export function pushTurnedRun(data: SolverData, kernel: number, start: number, end: number, isBack: boolean): boolean {
-  return kernel === POINT ? pushTurnedPoints(data, start, end, isBack) : pushRun(data, kernel, start, end, isBack);
+  return kernel === POINT
+    ? pushTurnedPoints(data, start, end, isBack) !== 0
+    : pushRun(data, kernel, start, end, isBack);
 }
 
 /**
