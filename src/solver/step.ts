@@ -27,6 +27,8 @@ export function step(world: World, dt: number): void {
   solver.substeps = substeps;
   profile?.begin();
   if (world.someLeft) letGo(world);
+
+  // What collides, now and in the course of the step; what sleeps.
   refreshMoved(world);
   findPairs(world, dt);
   profile?.lap('pairs');
@@ -34,6 +36,8 @@ export function step(world: World, dt: number): void {
   profile?.lap('foresight');
   sleepIslands(world, dt);
   profile?.lap('islands');
+
+  // What is awake is packed into arrays, solved there, and written back.
   prepare(world, h);
   if (world.pushed.size > 0) passPushed(world);
   profile?.lap('prepare');
@@ -46,6 +50,8 @@ export function step(world: World, dt: number): void {
   world.jointSolver?.store(world);
   store(world);
   profile?.lap('store');
+
+  // What went so far that it may have passed something is stopped there.
   continuous(world, dt);
   // Not earlier: impacts still ask what forces add, and their handlers may step another world.
   solver.returnArrays();
@@ -60,12 +66,15 @@ function integrate(world: World, h: number): void {
   const { substeps } = solver;
   for (let substep = 0; substep < substeps; substep += 1) {
     turnContacts(solver, h);
+    // Restitution is planned by the velocities before gravity, and asked for once the warm start has set the contacts up.
     planBounces(solver, h);
     integrateVelocities(solver);
     jointSolver?.warmStart(solver, substep === 0);
+    // What is crushed starts with less than it had.
     easeSqueezes(solver);
     warmStartContacts(solver, h);
     applyBounces(solver);
+
     const iterations = share(world.velocityIterations, substep, substeps);
     // Joints are swept over in each iteration. Contacts are swept over half as often again, but not any longer once nothing changes.
     let changed = true;
@@ -75,9 +84,12 @@ function integrate(world: World, h: number): void {
       if (isOfJoints) jointSolver?.solveVelocities(solver, i, iterations);
       changed = solveVelocityContacts(solver, h);
     }
+    // What was struck in this sub-step is solved to its end.
     solveShocks(solver, jointSolver);
     profile?.lap('velocities');
+
     integratePositions(solver, h);
+    // What bounces off gains no height by being pushed out.
     spareBounces(solver);
     const pushes = share(world.positionIterations, substep, substeps);
     let pushed = true;
@@ -85,6 +97,7 @@ function integrate(world: World, h: number): void {
       const pushedJoints = jointSolver?.solvePositions(solver, i, pushes) ?? false;
       pushed = solvePositionContacts(solver) || pushedJoints;
     }
+    // Circles deep in each other get some iterations more.
     partCrowds(solver);
     jointSolver?.finish(solver);
     advance(solver);
