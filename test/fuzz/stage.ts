@@ -100,7 +100,7 @@ export class Stage {
         throw new Error('restored to another state');
       }
     } catch (error) {
-      if (!(error instanceof Error && /: must not be called from a handler/.test(error.message))) {
+      if (!(error instanceof Error && error.message.includes(': must not be called from a handler'))) {
         throw error;
       }
     }
