@@ -1,14 +1,11 @@
 import { DYNAMIC } from '../../body-kind.js';
-import { reachAlong } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
-import { FLUSH_TOLERANCE } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { NEAR } from '../../contact/bits.js';
 import { updateManifold, updateManifoldAlong } from '../../contact/update.js';
 import { EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Polygon } from '../../shape/polygon.js';
-import type { Shape } from '../../shape/shape.js';
 import { POLYGON } from '../../shape/shape-kind.js';
 import type { World } from '../../world.js';
 import { BURIED, FreeDirections, RIGHT, WRONG } from './free-directions.js';
@@ -75,9 +72,8 @@ export function smoothSeams(world: World): void {
 function smooth(pair: Arbiter): void {
   const ground = groundOf(pair);
   for (let other = dynamicOf(pair).grounds; other !== null && pair.is(NEAR); other = other.next) {
-    const carrier = groundOf(other);
-    const helps = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, carrier);
-    if (helps && carriesUp(other) && !standsOut(carrier, ground)) {
+    const helps = other !== pair && other.count > 0 && other.isSolved() && moveAlike(ground, groundOf(other));
+    if (helps && carriesUp(other)) {
       pair.unmark(NEAR);
       // Else foresight would take it for a known contact.
       pair.numbers[pair.at + g.COUNT] = 0;
@@ -120,16 +116,6 @@ function turn(pair: Arbiter): void {
 function carriesUp(pair: Arbiter): boolean {
   const { numbers: n, at: o } = pair;
   return signOf(pair) * (up.x * n[o + g.NX]! + up.y * n[o + g.NY]!) >= SAME_DIRECTION;
-}
-
-/** Whether `to` stands out of `from` along `up`. */
-function standsOut(from: Shape, to: Shape): boolean {
-  const dx = to.owner!.x - from.owner!.x;
-  const dy = to.owner!.y - from.owner!.y;
-  reachAlong(from, up, 1);
-  const { found } = up;
-  reachAlong(to, up, 1);
-  return up.found + up.x * dx + up.y * dy - found > FLUSH_TOLERANCE;
 }
 
 /**
