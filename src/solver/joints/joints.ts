@@ -31,11 +31,11 @@ import { turnStress } from './energy/stress.js';
 import { fetchAll, fetchNumbers, type Group, type Joint, resetJoints } from './joint-data.js';
 import { CUSTOM, POINT, PUSH } from './joint-layout.js';
 import { listBodies, steady } from './joint-numbers.js';
-import { areInStep, pushBeside, solveVelocityBeside } from './kernels/beside.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './kernels/blocks.js';
 import { breakOverloaded } from './kernels/breaking.js';
 import { finishPoints, solveVelocityPoints, warmStartPoints } from './kernels/points.js';
 import { advancePoses, hidePoses, packPoses } from './kernels/pose.js';
+import { areInStep, pushBeside, solveVelocityBeside } from './kernels/side-by-side.js';
 import {
   finishRun,
   linearise,
