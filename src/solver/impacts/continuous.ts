@@ -5,6 +5,7 @@ import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js'
 import { CONTACT_SLOP, PUSH_SHARE_STATIC, SAME_TIME } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ACCEPTED } from '../../contact/bits.js';
+import * as c from '../../contact/layout.js';
 import { cos, sin } from '../../math/trig.js';
 import type { Shape } from '../../shape/shape.js';
 import type { World } from '../../world.js';
@@ -153,6 +154,8 @@ function halt(world: World, mover: Mover, partner: Mover, pair: Arbiter): void {
   if (isDeeper) {
     slide(world, mover, partner, pair);
     stopShort(world, mover, mover.body === pair.bodyA ? pair.shapeB : pair.shapeA);
+    const bounces = pair.numbers[pair.at + c.ELASTICITY]! > 0;
+    if (bounces && partner.body.kind === STATIC) mover.settle(world);
   }
 }
 

@@ -47,7 +47,7 @@ export class Mover {
   turn = 0.5;
   /** How far it turns in the step, with whole turns, rad. */
   spin = 0.5;
-  /** Where it was at time 0, and where it is at the end of the step if nothing meets it. */
+  /** Where it was at time 0, and where it is at the end of the step if nothing meets it; after an impact, where it has its velocity. */
   startX = 0.5;
   startY = 0.5;
   startAngle = 0.5;
@@ -184,6 +184,36 @@ export class Mover {
     }
     // Another impact at the same time finds this done.
     this.stopped = true;
+    this.endX = body.x;
+    this.endY = body.y;
+  }
+
+  /**
+   * After a body that touched before was put back, and pushed out of what it got too deep into: as forces did not move it to where it is
+   * now, their work on the difference is taken from its motion along them, and from its turning. Else a box of elasticity 1 got some
+   * millimetres of height each time it turned onto its next corner within a step.
+   */
+  settle({ solver, movers }: World): void {
+    const { body } = this;
+    const slot = body.slot * d.BODY_STRIDE;
+    const gainX = solver.substeps * solver.drive[slot + d.GAIN_X]!;
+    const gainY = solver.substeps * solver.drive[slot + d.GAIN_Y]!;
+    const x = this.x + this.dx - this.endX;
+    const y = this.y + this.dy - this.endY;
+    const gain = gainX * gainX + gainY * gainY;
+    const along = gain > 0 ? (body.vx * gainX + body.vy * gainY) / gain : 0;
+    // Nothing changes if the inertia is infinite, and it turns all the same.
+    const turning = body.w === 0 ? 0 : (body.w * body.w * body.inertia) / body.mass;
+    const square = along * along * gain + turning;
+    if (square > 0) {
+      const work = (gainX * x + gainY * y) / movers.duration;
+      const change = Math.sqrt(Math.max(0, 1 + (2 * work) / square)) - 1;
+      body.vx += change * along * gainX;
+      body.vy += change * along * gainY;
+      body.w += change * body.w;
+    }
+    this.endX += x;
+    this.endY += y;
   }
 
   /** Whether nothing met the body before that time, as far as was asked; true for static and kinematic bodies. */
