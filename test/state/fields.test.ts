@@ -28,6 +28,8 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
       'tolerance',
       'errorSquare',
       'pushedSquare',
+      'pushed',
+      'isPushed',
       'touched',
       'neighbours',
       'isBeside',
