@@ -82,7 +82,7 @@ function someBodyOfFrame(data: SolverData, group: Group): number {
  */
 function keepContacts(data: SolverData): void {
   const { shocks, impulseScale } = data;
-  for (let i = 0; i < shocks.contacts.count; i += 1) {
+  for (let i = 0; i < shocks.contacts.count && impulseScale > 0; i += 1) {
     const contact = shocks.contacts.items[i]!;
     const batch = batchOf(data, contact);
     const { records: r, stride, numbers } = batch;
