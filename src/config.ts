@@ -431,10 +431,11 @@ export const STRAIN_DELAY = 8;
 export const STRAIN_STEPS = 60;
 
 /**
- * A ratio of two sub-steps. In a longer one impulses grow as if it were at most so many times as long as those that they were remembered
- * from, see `scaleImpulses` in `prepare.ts`. Without it, a world whose first steps are of 1e-12 s may be blown up by an impact in these.
+ * A ratio of two sub-steps. If a sub-step is more than so many times as long as those that the impulses were remembered from, see
+ * `scaleImpulses` in `prepare.ts`, there is no warm start: what is random in the impulses of short sub-steps does not get smaller with the
+ * load, and would be multiplied.
  */
-export const MAX_GROWTH = 64;
+export const MAX_GROWTH = 4;
 
 /**
  * Sub-steps. Where sub-steps become shorter, the impulses count as those of the longer ones before for as much time as these took in all,

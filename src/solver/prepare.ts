@@ -60,7 +60,8 @@ export function prepare(world: World, h: number): void {
  * times as long as the one before.
  */
 function scaleImpulses(data: SolverData, h: number): void {
-  data.impulseScale = Math.min(h, MAX_GROWTH * (data.span || h)) / (data.previousH || h);
+  const growth = h / (data.previousH || h);
+  data.impulseScale = h > MAX_GROWTH * (data.span || h) ? 0 : growth;
   if (h >= data.span) {
     data.spans = h > 2 * data.span ? 0 : Math.min(MOST_SPANS, data.spans + 1);
     data.span = h;

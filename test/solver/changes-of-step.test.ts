@@ -326,22 +326,3 @@ describe.each([
     expect(fastest).toBeLessThan(0.005);
   });
 });
-
-// Heaps were thrown up at 0.3 m/s: the steps of 1/60 s are forgotten by then, and impulses were dropped in steps of more than four times
-// the length.
-it.each(Object.entries(STANDS))('slow motion for 10 s ends without a jolt: %s', (_name, build) => {
-  const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
-  build(world);
-  for (let i = 0; i < 900; i += 1) {
-    world.step(1 / 60);
-  }
-  for (let i = 0; i < 4000; i += 1) {
-    world.step(1 / 400);
-  }
-  let fastest = 0;
-  for (let i = 0; i < 60; i += 1) {
-    world.step(1 / 60);
-    fastest = Math.max(fastest, ...world.liveDynamics.map(speed));
-  }
-  expect(fastest).toBeLessThan(0.005);
-});

@@ -17,13 +17,16 @@ import { ALL_HARD, BODY_STRIDE, MARK, NONE_HARD } from '../layout.js';
 
 /**
  * Marks the bodies of those contacts of a window that are hard to solve, and are to be swept over more often. All contacts are hard if many
- * of them are new and slow, if columns sway, or if a load was just taken from one of the bodies. Else those are that bear far more than
- * their bodies weigh, those that share a body with one, and those that share one with these.
+ * of them are new and slow, if columns sway, if a load was just taken from one of the bodies, or if there is no warm start. Else those are
+ * that bear far more than their bodies weigh, those that share a body with one, and those that share one with these.
  *
  * @returns the threshold of marks: a contact is hard if the mark of either body is no lower.
  */
 export function markHard(data: SolverData, count: number, stamp: number): number {
   const { window } = data;
+  if (data.impulseScale === 0) {
+    return ALL_HARD;
+  }
   let fresh = 0;
   let strained = 0;
   let rocking = 0;

@@ -16,6 +16,7 @@ import {
   JOINT_TORN,
   MAX_JOINT_SWEEPS,
   MOTOR_LAG,
+  NEW_JOINT_SWEEPS,
   SETTLE_STEPS,
   SNAP_STEPS,
   SPRING_SWEEPS,
@@ -264,14 +265,18 @@ export function correctShare(data: SolverData, { kernel, at, slot, layout }: Joi
  * Errors that longer sub-steps left make less momentum than they would have made in those: corrected in a thousandth of the time, they
  * would make a thousand times as much, and as sweeps hand errors on, nobody can tell later whose they are. With the square of the ratio,
  * nothing grows either when steps become longer again. This ends after four times as much time has passed, or sooner if errors are small;
- * those of custom joints are not known when a step begins.
+ * those of custom joints are not known when a step begins. If impulses were dropped, the group has as many sweeps as a new one.
  */
 function limitMomentum(data: SolverData, group: Group, isFirst: boolean): void {
+  const { impulseScale } = data;
   const { h } = data.joints;
-  const before = isFirst ? h / data.impulseScale : h;
+  const before = isFirst ? h / (impulseScale || 1) : h;
   const span = Math.max(h, before, group.span - h / 4);
   const calm = JOINT_CALM * h * (h / span);
   group.span = group.errorSquare > calm * calm || (isFirst && group.hasCustoms) ? span : h;
+  if (isFirst && impulseScale === 0) {
+    group.sweeps = NEW_JOINT_SWEEPS;
+  }
 }
 
 /**
