@@ -21,31 +21,37 @@ export const up = /* @__PURE__ */ new Along();
 const along = /* @__PURE__ */ new Along();
 const spot = /* @__PURE__ */ new Spot();
 
-/** Finds the separation of a shape from a ground along `along`, which points out of the ground. */
-function measureFrom(ground: Polygon, shape: Shape): void {
-  along.dx = shape.owner!.x - ground.owner!.x;
-  along.dy = shape.owner!.y - ground.owner!.y;
-  separationAlong(ground, shape, along);
+/** Whether a shape is no deeper in a ground along a direction than half of the ground. */
+export function isInReach(shape: Shape, ground: Polygon, direction: Along): boolean {
+  measureFrom(ground, shape, direction);
+  return direction.found > -halfWidthOf(ground);
 }
 
-/** Whether a shape is no deeper in a ground along `along` than half of the ground. */
-function isInReach(shape: Shape, ground: Polygon): boolean {
-  measureFrom(ground, shape);
-  return along.found > -halfWidthOf(ground);
+/** Finds the separation of a shape from a ground along a direction that points out of the ground. */
+function measureFrom(ground: Polygon, shape: Shape, direction: Along): void {
+  direction.dx = shape.owner!.x - ground.owner!.x;
+  direction.dy = shape.owner!.y - ground.owner!.y;
+  separationAlong(ground, shape, direction);
+}
+
+/** How deep below a face a shape that lies on it may be, m. */
+function lyingDepth(shape: Shape): number {
+  return Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
 }
 
 /**
- * Finds in `up` the normal of the face of a ground below which a shape reaches least: no deeper than half the ground. If the ground has
- * none that is open, as what lies below the surface: a face of those around that the shape lies on, that the normal of the contact does not
- * turn away from, and above which this ground does not reach far. So an underside above the shape is no such face.
+ * Finds in `up` the normal of the face of a ground below which a shape reaches least: no deeper than half the ground, or where they are
+ * apart than what lies on it. If the ground has none that is open, as what lies below the surface: a face of those around that the shape
+ * lies on, that the normal of the contact does not turn away from, and above which this ground does not reach far. So an underside above
+ * the shape is no such face.
  */
-export function findOpenFace(shape: Shape, ground: Polygon, normal: FreeDirections): boolean {
-  up.found = -halfWidthOf(ground);
+export function findOpenFace(shape: Shape, ground: Polygon, normal: FreeDirections, areApart: boolean): boolean {
+  const lying = lyingDepth(shape);
+  up.found = -(areApart ? lying : halfWidthOf(ground));
   if (findFaceOf(shape, ground, ground, normal, -1)) {
     return true;
   }
-  // How deep a shape that lies on a face may be below it.
-  up.found = -Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
+  up.found = -lying;
   let isFound = false;
   for (let i = 0; i < around.count; i += 1) {
     const other = around.items[i]!;
@@ -67,14 +73,14 @@ function findFaceOf(shape: Shape, ground: Polygon, carrier: Polygon, normal: Fre
   for (let k = at + EDGES; k < end; k += EDGE_STRIDE) {
     along.x = edges[k + EDGE_NX]!;
     along.y = edges[k + EDGE_NY]!;
-    measureFrom(ground, shape);
+    measureFrom(ground, shape, along);
     const { found } = along;
     const looks = normal.x * edges[k + EDGE_NX]! + normal.y * edges[k + EDGE_NY]!;
     if (
       looks >= least &&
       found > up.found &&
       found < SPECULATIVE_MARGIN &&
-      isInReach(shape, carrier) &&
+      isInReach(shape, carrier, along) &&
       isOpen(shape, ground, k)
     ) {
       up.found = found;

@@ -24,7 +24,7 @@ import {
   moveAlike,
   Spot,
 } from './grounds.js';
-import { findOpenFace, up } from './open-faces.js';
+import { findOpenFace, isInReach, up } from './open-faces.js';
 
 // What slides over a floor of tiles must not catch on the seams ("ghost collisions" at internal edges). The side of the next tile may be
 // the nearest way out of it, but it is no surface of the floor. So a contact that others hide is turned to a direction in which the surface
@@ -132,7 +132,11 @@ function isHidden(world: World, pair: Arbiter): boolean {
     addNearby(world, pair);
     found = judge(pair, ground);
   }
-  const isCarried = found === WRONG || (found === BURIED && findOpenFace(dynamicOf(pair), ground, free));
+  const shape = dynamicOf(pair);
+  const isCarried =
+    found === WRONG
+      ? isInReach(shape, ground, up)
+      : found === BURIED && findOpenFace(shape, ground, free, leastSeparation[0]! > 0);
   return isCarried && !carriesUp(pair);
 }
 
