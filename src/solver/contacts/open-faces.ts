@@ -34,11 +34,6 @@ function measureFrom(ground: Polygon, shape: Shape, direction: Along): void {
   separationAlong(ground, shape, direction);
 }
 
-/** How deep below a face a shape that lies on it may be, m. */
-function lyingDepth(shape: Shape): number {
-  return Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
-}
-
 /**
  * Finds in `up` the normal of the face of a ground below which a shape reaches least: no deeper than half the ground, or where they are
  * apart than what lies on it. If the ground has none that is open, as what lies below the surface: a face of those around that the shape
@@ -46,7 +41,8 @@ function lyingDepth(shape: Shape): number {
  * the shape is no such face.
  */
 export function findOpenFace(shape: Shape, ground: Polygon, normal: FreeDirections, areApart: boolean): boolean {
-  const lying = lyingDepth(shape);
+  // How deep a shape that lies on a face may be below it.
+  const lying = Math.min(IMPACT_DEPTH, halfWidthOf(shape) / 2);
   up.found = -(areApart ? lying : halfWidthOf(ground));
   if (findFaceOf(shape, ground, ground, normal, -1)) {
     return true;

@@ -33,10 +33,9 @@ export function pushBeside(data: SolverData, first: Group, second: Group, before
   if (before === 0) {
     worst[0] = 0;
     worst[1] = 0;
-    pushPoints(data, first.start, second.end, false);
+    found = pushPoints(data, first.start, second.end, false);
     first.pushedSquare = worst[0];
     second.pushedSquare = worst[1];
-    found = (worst[0] === 0 ? 0 : FIRST) + (worst[1] === 0 ? 0 : SECOND);
     sweep = 1;
   }
   const areAlike = areInStep(first, second) && isLinear(first) && isLinear(second);
@@ -44,7 +43,7 @@ export function pushBeside(data: SolverData, first: Group, second: Group, before
     found = pushPointsLinearly(data, startOf(first), endOf(second), false);
   }
   first.pushed = sweep;
-  second.pushed = areAlike ? sweep : Math.min(sweep, 1);
+  second.pushed = areAlike ? sweep : 1;
   first.isPushed = (found & FIRST) === 0;
   second.isPushed = (found & SECOND) === 0;
 }
@@ -55,9 +54,9 @@ function isLinear({ pushedSquare, isFirm, settling, touched }: Group): boolean {
 }
 
 function startOf({ start, from }: Group): number {
-  return start > from ? start : from;
+  return Math.max(start, from);
 }
 
 function endOf({ end, to }: Group): number {
-  return end < to ? end : to;
+  return Math.min(end, to);
 }
