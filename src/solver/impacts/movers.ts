@@ -198,22 +198,23 @@ export class Mover {
     const slot = body.slot * d.BODY_STRIDE;
     const gainX = solver.substeps * solver.drive[slot + d.GAIN_X]!;
     const gainY = solver.substeps * solver.drive[slot + d.GAIN_Y]!;
-    const x = this.x + this.dx - this.endX;
-    const y = this.y + this.dy - this.endY;
+    const endX = this.x + this.dx;
+    const endY = this.y + this.dy;
     const gain = gainX * gainX + gainY * gainY;
-    const along = gain > 0 ? (body.vx * gainX + body.vy * gainY) / gain : 0;
+    const along = (body.vx * gainX + body.vy * gainY) / gain;
     // Nothing changes if the inertia is infinite, and it turns all the same.
     const turning = body.w === 0 ? 0 : (body.w * body.w * body.inertia) / body.mass;
     const square = along * along * gain + turning;
+    // Not without forces, where it is not a number.
     if (square > 0) {
-      const work = (gainX * x + gainY * y) / movers.duration;
+      const work = (gainX * (endX - this.endX) + gainY * (endY - this.endY)) / movers.duration;
       const change = Math.sqrt(Math.max(0, 1 + (2 * work) / square)) - 1;
       body.vx += change * along * gainX;
       body.vy += change * along * gainY;
       body.w += change * body.w;
     }
-    this.endX += x;
-    this.endY += y;
+    this.endX = endX;
+    this.endY = endY;
   }
 
   /** Whether nothing met the body before that time, as far as was asked; true for static and kinematic bodies. */
