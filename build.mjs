@@ -71,9 +71,9 @@ function buildEsm(name, minify, mangleCache = {}) {
   });
 }
 
-/** Takes another 3 % off a minified bundle. */
+/** Takes another 3 % off a minified bundle. Constants stay on their side of comparisons: 0.3 kB more of it look alike to gzip. */
 function squeeze(name) {
-  return rewrite(`${name}.min.js`, {});
+  return rewrite(`${name}.min.js`, { compress: { lhs_constants: false } });
 }
 
 /**

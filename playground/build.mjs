@@ -30,8 +30,11 @@ if (isServed) {
   console.log(`The playground is at http://${hosts[0]}:${port}/`);
 } else {
   await build(options);
-  // Takes another 4 % off.
+  // Takes another 4 % off. Constants stay on their side of comparisons, as in the root's build.mjs.
   const file = join(outdir, 'main.js');
-  const { code } = await minify(readFileSync(file, 'utf8'), { ecma: 2020, compress: { passes: 2 } });
+  const { code } = await minify(readFileSync(file, 'utf8'), {
+    ecma: 2020,
+    compress: { passes: 2, lhs_constants: false },
+  });
   writeFileSync(file, code);
 }
