@@ -199,8 +199,9 @@ export class Group {
   errorSquare = 0;
   /** The square of the largest error that the last exact position sweep found. */
   pushedSquare = 0;
-  /** Of two groups side by side: how many position sweeps have been done over both at once, and whether the last found no error of this one. */
+  /** For one of two side by side: how many position sweeps have been done over both at once. */
   pushed = 0;
+  /** The last of these found no error of this one. */
   isPushed = false;
   /** Its joints are solved to their end in this sub-step. */
   isFirm = false;
@@ -283,6 +284,12 @@ export class JointData {
   /** How many numbers all records have together, and how many members all joints. */
   size = 0;
   members = 0;
+}
+
+/** Before a sweep, or a sub-step. */
+export function clearWorst({ worst }: JointData): void {
+  worst[0] = 0;
+  worst[1] = 0;
 }
 
 /** Starts a new list. */

@@ -28,7 +28,7 @@ import { findCompanies, findGuests } from './energy/company.js';
 import { noteEnergy, takeExcesses } from './energy/energy.js';
 import { beginSprings, enterSprings, noteVelocities } from './energy/springs.js';
 import { turnStress } from './energy/stress.js';
-import { fetchAll, fetchNumbers, type Group, type Joint, resetJoints } from './joint-data.js';
+import { clearWorst, fetchAll, fetchNumbers, type Group, type Joint, resetJoints } from './joint-data.js';
 import { CUSTOM, POINT, PUSH } from './joint-layout.js';
 import { listBodies, steady } from './joint-numbers.js';
 import { lineariseBlock, pushBlock, solveVelocityBlock } from './kernels/blocks.js';
@@ -157,7 +157,7 @@ function warmStartJoints(data: SolverData, isFirst: boolean): void {
     if (beside === null) {
       warmStartGroup(data, group, isFirst);
     } else {
-      clearWorst(data);
+      clearWorst(data.joints);
       warmStartPoints(data, group.start, beside.end);
       group.errorSquare = worst[0]!;
       beside.errorSquare = worst[1]!;
@@ -183,17 +183,12 @@ function spreadShifts(data: SolverData): void {
   if (substepsLeft === 1) shifted.length = 0;
 }
 
-function clearWorst({ joints: { worst } }: SolverData): void {
-  worst[0] = 0;
-  worst[1] = 0;
-}
-
 function warmStartGroup(data: SolverData, group: Group, isFirst: boolean): void {
   const { worst, asked } = data.joints;
   beginGroup(data, group);
   group.errorSquare = 0;
   for (let n = 0; n < group.runs.length; n += 1) {
-    clearWorst(data);
+    clearWorst(data.joints);
     warmStartRun(data, group.runs[n]!, isFirst);
     const error = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
     group.runs[n]!.isOff = error > asked[0]!;
@@ -350,7 +345,7 @@ function pushOnce(data: SolverData, group: Group, sweep: number, isLinear: boole
     const isLarge = group.pushedSquare > JOINT_FAR * JOINT_FAR;
     return sweepOver(data, group, sweep, false, isLarge ? pushTurnedRun : pushRunLinearly);
   }
-  clearWorst(data);
+  clearWorst(data.joints);
   const isOff = sweepOver(data, group, sweep, sweep === 0, pushRun);
   group.pushedSquare = worst[0]! > worst[1]! ? worst[0]! : worst[1]!;
   return isOff;

@@ -1,6 +1,6 @@
 import { JOINT_FAR } from '../../../config-joints.js';
 import type { SolverData } from '../../data.js';
-import type { Group } from '../joint-data.js';
+import { clearWorst, type Group } from '../joint-data.js';
 import { pushPoints, pushPointsLinearly, solveVelocityPoints } from './points.js';
 
 // Sweeps over two groups that lie side by side, over both at once for as long as both ask for the same ones.
@@ -31,11 +31,10 @@ export function pushBeside(data: SolverData, first: Group, second: Group, before
   let sweep = before;
   let found = FIRST + SECOND;
   if (before === 0) {
-    worst[0] = 0;
-    worst[1] = 0;
+    clearWorst(data.joints);
     found = pushPoints(data, first.start, second.end, false);
-    first.pushedSquare = worst[0];
-    second.pushedSquare = worst[1];
+    first.pushedSquare = worst[0]!;
+    second.pushedSquare = worst[1]!;
     sweep = 1;
   }
   const areAlike = areInStep(first, second) && isLinear(first) && isLinear(second);
