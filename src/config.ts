@@ -101,6 +101,9 @@ export const SQUEEZE_LEVERAGE = 20;
 /** m. Longest correction of one position iteration. It keeps what overlaps deeply from being thrown apart. */
 export const MAX_PUSH = 0.2;
 
+/** m. Bodies of several shapes that overlap by more may be held in each other by their own contacts, see `wedged.ts`. */
+export const WEDGED_DEPTH = 0.02;
+
 /**
  * m. MAX_PUSH between bodies that may be hooked into each other, see PUSH_SHARE_HOOKED. There one shape or link is pushed to and another
  * fro, and the heap around them would shake for ever: with 5 mm one heap of dumbbells in twenty does, with 1 mm heaps of chains do. It

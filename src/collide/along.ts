@@ -3,7 +3,8 @@ import type { Shape } from '../shape/shape.js';
 import { POLYGON } from '../shape/shape-kind.js';
 import { setPoint } from './circles.js';
 import * as g from './layout.js';
-import { collidePolygonsAlong, endOfEdges } from './polygons.js';
+import { works } from './polygon-works.js';
+import { endOfEdges } from './polygons.js';
 
 /** A question about shapes along a unit vector, and the answer. An object, as numbers passed from function to function would be boxed. */
 export class Along {
@@ -55,7 +56,7 @@ export function roundness(shape: Shape, separation: number): number {
 /** Collides two placed shapes along a known direction: the normal in the record, a unit vector from A to B. */
 export function collideAlong(a: Shape, b: Shape, n: Float64Array, o: number): void {
   if (a.kind === POLYGON && b.kind === POLYGON) {
-    collidePolygonsAlong(a, b, n, o);
+    works!.collidePolygonsAlong(a, b, n, o);
     return;
   }
   const nx = n[o + g.NX]!;

@@ -14,6 +14,7 @@ export interface PolygonWorks {
   readonly collideCirclePolygon: Kernel<Circle, Polygon>;
   readonly collidePolygonCircle: Kernel<Polygon, Circle>;
   readonly collidePolygons: Kernel<Polygon, Polygon>;
+  readonly collidePolygonsAlong: (a: Polygon, b: Polygon, n: Float64Array, o: number) => void;
   readonly polygonsIntersect: (a: Polygon, b: Polygon, n: Float64Array, o: number) => boolean;
   readonly findCorner: (round: Round, shape: Polygon, x: number, y: number) => boolean;
   readonly polygonContains: (shape: Polygon, point: Float64Array, tolerance: number) => boolean;

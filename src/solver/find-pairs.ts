@@ -14,6 +14,7 @@ import type { List } from '../math/list.js';
 import type { Shape } from '../shape/shape.js';
 import type { World } from '../world.js';
 import { noteGround } from './contacts/seams.js';
+import { noteDeep, partWedged } from './contacts/wedged.js';
 import { goesFar } from './impacts/movers.js';
 import { passes } from './impacts/passing.js';
 import { areApart, canGiveWay, canInteract, mayInteract } from './interaction.js';
@@ -54,6 +55,8 @@ export function findPairs(world: World, dt: number): void {
   pairs.sorted.count = renewAll(world, pairs.sorted, dt);
   works?.smoothSeams(world);
   world.straddling.clear();
+  partWedged(world);
+  world.deep.clear();
   wakeHit(world);
 }
 
@@ -160,7 +163,8 @@ function interact(world: World, pair: Arbiter): void {
   if (b.asleep && b.kind === DYNAMIC) {
     world.toWake.add(b);
   }
-  noteGround(world, pair);
+  if (a.kind === DYNAMIC && b.kind === DYNAMIC) noteDeep(world, pair);
+  else noteGround(world, pair);
   if (begins && world.events.isHitHeard(pair)) {
     noteApproach(pair);
     world.events.hit(pair, IN_STEP);

@@ -14,6 +14,7 @@ export function letGo(world: World): void {
   world.stale.release();
   world.toWake.release();
   world.straddling.release();
+  world.deep.release();
   world.pairs.release();
   world.movers.release();
   releaseImpacts();

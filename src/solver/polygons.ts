@@ -1,7 +1,7 @@
 import { collideCirclePolygon, collidePolygonCircle } from '../collide/circles.js';
 import { polygonContains } from '../collide/contains.js';
 import type { PolygonWorks } from '../collide/polygon-works.js';
-import { collidePolygons, polygonsIntersect } from '../collide/polygons.js';
+import { collidePolygons, collidePolygonsAlong, polygonsIntersect } from '../collide/polygons.js';
 import { rayPolygon } from '../collide/rays.js';
 import { findCorner } from '../collide/round.js';
 import { hasEdge } from '../contact/at-end.js';
@@ -20,6 +20,7 @@ export const polygonWorks: PolygonWorks = {
   collideCirclePolygon,
   collidePolygonCircle,
   collidePolygons,
+  collidePolygonsAlong,
   polygonsIntersect,
   findCorner,
   rayPolygon,
