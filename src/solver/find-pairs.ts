@@ -163,8 +163,8 @@ function interact(world: World, pair: Arbiter): void {
   if (b.asleep && b.kind === DYNAMIC) {
     world.toWake.add(b);
   }
-  if (a.kind === DYNAMIC && b.kind === DYNAMIC) noteDeep(world, pair);
-  else noteGround(world, pair);
+  noteDeep(world, pair);
+  noteGround(world, pair);
   if (begins && world.events.isHitHeard(pair)) {
     noteApproach(pair);
     world.events.hit(pair, IN_STEP);

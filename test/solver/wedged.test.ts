@@ -60,6 +60,26 @@ describe('two bodies that were created in each other', () => {
   });
 });
 
+it('bodies that were created in a static one mostly get out of it within 2 s', () => {
+  const random = generator(6);
+  const within = (most: number) => most * (2 * random() - 1);
+  let stuck = 0;
+  for (const one of Object.keys(kinds)) {
+    for (const two of Object.keys(kinds)) {
+      for (let i = 0; i < 10; i += 1) {
+        const world = weightless();
+        add(world, make(one, { type: 'static', rotation: within(Math.PI) }));
+        add(world, make(two, { position: [within(0.8), within(0.8)], rotation: within(Math.PI) }));
+        steps(world, 120);
+        const deep = world.staticArbiters.some((pair) => pair.contacts.some((it) => it.getPenetration() > 0.02));
+        stuck += deep ? 1 : 0;
+      }
+    }
+  }
+  // Of 360. It was 58.
+  expect(stuck).toBeLessThan(30);
+});
+
 it('gears that fall onto each other at up to 57 m/s are not left in each other', () => {
   // Of these 200, 10 were.
   const random = generator(2);

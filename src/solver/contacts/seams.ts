@@ -25,6 +25,7 @@ import {
   Spot,
 } from './grounds.js';
 import { findOpenFace, isInReach, up } from './open-faces.js';
+import { noteDeep } from './wedged.js';
 
 // What slides over a floor of tiles must not catch on the seams ("ghost collisions" at internal edges). The side of the next tile may be
 // the nearest way out of it, but it is no surface of the floor. So a contact that others hide is turned to a direction in which the surface
@@ -60,7 +61,10 @@ export function smoothSeams(world: World): void {
     const { grounds } = straddling.items[i]!;
     listGrounds(grounds);
     for (let pair = grounds; pair !== null; pair = pair.next) {
-      if (isHidden(world, pair)) smooth(pair);
+      if (isHidden(world, pair)) {
+        smooth(pair);
+        if (pair.isSolid()) noteDeep(world, pair);
+      }
     }
   }
 }

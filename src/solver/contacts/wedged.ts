@@ -1,4 +1,5 @@
 import type { RigidBody } from '../../body.js';
+import { DYNAMIC } from '../../body-kind.js';
 import { Along, separationAlong } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
@@ -100,24 +101,30 @@ export function noteDeep(world: World, pair: Arbiter): void {
 
 /** Turns those contacts of the bodies of deep ones that hold these in each other. */
 export function partWedged({ deep }: World): void {
+  if (deep.count === 0) {
+    return;
+  }
+  const seen = new Set<Arbiter>();
   for (let i = 0; i < deep.count; i += 1) {
-    const { bodyA: a, bodyB: b } = deep.items[i]!;
-    const pushes = pushesOn(b, a);
-    // At the first of the deep ones. It stays that: what is turned gets no less deep.
-    const first = pushes.find(({ depth }) => depth > WEDGED_DEPTH);
-    if (first!.pair === deep.items[i] && areWedged(pushes)) {
-      const way = findWayOut(pushes, a, b);
-      for (const push of pushes) {
-        if (push.blocks(way)) push.turn(way);
+    const pair = deep.items[i]!;
+    if (!seen.has(pair)) {
+      const [a, b] = pair.bodyB.kind === DYNAMIC ? [pair.bodyA, pair.bodyB] : [pair.bodyB, pair.bodyA];
+      const pushes = pushesOn(b, a);
+      for (const push of pushes) seen.add(push.pair);
+      if (areWedged(pushes)) {
+        const way = findWayOut(pushes, a, b);
+        for (const push of pushes) {
+          if (push.blocks(way)) push.turn(way);
+        }
       }
     }
   }
 }
 
 function pushesOn(b: RigidBody, a: RigidBody): Push[] {
-  return a.shapes
+  return b.shapes
     .flatMap(({ arbiters }) => arbiters)
-    .filter((pair) => pair.isSolid() && (pair.bodyA === b || pair.bodyB === b))
+    .filter((pair) => pair.isSolid() && (pair.bodyA === a || pair.bodyB === a))
     .map((pair) => new Push(pair, pair.bodyA === a ? 1 : -1));
 }
 
@@ -128,7 +135,7 @@ function areWedged(pushes: readonly Push[]): boolean {
 
 /** The direction in which b gets out of a the soonest: across an edge of one of the shapes; for circles, along or across a push. */
 function findWayOut(pushes: readonly Push[], a: RigidBody, b: RigidBody): Vec2 {
-  const there = directionOf(b.x - a.x, b.y - a.y);
+  const there: Vec2 = directionOf(b.x - a.x, b.y - a.y);
   const onwards = directionOf(b.lastDx - a.lastDx, b.lastDy - a.lastDy);
   let best: Vec2 = there;
   let least = Infinity;
