@@ -232,3 +232,39 @@ describe('a chain that a cannon ball hits', () => {
     expect(most).toBeLessThan(0.3);
   });
 });
+
+// What a bridge lost as it took up a fall comes back. Counted as energy that joints made, it was taken from who fell: they left with 0.47
+// times their speed in the mean. With sub-steps of 1/3840 s it is 0.76.
+it('two balls on a rod that fall onto a rope bridge rebound', () => {
+  let sum = 0;
+  for (let seed = 1; seed <= 24; seed += 1) {
+    const next = generator(seed);
+    const world = heavy({ gravity: [0, 10] });
+    const frame = anchor(world);
+    let last = frame;
+    for (let i = 0; i < 12; i += 1) {
+      const plank = free({ position: [0.5 * i - 2.75, 0], shapes: [box(0.5, 0.1)] });
+      add(world, plank);
+      pinAt(world, last, plank, [0.5 * i - 3, 0]);
+      last = plank;
+    }
+    pinAt(world, last, frame, [3, 0]);
+    steps(world, 120);
+    const material = phys2D.createMaterial({ density: 1 + 4 * next() });
+    const x = 3 * (next() - 0.5);
+    const fall = 4 + 4 * next();
+    const [one, two] = [0, 0.5].map((offset) =>
+      free({ position: [x + offset, -2], velocity: [0, fall], shapes: [disc(0.25, { material })] }),
+    ) as [RigidBody, RigidBody];
+    add(world, one, two);
+    pinAt(world, one, two, [x + 0.25, -2]);
+    let rebound = 0;
+    for (let i = 0; i < 120; i += 1) {
+      steps(world, 1);
+      rebound = Math.max(rebound, -one.getVelocity()[1]);
+    }
+    sum += rebound / fall;
+  }
+  console.log(`two balls rebound from a rope bridge with ${(sum / 24).toFixed(2)} times their speed`);
+  expect(sum / 24).toBeGreaterThan(0.54);
+});
