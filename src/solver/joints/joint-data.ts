@@ -52,7 +52,7 @@ export interface Joint {
   readonly twins: readonly (readonly [number, number])[];
   /** Until one of the joints is changed: it drives its bodies, … */
   drives: boolean;
-  /** … as in a run. */
+  /** … and its impulse turns with its bodies where these may be stressed, see `energy/stress.ts`. */
   turns: boolean;
 }
 
@@ -66,11 +66,6 @@ export interface Run {
   end: number;
   /** At the start of the sub-step, some error was larger than the one from which on joints are off. */
   isOff: boolean;
-  /**
-   * Until a joint is changed: the impulse of one turns with its bodies where these may be stressed, see `energy/stress.ts`. Points all do,
-   * and are not told here.
-   */
-  turns: boolean;
 }
 
 /**

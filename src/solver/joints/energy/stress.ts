@@ -29,8 +29,10 @@ export function lookAtStress(data: SolverData, group: Group): void {
   let onlyWelds = true;
   let anchors = 0;
   for (let k = group.start; k < group.end; k += 1) {
-    const { constraint, first, layout } = joints[k]!;
+    const joint = joints[k]!;
+    const { constraint, first, layout } = joint;
     const isWeld = constraint.type === 'WELD';
+    joint.turns = isRigid(constraint) && isFixed(constraint);
     if (isRigid(constraint)) {
       rows += heldRows(constraint);
       hasWelds ||= isWeld;
@@ -51,14 +53,6 @@ export function lookAtStress(data: SolverData, group: Group): void {
   group.isIndeterminate = rows > most || hasOverheldPair(data, group);
   group.isMixed = group.isIndeterminate && group.runs.some(({ kernel }) => kernel !== group.runs[0]!.kernel);
   group.isOverheld = group.isIndeterminate || (rows === most && !hasWelds);
-  for (const run of group.runs) {
-    run.turns = false;
-    for (let k = run.start; k < run.end; k += 1) {
-      const { constraint } = joints[k]!;
-      joints[k]!.turns = run.kernel !== POINT && isFixed(constraint) && isRigid(constraint);
-      run.turns ||= joints[k]!.turns;
-    }
-  }
 }
 
 function hasOverheldPair({ joints: { joints } }: SolverData, { start, end }: Group): boolean {
@@ -109,9 +103,9 @@ export function turnStress(data: SolverData, group: Group): void {
   }
   const { joints } = data.joints;
   for (let i = 0; i < group.runs.length; i += 1) {
-    const { kernel, turns, start, end } = group.runs[i]!;
+    const { kernel, start, end } = group.runs[i]!;
     if (kernel === POINT) turnPoints(data, start, end);
-    for (let k = start; k < end && turns; k += 1) {
+    for (let k = start; k < end && kernel !== POINT; k += 1) {
       if (joints[k]!.turns) turnImpulse(data, joints[k]!);
     }
   }

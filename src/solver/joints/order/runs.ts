@@ -40,7 +40,7 @@ export function addJoint(
   if (run !== undefined && run.kernel === kernel && run.end - run.start < WINDOW) {
     run.end += 1;
   } else {
-    const added = { kernel, start: joints.length, end: joints.length + 1, isOff: false, turns: false };
+    const added = { kernel, start: joints.length, end: joints.length + 1, isOff: false };
     group.runs.push(added);
     data.runs.push(added);
   }
