@@ -441,8 +441,8 @@ export const STRAIN_STEPS = 60;
 export const MAX_GROWTH = 4;
 
 /**
- * Sub-steps. Where sub-steps become shorter, the impulses count as those of the longer ones before for as much time as these took in all,
- * but of at most so many. After that it is slow motion.
+ * Steps. Where steps become shorter, the impulses count as those of the longer ones before for as much time as these took in all, but of at
+ * most so many. After that it is slow motion.
  */
 export const MOST_SPANS = 120;
 

@@ -1,3 +1,5 @@
+import { MIN_INVERSE_MASS } from '../config.js';
+
 /**
  * Symmetric systems of equations K x = r, by K = L·D·Lᵀ in place: after `factor` the diagonal holds D⁻¹, and the lower triangle L. K may be
  * singular: an unknown whose pivot is (nearly) zero depends on those before it, or has no effect at all, and gets 0.
@@ -6,8 +8,8 @@
 /** A pivot below this share of its diagonal element is rounding noise. */
 export const DEPENDENT = 1e-10;
 
-/** Factors the n × n matrix at `k[at]`, of which only the lower triangle is read. Diagonal elements up to `least` count as 0. */
-export function factor(k: Float64Array, at: number, n: number, least: number): void {
+/** Factors the n × n matrix at `k[at]`, of which only the lower triangle is read. */
+export function factor(k: Float64Array, at: number, n: number): void {
   for (let i = 0; i < n; i += 1) {
     const row = at + i * n;
     const diagonal = k[row + i]!;
@@ -26,7 +28,7 @@ export function factor(k: Float64Array, at: number, n: number, least: number): v
       k[row + c] = l;
       pivot -= l * u;
     }
-    k[row + i] = pivot > least && pivot > DEPENDENT * diagonal && pivot < Infinity ? 1 / pivot : 0;
+    k[row + i] = pivot > MIN_INVERSE_MASS && pivot > DEPENDENT * diagonal && pivot < Infinity ? 1 / pivot : 0;
   }
 }
 

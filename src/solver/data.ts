@@ -298,7 +298,7 @@ export class SolverData {
   /** s. Length of the sub-steps of the last step; and of those that impulses are remembered from, the longest of late. */
   previousH = 0;
   span = 0;
-  /** How many sub-steps of that length there were in a row: for so long they are remembered. */
+  /** How many steps of such sub-steps there were in a row: for as long as these took they are remembered. */
   spans = 0;
   /**
    * Share of the impulse with which a contact or joint started a step that it also starts the next one with: 0, except in sub-steps that

@@ -42,7 +42,7 @@ export function writeMatrix(data: SolverData, joint: Joint, jacobian: number): v
       r[at + matrix + n * rows + m] = sum;
     }
   }
-  factor(r, at + matrix, rows, MIN_INVERSE_MASS);
+  factor(r, at + matrix, rows);
 }
 
 /** The same for two bodies and at most three rows, straight-line. */
