@@ -168,7 +168,7 @@ export function plainObjects(
   world: World,
   userData: UserData,
 ): Pick<PlainWorld, 'materials' | 'bodies' | 'constraints'> {
-  const bodies = [...new Set([...world.rigidBodies, ...world.constraints.flatMap(membersOf)])];
+  const bodies = [...new Set([...world.rigidBodies, ...world.constraints.flatMap(({ members }) => members)])];
   const shapes = bodies.flatMap((body) => body.shapes);
   const materials = [...new Set(shapes.map((shape) => shape.getMaterial()))];
   const materialNumbers = numbered(materials);
@@ -193,15 +193,6 @@ export function plainObjects(
 
 function numbered<T>(list: readonly T[]): Map<T, number> {
   return new Map(list.map((item, i) => [item, i]));
-}
-
-/** The bodies of a constraint, in their order. */
-export function membersOf(constraint: Constraint): readonly RigidBody[] {
-  if (constraint.type === 'CUSTOM') {
-    return constraint.bodies;
-  }
-  const { bodyA, bodyB } = constraint;
-  return constraint.type === 'PULLEY' ? [bodyA, bodyB, constraint.bodyC, constraint.bodyD] : [bodyA, bodyB];
 }
 
 type UserData = (value: unknown) => unknown;
@@ -246,7 +237,7 @@ function plainConstraint(
   const result: PlainConstraint = {
     order: constraint.order,
     type: constraint.type,
-    bodies: membersOf(constraint).map((body) => bodies.get(body)!),
+    bodies: constraint.members.map((body) => bodies.get(body)!),
     userData: userData(constraint.userData),
   };
   if ('getAnchorA' in constraint) {
