@@ -78,12 +78,21 @@ export function set(record: usize, offset: i32, value: f64): void {
 }
 
 /** The first lanes, and the second ones, of two vectors. */
-export function first(x: v128, y: v128): v128 {
+function first(x: v128, y: v128): v128 {
   return v128.shuffle<f64>(x, y, 0, 2);
 }
 
-export function second(x: v128, y: v128): v128 {
+function second(x: v128, y: v128): v128 {
   return v128.shuffle<f64>(x, y, 1, 3);
+}
+
+/** One number of two bodies, and the one after it: where both are asked for, each body is loaded once. */
+export function firstOf(one: usize, other: usize, offset: i32): v128 {
+  return first(at(one, offset), at(other, offset));
+}
+
+export function secondOf(one: usize, other: usize, offset: i32): v128 {
+  return second(at(one, offset), at(other, offset));
 }
 
 /** One number of two bodies. */

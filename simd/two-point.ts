@@ -2,7 +2,7 @@
 import { CALM_ACCELERATION } from '../src/config';
 import * as d from '../src/solver/layout';
 import * as n from './lanes';
-import { at, Bodies, first, lanesOf, maskOf, number, OFFSETS, pick, put, second, two } from './lanes';
+import { at, Bodies, firstOf, lanesOf, maskOf, number, OFFSETS, pick, put, secondOf, two } from './lanes';
 
 /** Bytes of two records. */
 const RECORDS: usize = 16 * d.TWO_STRIDE;
@@ -26,22 +26,14 @@ export function warmStartTwo(records: usize, bodies: usize, velocity: usize, mot
     const rnB2 = at(r, d.RN_B2);
     const rtA = at(r, d.RT_A);
     const rtB = at(r, d.RT_B);
-    let x = at(motion + a1, d.DX);
-    let y = at(motion + a2, d.DX);
-    const dax = first(x, y);
-    const day = second(x, y);
-    x = at(motion + b1, d.DX);
-    y = at(motion + b2, d.DX);
-    const dx = f64x2.sub(first(x, y), dax);
-    const dy = f64x2.sub(second(x, y), day);
-    x = at(velocity + a1, d.COS_LESS_ONE);
-    y = at(velocity + a2, d.COS_LESS_ONE);
-    const cosA = first(x, y);
-    const sinA = second(x, y);
-    x = at(velocity + b1, d.COS_LESS_ONE);
-    y = at(velocity + b2, d.COS_LESS_ONE);
-    const cosB = first(x, y);
-    const sinB = second(x, y);
+    const dax = firstOf(motion + a1, motion + a2, d.DX);
+    const day = secondOf(motion + a1, motion + a2, d.DX);
+    const dx = f64x2.sub(firstOf(motion + b1, motion + b2, d.DX), dax);
+    const dy = f64x2.sub(secondOf(motion + b1, motion + b2, d.DX), day);
+    const cosA = firstOf(velocity + a1, velocity + a2, d.COS_LESS_ONE);
+    const sinA = secondOf(velocity + a1, velocity + a2, d.COS_LESS_ONE);
+    const cosB = firstOf(velocity + b1, velocity + b2, d.COS_LESS_ONE);
+    const sinB = secondOf(velocity + b1, velocity + b2, d.COS_LESS_ONE);
     const moved = f64x2.sub(
       f64x2.add(f64x2.add(f64x2.mul(nx, dx), f64x2.mul(ny, dy)), f64x2.mul(cosB, rtB)),
       f64x2.mul(cosA, rtA),
@@ -110,22 +102,14 @@ export function solveVelocityTwo(records: usize, bodies: usize, velocity: usize,
     const a2 = velocity + (bodiesOfSecond << 3);
     const b2 = velocity + (load<i32>(pair, 12) << 3);
     for (let lanes = lanesOf(bodiesOfSecond, k, from, to); lanes !== 0; lanes >>= 2) {
-      let x = at(a1, d.VX);
-      let y = at(a2, d.VX);
-      const vax = first(x, y);
-      const vay = second(x, y);
-      x = at(b1, d.VX);
-      y = at(b2, d.VX);
-      const vbx = first(x, y);
-      const vby = second(x, y);
-      x = at(a1, d.W);
-      y = at(a2, d.W);
-      let wA = first(x, y);
-      const mA = second(x, y);
-      x = at(b1, d.W);
-      y = at(b2, d.W);
-      let wB = first(x, y);
-      const mB = second(x, y);
+      const vax = firstOf(a1, a2, d.VX);
+      const vay = secondOf(a1, a2, d.VX);
+      const vbx = firstOf(b1, b2, d.VX);
+      const vby = secondOf(b1, b2, d.VX);
+      let wA = firstOf(a1, a2, d.W);
+      const mA = secondOf(a1, a2, d.W);
+      let wB = firstOf(b1, b2, d.W);
+      const mB = secondOf(b1, b2, d.W);
       const nx = at(r, d.NX);
       const ny = at(r, d.NY);
       const dvx = f64x2.sub(vbx, vax);
@@ -227,22 +211,14 @@ export function solvePositionTwo(records: usize, bodies: usize, motion: usize, f
     const a2 = motion + (bodiesOfSecond << 3);
     const b2 = motion + (load<i32>(pair, 12) << 3);
     for (let lanes = lanesOf(bodiesOfSecond, k, from, to); lanes !== 0; lanes >>= 2) {
-      let x = at(a1, d.QX);
-      let y = at(a2, d.QX);
-      const qax = first(x, y);
-      const qay = second(x, y);
-      x = at(b1, d.QX);
-      y = at(b2, d.QX);
-      const qbx = first(x, y);
-      const qby = second(x, y);
-      x = at(a1, d.QW);
-      y = at(a2, d.QW);
-      const qaw = first(x, y);
-      const invMassA = second(x, y);
-      x = at(b1, d.QW);
-      y = at(b2, d.QW);
-      const qbw = first(x, y);
-      const invMassB = second(x, y);
+      const qax = firstOf(a1, a2, d.QX);
+      const qay = secondOf(a1, a2, d.QX);
+      const qbx = firstOf(b1, b2, d.QX);
+      const qby = secondOf(b1, b2, d.QX);
+      const qaw = firstOf(a1, a2, d.QW);
+      const invMassA = secondOf(a1, a2, d.QW);
+      const qbw = firstOf(b1, b2, d.QW);
+      const invMassB = secondOf(b1, b2, d.QW);
       const nx = at(r, d.NX);
       const ny = at(r, d.NY);
       const rnA1 = at(r, d.RN_A1);
