@@ -435,10 +435,13 @@ export const STRAIN_STEPS = 60;
 
 /**
  * A ratio of two sub-steps. If a sub-step is more than so many times as long as those that the impulses were remembered from, see
- * `scaleImpulses` in `prepare.ts`, there is no warm start: what is random in the impulses of short sub-steps does not get smaller with the
- * load, and would be multiplied.
+ * `scaleImpulses` in `prepare.ts`, there is no warm start, except for contacts of what is in balance, see `dropUnsteady` there: what is
+ * random in the impulses of short sub-steps does not get smaller with the load, and would be multiplied.
  */
 export const MAX_GROWTH = 4;
+
+/** m²/s⁴. What has accelerated by more in a step is not in balance: see `dropUnsteady` in `prepare.ts`. */
+export const STEADY_ACCELERATION_SQUARED = 1;
 
 /**
  * Steps. Where steps become shorter, the impulses count as those of the longer ones before for as much time as these took in all, but of at

@@ -311,6 +311,8 @@ export class SolverData {
    * as a whole again.
    */
   impulseScale = 0.5;
+  /** The same for contacts. Where the other is 0, impulses of contacts were dropped one by one, see `dropUnsteady` in `prepare.ts`. */
+  contactScale = 0.5;
 
   private scratch: Scratch | null = null;
 

@@ -1,6 +1,7 @@
 import type { RigidBody } from '../body.js';
 import { DYNAMIC } from '../body-kind.js';
-import { MAX_GROWTH, MOST_SPANS, REST_SPIN_WEIGHT } from '../config.js';
+import { MAX_GROWTH, MOST_SPANS, REST_SPIN_WEIGHT, STEADY_ACCELERATION_SQUARED } from '../config.js';
+import { ELASTICITY, NORMAL } from '../contact/layout.js';
 import { pow } from '../math/trig.js';
 import type { World } from '../world.js';
 import { packContacts } from './contacts/pack-contacts.js';
@@ -37,7 +38,7 @@ export function prepare(world: World, h: number): void {
     packDrives(world, h);
     // If no two shapes are near each other, nobody needs them.
     if (world.pairs.sorted.count > 0) packTraits(world);
-    scaleImpulses(data, h);
+    scaleImpulses(world, h);
   } else {
     // Where nothing is awake nothing is packed: what sleeps is to start from the step in which it fell asleep.
     data.bodyCount = 1;
@@ -59,9 +60,13 @@ export function prepare(world: World, h: number): void {
  * is left of a frame. Without it a pyramid crept by 0.1 m in half a minute, and heaps were thrown up by each step that was more than four
  * times as long as the one before.
  */
-function scaleImpulses(data: SolverData, h: number): void {
+function scaleImpulses(world: World, h: number): void {
+  const data = world.solver;
   const growth = h / (data.previousH || h);
-  data.impulseScale = h > MAX_GROWTH * (data.span || h) ? 0 : growth;
+  const isLong = h > MAX_GROWTH * (data.span || h);
+  data.contactScale = growth;
+  data.impulseScale = isLong ? 0 : growth;
+  if (isLong) dropUnsteady(world, data.previousH * data.substeps);
   if (h >= data.span) {
     data.spans = h > 2 * data.span ? 0 : Math.min(MOST_SPANS, data.spans + 1);
     data.span = h;
@@ -74,6 +79,27 @@ function scaleImpulses(data: SolverData, h: number): void {
   }
   data.remembered = 1 - h / data.span;
   data.previousH = h;
+}
+
+/**
+ * Drops the kept impulses of contacts, except between bodies without joints that nothing has accelerated in the last step, of dt: those of
+ * towers and houses of cards. What is left of a blow would throw up what was struck, and what is random in joints their bodies. What sleeps
+ * stands still, and keeps its own.
+ */
+function dropUnsteady({ pairs: { sorted }, solver }: World, dt: number): void {
+  for (let i = 0; i < sorted.count; i += 1) {
+    const { bodyA, bodyB, numbers, at } = sorted.items[i]!;
+    if (!isSteady(solver, bodyA, dt) || !isSteady(solver, bodyB, dt)) {
+      numbers.fill(0, at + NORMAL, at + ELASTICITY);
+    }
+  }
+}
+
+/** Whether the velocity of a body is about that of its motion in the last step, of dt. */
+function isSteady({ traits }: SolverData, { slot, vx, vy, lastDx, lastDy }: RigidBody, dt: number): boolean {
+  const x = vx - lastDx / dt;
+  const y = vy - lastDy / dt;
+  return (traits[slot]! & d.LINKED) === 0 && x * x + y * y <= STEADY_ACCELERATION_SQUARED * dt * dt;
 }
 
 function packBodies(world: World): void {

@@ -326,3 +326,50 @@ describe.each([
     expect(fastest).toBeLessThan(0.005);
   });
 });
+
+describe('a step of 0.25 s after those of 1/240 s', () => {
+  function afterHitch(world: World): number {
+    world.step(0.25);
+    let fastest = 0;
+    for (let i = 0; i < 240; i += 1) {
+      world.step(1 / 240);
+      fastest = Math.max(fastest, ...world.liveDynamics.map(speed));
+    }
+    return fastest;
+  }
+
+  it.each(['a tower', 'a house of planks'])('does not shake %s', (what) => {
+    const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+    STANDS[what]?.(world);
+    if (what === 'a tower') {
+      addFloor(world);
+      for (let i = 0; i < 15; i += 1) world.addRigidBody(boxBody(1, 1, { position: [0, -0.5 - i] }));
+    }
+    for (let i = 0; i < 720; i += 1) {
+      world.step(1 / 240);
+    }
+    expect(afterHitch(world)).toBeLessThan(0.2);
+  });
+
+  // With the impulses of the blow it was thrown up at 38 m/s.
+  it('does not throw up a heavy ball that has just landed on a pyramid', () => {
+    for (let steps = 0; steps < 8; steps += 1) {
+      const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+      STANDS['a pyramid']!(world);
+      const material = phys2D.createMaterial({ density: 5 });
+      const ball = phys2D.createRigidBody({
+        position: [0.3, -11],
+        velocity: [0, 8],
+        shapes: [phys2D.createCircleShape({ radius: 0.6, material })],
+      });
+      world.addRigidBody(ball);
+      while (!ball.shapes[0]!.arbiters.some((pair) => pair.active)) {
+        world.step(1 / 240);
+      }
+      for (let i = 0; i < steps; i += 1) {
+        world.step(1 / 240);
+      }
+      expect(afterHitch(world)).toBeLessThan(8);
+    }
+  });
+});

@@ -14,7 +14,17 @@ type Fields = Record<string, unknown>;
 /** Worked out anew before it is used, dead between steps, or the number by which the world itself finds something. */
 const DERIVED: Readonly<Record<string, readonly string[]>> = {
   world: ['stepping', 'delivering', 'someLeft', 'jointsTouched', 'filters', 'filtersChanged'],
-  solver: ['bodyCount', 'substeps', 'impulseScale', 'remembered', 'hardCount', 'crowded', 'unloads', 'roomFor'],
+  solver: [
+    'bodyCount',
+    'substeps',
+    'impulseScale',
+    'contactScale',
+    'remembered',
+    'hardCount',
+    'crowded',
+    'unloads',
+    'roomFor',
+  ],
   body: ['mass', 'inertia', 'radius', 'massStale', 'placeStale', 'slot', 'mover'],
   shape: ['groundStamp', 'stateIndex'],
   // Only whether it has failed in this step; where the solver has its numbers.

@@ -105,7 +105,7 @@ function makeRoom(data: SolverData, { items, count }: List<Arbiter>): void {
 }
 
 /**
- * Writes the records of a window of contacts. The impulses kept from the last sub-step are scaled by `impulseScale`.
+ * Writes the records of a window of contacts. The impulses kept from the last sub-step are scaled by `contactScale`.
  *
  * The order is that of the shapes' ids. But neighbours in it share a body, and the processor would wait for one contact before it can begin
  * the next. So each window of the list is split into four runs, which take turns. That saves a quarter of an iteration and changes no
@@ -213,7 +213,7 @@ export function packTwo(data: SolverData, index: number): void {
   r[at + d.START1] = together || s1 <= s2 ? s1 : d.OUT_OF_REACH;
   r[at + d.START2] = together || s2 < s1 ? s2 : d.OUT_OF_REACH;
 
-  const scale = data.impulseScale;
+  const scale = data.contactScale;
   const tangent = (n[o + c.TANGENT]! + n[o + c.TANGENT + c.IMPULSES]!) * scale;
   r[at + d.TANGENT] = tangent;
   r[at + d.TANGENT_SUM] = -tangent;
@@ -285,7 +285,7 @@ function packOne(data: SolverData, index: number): void {
   r[at + d.ROLL_FRICTION] = rolls ? n[o + c.ROLLING_FRICTION]! : 0;
   r[at + d.START1] = separation;
 
-  const scale = data.impulseScale;
+  const scale = data.contactScale;
   r[at + d.NORMAL1] = n[o + c.NORMAL + c.IMPULSES * which]! * scale;
   r[at + d.TANGENT] = n[o + c.TANGENT + c.IMPULSES * which]! * scale;
   r[at + d.ROLL] = n[o + c.ROLL]! * scale;
@@ -355,7 +355,7 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
   }
   r[at + d.SURFACE_T] = -0;
   r[at + d.SURFACE_N] = -0;
-  const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.impulseScale;
+  const load = (n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!) * data.contactScale;
   drive[a + d.TOUCHED] = 1;
   drive[b + d.TOUCHED] = 1;
   drive[a + d.LOAD]! += load;

@@ -180,11 +180,11 @@ export function keptAt({ at, point }: ContactBatch, contact: number): number {
 }
 
 /** The normal impulse with which the step began, or that it bore when a frame was solved since, N·s. */
-export function loadBefore({ impulseScale }: SolverData, batch: ContactBatch, contact: number): number {
+export function loadBefore({ contactScale }: SolverData, batch: ContactBatch, contact: number): number {
   const n = batch.numbers[contact >> 1]!;
   const first = keptAt(batch, contact);
   const isOne = (contact & 1) === 1;
-  return isOne ? n[first]! * impulseScale : n[first]! * impulseScale + n[first + c.IMPULSES]! * impulseScale;
+  return isOne ? n[first]! * contactScale : n[first]! * contactScale + n[first + c.IMPULSES]! * contactScale;
 }
 
 /**

@@ -29,7 +29,7 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
   const b = bodies[2 * index + 1]!;
   const n = batch.numbers[index]!;
   const o = batch.at[index]! & d.OFFSET;
-  const scale = data.impulseScale;
+  const scale = data.contactScale;
   const p1 = r[i + d.NORMAL1]! + 0;
   const p2 = r[i + d.NORMAL2]! + 0;
   const tangent = r[i + d.TANGENT]!;
@@ -80,7 +80,7 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
   const total = r[i + d.NORMAL_SUM1]! + p;
   const slid = r[i + d.TANGENT_SUM]! + tangent + 0;
   const roll = r[i + d.ROLL]! + 0;
-  const scale = data.impulseScale;
+  const scale = data.contactScale;
   const before = n[to + c.NORMAL]! * scale;
   n[to + c.NORMAL] = remember(data, before, Math.min(before + IMPULSE_MEMORY * (p - before), 2 * p));
   n[to + c.TANGENT] = remember(data, n[to + c.TANGENT]! * scale, tangent);
