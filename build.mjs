@@ -7,6 +7,7 @@ import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 import { minify as terser } from 'terser';
+import { markedIn, patternOf, textOf, wordsOf } from './internal-names.mjs';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const dist = join(root, 'dist');
@@ -28,9 +29,6 @@ const modules = {
   validate: 'src/audit/index.ts',
 };
 
-/** Members that are marked internal or private. */
-const MARKED =
-  /(?:@internal(?![^*]*Keeps its name)(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
 /** The bodies of classes and interfaces, and their members. */
 const TYPES = /^(?:export )?(?:abstract )?(?:class|interface) [^{]*\{\n([\s\S]*?)^\}/gm;
 const MEMBERS = /^ {2}(?:(?:readonly|override|abstract|protected|get|set) )*(\w+)(?=[?!]?:|\(| =|;)/gm;
@@ -116,7 +114,7 @@ function debugApart(minify) {
 
 /** Minified bundles have short names for internal members too. */
 function minified(minify, mangleCache) {
-  return minify ? { minify, mangleProps: new RegExp(`^(${internal.join('|')})$`), mangleCache } : {};
+  return minify ? { minify, mangleProps: patternOf(internal), mangleCache } : {};
 }
 
 /**
@@ -125,30 +123,25 @@ function minified(minify, mangleCache) {
  * is marked says that it keeps its name. The validator has short names, see above.
  */
 function internalNames() {
-  const files = (folder, ending) =>
-    readdirSync(folder, { recursive: true })
-      .filter((name) => name.endsWith(ending))
-      .map((name) => readFileSync(join(folder, name), 'utf8'))
-      .join('\n');
-  const words = (text) => text.match(/\w+/g);
   // The declarations name private members too, and the files they are in.
   const unpublished = /\/\*[\s\S]*?\*\/|^ *private .*|from '.*'/gm;
-  const published = words(files(dist, '.d.ts').replace(unpublished, ''));
+  const published = wordsOf(textOf(dist, '.d.ts').replace(unpublished, ''));
   const types = [Object, Function, Array, Float64Array, Int32Array, Map, Set, Math, Number, String, RegExp, DataView];
   const language = [...types, WebAssembly]
     .flatMap((type) => [type, type.prototype, Object.getPrototypeOf(type.prototype ?? {})])
     .flatMap((object) => (object ? Object.getOwnPropertyNames(object) : []));
-  const source = files(join(root, 'src'), '.ts');
-  const marked = [...source.matchAll(MARKED)].map(([, name]) => name);
+  const source = textOf(join(root, 'src'), '.ts');
   const members = [...source.matchAll(TYPES)].flatMap(([, body]) =>
     [...body.matchAll(MEMBERS)].map(([, name]) => name),
   );
   const beside = others
     .filter((name) => name !== 'validate')
     .map((name) => readFileSync(join(dist, `${name}.js`), 'utf8'));
-  const shared = new Set(words([...beside, files(join(root, 'simd'), '.ts')].join('\n')));
+  const shared = wordsOf([...beside, textOf(join(root, 'simd'), '.ts')].join('\n'));
   const kept = new Set([...published, ...language, 'export', 'constructor']);
-  return [...new Set([...marked, ...members.filter((name) => !shared.has(name))])].filter((name) => !kept.has(name));
+  return [...new Set([...markedIn(source), ...members.filter((name) => !shared.has(name))])].filter(
+    (name) => !kept.has(name),
+  );
 }
 
 /** One file for CommonJS, AMD and the script tag. esbuild does not know UMD: the bundle is a function's body here. */

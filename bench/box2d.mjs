@@ -4,6 +4,7 @@ import { createDevice, MISS, PeerBody, PeerWorld } from './peer.mjs';
 /** What its author recommends, in b2World_Step. */
 const SUBSTEPS = 4;
 
+let substeps = SUBSTEPS;
 /** The module in use: the flavour that is loaded first is that of the process. */
 let b2;
 /** Definitions that are filled in anew for each body, shape and joint: their memory is never given back. */
@@ -169,7 +170,7 @@ class Box2DWorld extends PeerWorld {
   }
 
   step(deltaTime) {
-    b2.b2World_Step(this.world, deltaTime, SUBSTEPS);
+    b2.b2World_Step(this.world, deltaTime, substeps);
   }
 
   /** Rays are made before, as a program does that casts them from the same places again. */
@@ -187,7 +188,8 @@ class Box2DWorld extends PeerWorld {
 }
 
 /** Box2D as it comes, of one flavour: the factory of its module with SIMD, or with plain code. One thread in either. */
-export async function box2d({ default: flavour }) {
+export async function box2d({ default: flavour }, steps = SUBSTEPS) {
+  substeps = steps;
   b2 = await flavour();
   defs = createDefs();
   return createDevice((params) => new Box2DWorld(params), Box2DBody);

@@ -28,6 +28,13 @@ export const engines = {
     flavour: 'compat',
     load: async () => (await import('./box2d.mjs')).box2d(await box2dFlavour('compat')),
   },
+  'Box2D-fine': {
+    title: 'Box2D SIMD, 16 sub-steps',
+    package: 'box2d3-wasm',
+    flavour: 'deluxe',
+    isExtra: true,
+    load: async () => (await import('./box2d.mjs')).box2d(await box2dFlavour('deluxe'), 16),
+  },
   'Rapier-SIMD': {
     title: 'Rapier SIMD',
     package: '@dimforge/rapier2d-simd-compat',

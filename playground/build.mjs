@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, context } from 'esbuild';
 import { minify } from 'terser';
+import { markedIn, patternOf, textOf, wordsOf } from '../internal-names.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const outdir = join(root, 'dist/playground');
@@ -29,7 +30,7 @@ if (isServed) {
   const { hosts, port } = await served.serve({ servedir: outdir, host: '127.0.0.1' });
   console.log(`The playground is at http://${hosts[0]}:${port}/`);
 } else {
-  await build(options);
+  await build({ ...options, mangleProps: patternOf(internalNames()) });
   // Takes another 4 % off. Constants stay on their side of comparisons, as in the root's build.mjs.
   const file = join(outdir, 'main.js');
   const { code } = await minify(readFileSync(file, 'utf8'), {
@@ -37,4 +38,13 @@ if (isServed) {
     compress: { passes: 2, lhs_constants: false },
   });
   writeFileSync(file, code);
+}
+
+/** What is marked internal in the engine, unless the page, the browser or the kernels in WebAssembly have something of that name, or it stands in a text. */
+function internalNames() {
+  const folder = (name) => join(root, name);
+  const source = textOf(folder('src'), '.ts');
+  const others = [textOf(folder('playground'), '.ts'), textOf(folder('simd'), '.ts'), ...source.match(/'\w+'/g)];
+  const kept = wordsOf([...others, textOf(folder('node_modules/typescript/lib'), '.d.ts')].join('\n'));
+  return [...new Set(markedIn(source))].filter((name) => !kept.has(name));
 }

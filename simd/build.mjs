@@ -8,7 +8,8 @@ const target = new URL('../src/solver/simd-code.ts', import.meta.url);
 
 /** The text of src/solver/simd-code.ts. */
 export async function compile() {
-  const options = '--runtime stub --enable simd --importMemory --noAssert -O3 --converge --runPasses reorder-locals --disableWarning AS112';
+  const options =
+    '--runtime stub --enable simd --importMemory --noAssert -O3 --converge --runPasses reorder-locals --disableWarning AS112';
   let code;
   const { error, stderr } = await asc.main(
     ['simd/index.ts', '--baseDir', root, '--outFile', 'kernels.wasm', ...options.split(' ')],
