@@ -42,9 +42,12 @@ if (isServed) {
 
 /** What is marked internal in the engine, unless the page, the browser or the kernels in WebAssembly have something of that name, or it stands in a text. */
 function internalNames() {
-  const folder = (name) => join(root, name);
-  const source = textOf(folder('src'), '.ts');
-  const others = [textOf(folder('playground'), '.ts'), textOf(folder('simd'), '.ts'), ...source.match(/'\w+'/g)];
-  const kept = wordsOf([...others, textOf(folder('node_modules/typescript/lib'), '.d.ts')].join('\n'));
+  const text = (folder, ending = '.ts') => textOf(join(root, folder), ending);
+  const source = text('src');
+  const browser = text('node_modules/@typescript', '.d.ts');
+  const kept = wordsOf([browser, text('playground'), text('simd'), ...source.match(/'\w+'/g)].join('\n'));
+  if (!kept.has('requestAnimationFrame')) {
+    throw new Error('the names of the browser are not where they were');
+  }
   return [...new Set(markedIn(source))].filter((name) => !kept.has(name));
 }
