@@ -466,8 +466,9 @@ export const MAX_SPEED = 1e6;
 export const TURNS_TOGETHER = 1e-3;
 
 /**
- * rad. What turns farther in a step does not follow its arc: that takes ω²·h/2 for each metre, which is more than what moves has once a
- * sub-step is longer than 2/ω. Without a limit what lay in a drum at 10⁵ rad/s left with 100 times its speed.
+ * rad. What turns farther in a step does not follow its arc; where both bodies have joints, what turns farther in a sub-step. An arc takes
+ * ω²·h/2 for each metre, which is more than what moves has once a sub-step is longer than 2/ω. Without a limit what lay in a drum at 10⁵
+ * rad/s left with 100 times its speed.
  */
 export const MOST_BEND = 0.5;
 

@@ -156,6 +156,46 @@ describe('frames', () => {
   });
 });
 
+describe.each([0.3, 0.4, 1])('what touches and turns by %d rad a step gains nothing', (angle) => {
+  it.each([30, 60])('a plate of 3 × 1 welded blocks, at %d steps a second', (rate) => {
+    const world = weightless();
+    const blocks = plate(world, 3, 1, angle * rate, { ignores: false });
+    expectNoGain(world, rate);
+    expect(blocks[0]!.getAngularVelocity()).toBeGreaterThan(0.75 * angle * rate);
+  });
+
+  it('three welded discs', () => {
+    const world = weightless();
+    const discs = [-1, 0, 1].map((x) => turn(free({ position: [x, 0], shapes: [disc(0.5)] }), 60 * angle));
+    add(world, ...discs);
+    weld(world, discs[0]!, discs[1]!, [-0.5, 0], false);
+    weld(world, discs[1]!, discs[2]!, [0.5, 0], false);
+    expectNoGain(world, 60);
+  });
+
+  it('a net of 4 × 4 discs', () => {
+    const world = weightless();
+    const discs = Array.from({ length: 16 }, (_, i) =>
+      turn(free({ position: [(i % 4) - 1.5, Math.floor(i / 4) - 1.5], shapes: [disc(0.5)] }), 60 * angle),
+    );
+    add(world, ...discs);
+    discs.forEach((one, i) => {
+      if (i % 4 < 3) pin(world, one, [0.5, 0], discs[i + 1]!, [-0.5, 0], false);
+      if (i < 12) pin(world, one, [0, 0.5], discs[i + 4]!, [0, -0.5], false);
+    });
+    expectNoGain(world, 60);
+  });
+
+  function expectNoGain(world: World, rate: number): void {
+    const before = kineticOf(world);
+    for (let i = 0; i < 300; i += 1) {
+      world.step(1 / rate);
+      expect(kineticOf(world) / before).toBeLessThan(1.001);
+    }
+    expect(kineticOf(world) / before).toBeGreaterThan(0.75);
+  }
+});
+
 it.each([30, 60])('a disc and a box that are pinned to each other twice gain nothing at %d steps a second', (rate) => {
   const world = weightless();
   const [disk, block] = [

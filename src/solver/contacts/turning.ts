@@ -44,10 +44,11 @@ export function turnContacts(data: SolverData, h: number): void {
  * not. Separations are found from those at the start of the step along the normal of then: the difference that the new normal would make
  * goes into them, and so does what a circle, whose pivot is its centre, would seem to sink by while it moves along. What moves as one moves
  * along arcs, in a sub-step by −w²·h/2 times the distance between the centres off the tangents: by its velocity alone, what sits on a
- * platform that rocks would creep outwards, by 2 mm a second at 2 m. What bounces does not turn.
+ * platform that rocks would creep outwards, by 2 mm a second at 2 m. What bounces does not turn. Position sweeps take the way for straight,
+ * too, and would push apart what joints hold together: between bodies that have joints the arc counts there as well.
  */
 function turn(data: SolverData, contact: number, k: number, h: number): void {
-  const { velocity: v, motion: q, substeps } = data;
+  const { velocity: v, motion: q, traits, substeps } = data;
   const { kept } = data.turning;
   const { records: r, bodies, stride } = batchOf(data, contact);
   const at = recordAt(contact >> 1, stride);
@@ -76,16 +77,19 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const apart = (nx - turnedX) * dx + (ny - turnedY) * dy + (c - 1) * kept[k + d.TURNING_PIVOTS]!;
   r[at + d.NX] = turnedX;
   r[at + d.NY] = turnedY;
-  r[at + d.START1] = kept[k + d.TURNING_START1]! + apart;
-  r[other + d.START1] = kept[k + d.TURNING_START2]! + apart;
   const vx = v[b + d.VX]! - v[a + d.VX]!;
   const vy = v[b + d.VY]! - v[a + d.VY]!;
   const vn = turnedX * vx + turnedY * vy;
   const comes = vn + r[at + d.RN_B1]! * v[b + d.W]! - r[at + d.RN_A1]! * v[a + d.W]!;
   const revolves = square > 0 ? (alongN * (nx * vy - ny * vx) - alongT * (nx * vx + ny * vy)) / square : 0;
   const w = comes > -BOUNCE_THRESHOLD ? leastOf(v[a + d.W]!, v[b + d.W]!, revolves) : 0;
-  const bend = substeps * h * Math.abs(w) < MOST_BEND ? 0.5 * h * w * w : 0;
-  r[at + d.SURFACE_N] = kept[k + d.TURNING_SURFACE_N]! + bend * (c * alongN + s * alongT);
+  const areHeld = (traits[a / d.BODY_STRIDE]! & traits[b / d.BODY_STRIDE]! & d.LINKED) !== 0;
+  const bend = (areHeld ? h : substeps * h) * Math.abs(w) < MOST_BEND ? 0.5 * h * w * w : 0;
+  const bendN = bend * (c * alongN + s * alongT);
+  const from = areHeld ? apart + h * bendN : apart;
+  r[at + d.START1] = kept[k + d.TURNING_START1]! + from;
+  r[other + d.START1] = kept[k + d.TURNING_START2]! + from;
+  r[at + d.SURFACE_N] = kept[k + d.TURNING_SURFACE_N]! + bendN;
   r[at + d.SURFACE_T] = kept[k + d.TURNING_SURFACE_T]! + bend * (c * alongT - s * alongN);
 }
 
