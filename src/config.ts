@@ -105,6 +105,18 @@ export const MAX_PUSH = 0.2;
 export const WEDGED_DEPTH = 0.02;
 
 /**
+ * m²/s². Bodies that move faster relative to each other are not held yet: what is pressed into each other by a load would sink in where its
+ * contacts are turned.
+ */
+export const WEDGED_SPEED_SQUARED = 0.25;
+
+/**
+ * m/s. Contacts with impulses that would give their bodies more in a sub-step, about fifty times their weight, are not turned: they carry a
+ * load. With 1 gears that fell in a heap 33 high are left in each other.
+ */
+export const WEDGED_LOAD = 4;
+
+/**
  * m. MAX_PUSH between bodies that may be hooked into each other, see PUSH_SHARE_HOOKED. There one shape or link is pushed to and another
  * fro, and the heap around them would shake for ever: with 5 mm one heap of dumbbells in twenty does, with 1 mm heaps of chains do. It
  * still allows 1.4 m/s, but heavy balls of several shapes would fall through a hinged bridge.

@@ -82,24 +82,27 @@ function scaleImpulses(world: World, h: number): void {
 }
 
 /**
- * Drops the kept impulses of contacts, except between bodies without joints that nothing has accelerated in the last step, of dt: those of
- * towers and houses of cards. What is left of a blow would throw up what was struck, and what is random in joints their bodies. What sleeps
- * stands still, and keeps its own.
+ * Drops the kept impulses of contacts, except between bodies without joints that nothing has accelerated in the last step, of dt, or woken
+ * since, as a change of gravity does: those of towers and houses of cards. What is left of a blow would throw up what was struck, and what is
+ * random in joints their bodies. Where a body was taken away all are dropped: they may have carried it.
  */
-function dropUnsteady({ pairs: { sorted }, solver }: World, dt: number): void {
+function dropUnsteady(world: World, dt: number): void {
+  const { sorted } = world.pairs;
   for (let i = 0; i < sorted.count; i += 1) {
     const { bodyA, bodyB, numbers, at } = sorted.items[i]!;
-    if (!isSteady(solver, bodyA, dt) || !isSteady(solver, bodyB, dt)) {
+    if (world.solver.unloads || !isSteady(world, bodyA, dt) || !isSteady(world, bodyB, dt)) {
       numbers.fill(0, at + NORMAL, at + ELASTICITY);
     }
   }
 }
 
 /** Whether the velocity of a body is about that of its motion in the last step, of dt. */
-function isSteady({ traits }: SolverData, { slot, vx, vy, lastDx, lastDy }: RigidBody, dt: number): boolean {
+function isSteady({ solver, timeStamp }: World, body: RigidBody, dt: number): boolean {
+  const { slot, vx, vy, lastDx, lastDy, wakeTime } = body;
   const x = vx - lastDx / dt;
   const y = vy - lastDy / dt;
-  return (traits[slot]! & d.LINKED) === 0 && x * x + y * y <= STEADY_ACCELERATION_SQUARED * dt * dt;
+  const isFree = (solver.traits[slot]! & d.LINKED) === 0 && wakeTime < timeStamp;
+  return isFree && x * x + y * y <= STEADY_ACCELERATION_SQUARED * dt * dt;
 }
 
 function packBodies(world: World): void {

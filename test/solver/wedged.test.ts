@@ -101,3 +101,43 @@ it('gears that fall onto each other at up to 57 m/s are not left in each other',
   steps(world, 720);
   expect(deepest(world)).toBeLessThan(0.02);
 });
+
+it('a load of a thousand times their mass presses few bodies of several shapes into each other', () => {
+  const random = generator(7);
+  const names = ['L', 'L', 'plus', 'gear', 'U'];
+  let deep = 0;
+  for (let i = 0; i < 16; i += 1) {
+    const world = heavy();
+    const walls = [rectangle(-8, 0, 8, 2), rectangle(-8, -60, -2, 0), rectangle(2, -60, 8, 0)];
+    add(world, staticBody({ shapes: polygons(walls)() }));
+    for (let k = 0; k < 8; k += 1) {
+      const kind = names[Math.floor(names.length * random())]!;
+      add(world, make(kind, { position: [random() - 0.5, -1 - 1.6 * k], rotation: 6 * random(), mass: 1 }));
+    }
+    steps(world, 200);
+    const top = Math.min(...world.rigidBodies.slice(1).map((body) => body.getPosition()[1]));
+    const shapes = polygons([rectangle(-1.9, -1, 1.9, 1)])();
+    add(world, phys2D.createRigidBody({ position: [0, top - 8], mass: 1000, shapes }));
+    steps(world, 500);
+    deep += deepest(world) > 0.02 ? 1 : 0;
+  }
+  // It was 8.
+  expect(deep).toBeLessThan(7);
+});
+
+it('what joints hold in each other comes to rest', () => {
+  const world = heavy();
+  addFloor(world);
+  const links = Array.from({ length: 4 }, (_, i) =>
+    make('plus', { position: [i, -0.8 - 0.01 * i], rotation: 0.1 * i }),
+  );
+  add(world, ...links);
+  links.slice(1).forEach((bodyB, i) => {
+    const bodyA = links[i]!;
+    world.addConstraint(phys2D.createPointConstraint({ bodyA, bodyB, anchorA: [0.5, 0], anchorB: [-0.5, 0] }));
+  });
+  steps(world, 900);
+  // Half a metre deep, they did not come to rest.
+  expect(deepest(world)).toBeLessThan(0.02);
+  expect(links.every((body) => body.asleep)).toBe(true);
+});

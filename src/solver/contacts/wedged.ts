@@ -4,8 +4,9 @@ import { Along, separationAlong } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
 import { endOfEdges } from '../../collide/polygons.js';
-import { WEDGED_DEPTH } from '../../config.js';
+import { WEDGED_DEPTH, WEDGED_LOAD, WEDGED_SPEED_SQUARED } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
+import * as c from '../../contact/layout.js';
 import { updateManifoldAlong } from '../../contact/update.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
 import type { Vec2 } from '../../math/vectors.js';
@@ -68,6 +69,13 @@ class Push {
     return cosine <= ALONG && (cosine < -ALONG || this.depth > WEDGED_DEPTH);
   }
 
+  /** Whether it carries a load: turned, it would let that through. */
+  bears(): boolean {
+    const { numbers: n, at: o, bodyA, bodyB } = this.pair;
+    const impulse = n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!;
+    return impulse * (bodyA.inverseMass() + bodyB.inverseMass()) > WEDGED_LOAD;
+  }
+
   /** How far b has to go along (x, y) until it is past this, m. */
   wayAlong(way: Vec2): number {
     const [x, y] = way;
@@ -111,10 +119,10 @@ export function partWedged({ deep }: World): void {
       const [a, b] = pair.bodyB.kind === DYNAMIC ? [pair.bodyA, pair.bodyB] : [pair.bodyB, pair.bodyA];
       const pushes = pushesOn(b, a);
       for (const push of pushes) seen.add(push.pair);
-      if (areWedged(pushes)) {
+      if (areFree(a, b) && areWedged(pushes)) {
         const way = findWayOut(pushes, a, b);
         for (const push of pushes) {
-          if (push.blocks(way)) push.turn(way);
+          if (push.blocks(way) && !push.bears()) push.turn(way);
         }
       }
     }
@@ -126,6 +134,15 @@ function pushesOn(b: RigidBody, a: RigidBody): Push[] {
     .flatMap(({ arbiters }) => arbiters)
     .filter((pair) => pair.isSolid() && (pair.bodyA === a || pair.bodyB === a))
     .map((pair) => new Push(pair, pair.bodyA === a ? 1 : -1));
+}
+
+/** Whether no joint holds both bodies where they are, and they do not just run into each other. */
+function areFree(a: RigidBody, b: RigidBody): boolean {
+  const [x, y] = [b.vx - a.vx, b.vy - a.vy];
+  return (
+    x * x + y * y < WEDGED_SPEED_SQUARED &&
+    !b.constraints.some(({ enabled, members }) => enabled && members.includes(a))
+  );
 }
 
 /** Whether there is no way along all pushes, or will be none. */
