@@ -69,13 +69,6 @@ class Push {
     return cosine <= ALONG && (cosine < -ALONG || this.depth > WEDGED_DEPTH);
   }
 
-  /** Whether it carries a load: turned, it would let that through. */
-  bears(): boolean {
-    const { numbers: n, at: o, bodyA, bodyB } = this.pair;
-    const impulse = n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!;
-    return impulse * (bodyA.inverseMass() + bodyB.inverseMass()) > WEDGED_LOAD;
-  }
-
   /** How far b has to go along (x, y) until it is past this, m. */
   wayAlong(way: Vec2): number {
     const [x, y] = way;
@@ -119,10 +112,10 @@ export function partWedged({ deep }: World): void {
       const [a, b] = pair.bodyB.kind === DYNAMIC ? [pair.bodyA, pair.bodyB] : [pair.bodyB, pair.bodyA];
       const pushes = pushesOn(b, a);
       for (const push of pushes) seen.add(push.pair);
-      if (areFree(a, b) && areWedged(pushes)) {
+      if (areFree(a, b) && !bear(pushes) && areWedged(pushes)) {
         const way = findWayOut(pushes, a, b);
         for (const push of pushes) {
-          if (push.blocks(way) && !push.bears()) push.turn(way);
+          if (push.blocks(way)) push.turn(way);
         }
       }
     }
@@ -143,6 +136,19 @@ function areFree(a: RigidBody, b: RigidBody): boolean {
     x * x + y * y < WEDGED_SPEED_SQUARED &&
     !b.constraints.some(({ enabled, members }) => enabled && members.includes(a))
   );
+}
+
+/** Whether pushes carry a load: turned, they would let it through. What they only hold against each other counts as none. */
+function bear(pushes: readonly Push[]): boolean {
+  const sum: Vec2 = [0, 0];
+  for (const { x, y, pair } of pushes) {
+    const { numbers: n, at: o } = pair;
+    const impulse = n[o + c.NORMAL]! + n[o + c.NORMAL + c.IMPULSES]!;
+    sum[0] += x * impulse;
+    sum[1] += y * impulse;
+  }
+  const { bodyA, bodyB } = pushes[0]!.pair;
+  return Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1]) * (bodyA.inverseMass() + bodyB.inverseMass()) > WEDGED_LOAD;
 }
 
 /** Whether there is no way along all pushes, or will be none. */
