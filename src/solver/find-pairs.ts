@@ -1,7 +1,8 @@
 import { DYNAMIC } from '../body-kind.js';
 import type { BroadphaseHandle } from '../broadphase/broadphase.js';
+import * as g from '../collide/layout.js';
 import { works } from '../collide/polygon-works.js';
-import { SOLVED_TURN } from '../config.js';
+import { SOLVED_TURN, WEDGED_DEPTH } from '../config.js';
 import type { Arbiter } from '../contact/arbiter.js';
 import { ACTIVE, AWAKE, DEAD, LISTED, NEAR, PERSISTENT } from '../contact/bits.js';
 import { noteApproach } from '../contact/hit.js';
@@ -163,7 +164,9 @@ function interact(world: World, pair: Arbiter): void {
   if (b.asleep && b.kind === DYNAMIC) {
     world.toWake.add(b);
   }
-  noteDeep(world, pair);
+  const { numbers: n, at: o } = pair;
+  // Told here first: a call for each pair would take 2 to 4 % of a step.
+  if (Math.min(n[o + g.S0]!, n[o + g.S1]!) < -WEDGED_DEPTH) noteDeep(world, pair);
   noteGround(world, pair);
   if (begins && world.events.isHitHeard(pair)) {
     noteApproach(pair);
