@@ -105,18 +105,6 @@ export const MAX_PUSH = 0.2;
 export const WEDGED_DEPTH = 0.02;
 
 /**
- * m²/s². Bodies that move faster relative to each other are not held yet: what is pressed into each other by a load would sink in where its
- * contacts are turned.
- */
-export const WEDGED_SPEED_SQUARED = 0.25;
-
-/**
- * m/s. Contacts of two bodies whose impulses together would give these more in a sub-step are not turned: they carry a load, about as much
- * as two hundred of their like weigh. With 4 some are left in each other at the bottom of a heap, of 16,800 Us, gears and others 28 instead of 4.
- */
-export const WEDGED_LOAD = 15;
-
-/**
  * m. MAX_PUSH between bodies that may be hooked into each other, see PUSH_SHARE_HOOKED. There one shape or link is pushed to and another
  * fro, and the heap around them would shake for ever: with 5 mm one heap of dumbbells in twenty does, with 1 mm heaps of chains do. It
  * still allows 1.4 m/s, but heavy balls of several shapes would fall through a hinged bridge.

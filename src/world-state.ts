@@ -135,7 +135,7 @@ export abstract class WorldState {
   readonly closing = new List<Arbiter>();
   /** @internal shapes that lie on or near several static ones in this step */
   readonly straddling = new List<Shape>();
-  /** @internal deep contacts of this step between dynamic bodies of which one has several shapes */
+  /** @internal deep contacts of this step, where one of the bodies has several shapes */
   readonly deep = new List<Arbiter>();
   /** @internal */
   readonly saving: WorldSaving | null;

@@ -4,7 +4,7 @@ import { Along, separationAlong } from '../../collide/along.js';
 import * as g from '../../collide/layout.js';
 import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js';
 import { endOfEdges } from '../../collide/polygons.js';
-import { WEDGED_DEPTH, WEDGED_LOAD, WEDGED_SPEED_SQUARED } from '../../config.js';
+import { WEDGED_DEPTH } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import * as c from '../../contact/layout.js';
 import { updateManifoldAlong } from '../../contact/update.js';
@@ -30,6 +30,18 @@ const ONWARDS = 0.25;
 
 /** m. A way that tells a direction is longer. */
 const LEAST_WAY = 1e-3;
+
+/**
+ * m²/s². Bodies that move faster relative to each other are not held yet: what is pressed into each other by a load would sink in where its
+ * contacts are turned.
+ */
+const MOST_SPEED_SQUARED = 0.25;
+
+/**
+ * m/s. Contacts of two bodies whose impulses together would give these more in a sub-step are not turned: they carry a load, about as much
+ * as two hundred of their like weigh. With 4 some are left in each other at the bottom of a heap, of 16,800 Us, gears and others 28 instead of 4.
+ */
+const MOST_LOAD = 15;
 
 const along = /* @__PURE__ */ new Along();
 
@@ -92,7 +104,7 @@ class Push {
   }
 }
 
-/** Notes an accepted contact of two dynamic bodies, if it is deep and one of them has several shapes. */
+/** Notes an accepted contact, if it is deep and one of its bodies has several shapes. */
 export function noteDeep(world: World, pair: Arbiter): void {
   findLeastSeparation(pair.numbers, pair.at);
   if (leastSeparation[0]! < -WEDGED_DEPTH && (pair.bodyA.shapes.length > 1 || pair.bodyB.shapes.length > 1)) {
@@ -133,8 +145,7 @@ function pushesOn(b: RigidBody, a: RigidBody): Push[] {
 function areFree(a: RigidBody, b: RigidBody): boolean {
   const [x, y] = [b.vx - a.vx, b.vy - a.vy];
   return (
-    x * x + y * y < WEDGED_SPEED_SQUARED &&
-    !b.constraints.some(({ enabled, members }) => enabled && members.includes(a))
+    x * x + y * y < MOST_SPEED_SQUARED && !b.constraints.some(({ enabled, members }) => enabled && members.includes(a))
   );
 }
 
@@ -148,7 +159,7 @@ function bear(pushes: readonly Push[]): boolean {
     sum[1] += y * impulse;
   }
   const { bodyA, bodyB } = pushes[0]!.pair;
-  return Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1]) * (bodyA.inverseMass() + bodyB.inverseMass()) > WEDGED_LOAD;
+  return Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1]) * (bodyA.inverseMass() + bodyB.inverseMass()) > MOST_LOAD;
 }
 
 /** Whether there is no way along all pushes, or will be none. */
