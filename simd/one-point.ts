@@ -7,6 +7,7 @@ import {
   MAX_PUSH,
   MAX_PUSH_HOOKED,
   PUSH_SHARE_CIRCLES,
+  PUSH_SHARE_CROWD,
   PUSH_SHARE_DEEP,
   PUSH_SHARE_DEEP_CIRCLES,
   PUSH_SHARE_HOOKED,
@@ -205,7 +206,7 @@ function within(x: v128, limit: v128): v128 {
   return pick(f64x2.gt(f64x2.abs(x), limit), cut, x);
 }
 
-/** As most contacts are passed by, it would take a tenth longer in lanes. @returns bit 0: it changed something, bit 1: circles overlap deeply. */
+/** As most contacts are passed by, it would take a tenth longer in lanes. @returns bit 0: it changed something; CROWDED, PRESSED. */
 export function solvePositionOne(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
   let found = 0;
   for (let k = from; k < to; k += 1) {
@@ -230,11 +231,12 @@ export function solvePositionOne(records: usize, bodies: usize, motion: usize, f
     found |= 1;
     const share = get(r, d.SHARE);
     const isRound = share === PUSH_SHARE_CIRCLES;
+    const isCrowd = isRound && get(r, d.NORMAL1) === 0;
     if (isRound && c < -DEEP_OVERLAP) {
-      found |= 2;
+      found |= isCrowd ? d.CROWDED : d.PRESSED;
     }
     const deep = c + (isRound ? DEEP_OVERLAP_CIRCLES : DEEP_OVERLAP);
-    const ofDeep = isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
+    const ofDeep = isCrowd ? PUSH_SHARE_CROWD : isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
     const e = share * c + (deep < 0 && share < ofDeep ? (ofDeep - share) * deep : 0);
     const most = share === PUSH_SHARE_HOOKED ? MAX_PUSH_HOOKED : MAX_PUSH;
     const x = (e < -most ? most : -e) * get(r, d.NORMAL_MASS);

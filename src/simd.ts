@@ -1,5 +1,6 @@
 import { allotPlain, Kernels } from './kernels.js';
 import type { PointKernels } from './solver/joints/kernels/points.js';
+import { CROWDED, PRESSED } from './solver/layout.js';
 import { type Loops, plain } from './solver/loops.js';
 import type { Room } from './solver/scratch.js';
 import { CODE } from './solver/simd-code.js';
@@ -110,7 +111,7 @@ function loopsOf(kernels: Exports, step: Float64Array): Loops {
       const { one, motion } = data;
       const { records, bodies } = one;
       const found = kernels.solvePositionOne(records.byteOffset, bodies.byteOffset, motion.byteOffset, from, to);
-      if ((found & 2) !== 0) data.crowded = true;
+      data.deepCircles |= found & (CROWDED | PRESSED);
       return (found & 1) !== 0;
     },
     solvePositionTwo: ({ two: { records, bodies }, motion }, from, to) =>

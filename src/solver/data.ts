@@ -291,8 +291,8 @@ export class SolverData {
   roomFor = 0;
   /** Whether something was taken away that an awake body rested on or carried. */
   unloads = false;
-  /** Set by a position iteration in which circles overlapped deeply. */
-  crowded = false;
+  /** Which circles that move overlapped deeply in the latest position iteration: CROWDED, PRESSED. */
+  deepCircles = 0;
   /** How many sub-steps the running step has: handlers may set another number meanwhile. */
   substeps = 1;
   /** s. Length of the sub-steps of the last step; and of those that impulses are remembered from, the longest of late. */

@@ -155,6 +155,9 @@ export const OFFSET = 0xfffffff;
 export const WAITS = 0x20000000;
 /** The same bit of rigid point joints. No two of them that lie side by side share a body; here it says that there is no second. */
 export const MISSING = 0x20000000;
+/** Bits of `SolverData.deepCircles` and of what kernels return: deep are circles that do not press on each other; some that do. */
+export const CROWDED = 2;
+export const PRESSED = 4;
 
 /** Contacts are solved in the order of their shapes, except that each window of so many is split into four runs, which take turns. */
 export const WINDOW = 128;

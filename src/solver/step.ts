@@ -97,7 +97,7 @@ function integrate(world: World, h: number): void {
       const pushedJoints = jointSolver?.solvePositions(solver, i, pushes) ?? false;
       pushed = solvePositionContacts(solver) || pushedJoints;
     }
-    // Circles deep in each other get some iterations more.
+    // A crowd of circles gets some iterations more.
     partCrowds(solver);
     jointSolver?.finish(solver);
     advance(solver);

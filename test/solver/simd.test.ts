@@ -141,7 +141,7 @@ describe.each(LOOPS)('%s', (loop) => {
           const [expected, found] = [plainKernels, simdKernels].map((kernels) => {
             const data = filled(kernels, drawn, bodies);
             const result = data.loops![loop](data, from, to, h);
-            const { velocity, motion, one, two, crowded } = data;
+            const { velocity, motion, one, two, deepCircles } = data;
             const count = drawn.length;
             const records = [one, two].flatMap(({ records: r, stride }) =>
               Array.from({ length: count }, (_, k) =>
@@ -149,7 +149,7 @@ describe.each(LOOPS)('%s', (loop) => {
               ),
             );
             data.returnArrays();
-            return { result, velocity: velocity.slice(), motion: motion.slice(), records, crowded };
+            return { result, velocity: velocity.slice(), motion: motion.slice(), records, deepCircles };
           });
           // `toEqual` tells −0 from 0.
           expect(found).toEqual(expected);

@@ -21,7 +21,7 @@ const DERIVED: Readonly<Record<string, readonly string[]>> = {
     'contactScale',
     'remembered',
     'hardCount',
-    'crowded',
+    'deepCircles',
     'unloads',
     'roomFor',
   ],

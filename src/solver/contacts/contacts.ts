@@ -37,13 +37,13 @@ export function solveVelocityContacts(data: SolverData, h: number): boolean {
 
 /** One position iteration over all contacts, in the same way. @returns whether anything was pushed. */
 export function solvePositionContacts(data: SolverData): boolean {
-  data.crowded = false;
+  data.deepCircles = 0;
   return sweep(data, data.loops!.solvePositionTwo, data.loops!.solvePositionOne, 0);
 }
 
-/** Adds some position iterations where circles overlap deeply; what rests never does. */
+/** Adds some position iterations where a crowd of circles overlaps deeply, and none that are pressed together do. */
 export function partCrowds(data: SolverData): void {
-  for (let i = 0; i < CROWD_SWEEPS && data.crowded; i += 1) {
+  for (let i = 0; i < CROWD_SWEEPS && data.deepCircles === d.CROWDED; i += 1) {
     solvePositionContacts(data);
   }
 }

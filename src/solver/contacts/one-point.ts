@@ -6,6 +6,7 @@ import {
   MAX_PUSH,
   MAX_PUSH_HOOKED,
   PUSH_SHARE_CIRCLES,
+  PUSH_SHARE_CROWD,
   PUSH_SHARE_DEEP,
   PUSH_SHARE_DEEP_CIRCLES,
   PUSH_SHARE_HOOKED,
@@ -176,11 +177,12 @@ export function solvePositionOne(data: SolverData, from: number, to: number): bo
     pushed = true;
     const share = r[i + d.SHARE]!;
     const isRound = share === PUSH_SHARE_CIRCLES;
+    const isCrowd = isRound && r[i + d.NORMAL1]! === 0;
     if (isRound && c < -DEEP_OVERLAP) {
-      data.crowded = true;
+      data.deepCircles |= isCrowd ? d.CROWDED : d.PRESSED;
     }
     const deep = c + (isRound ? DEEP_OVERLAP_CIRCLES : DEEP_OVERLAP);
-    const ofDeep = isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
+    const ofDeep = isCrowd ? PUSH_SHARE_CROWD : isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
     const e = share * c + (deep < 0 && share < ofDeep ? (ofDeep - share) * deep : 0);
     const most = share === PUSH_SHARE_HOOKED ? MAX_PUSH_HOOKED : MAX_PUSH;
     const x = (e < -most ? most : -e) * r[i + d.NORMAL_MASS]!;

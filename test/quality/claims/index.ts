@@ -12,6 +12,7 @@ export { heavyPyramids } from './heavy-pyramids.js';
 export { heavyTop } from './heavy-top.js';
 export { heavyTopInHeap } from './heavy-top-in-heap.js';
 export { jointGrid } from './joint-grid.js';
+export { largeHeap } from './large-heap.js';
 export { largePyramid } from './large-pyramid.js';
 export { otherTowers } from './other-towers.js';
 export { overlappingPyramid } from './overlapping-pyramid.js';

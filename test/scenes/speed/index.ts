@@ -10,7 +10,7 @@ import {
   tumbler,
 } from './box2d.js';
 import { chains, gridOf } from './jointed.js';
-import { circles, pusher, pyramidsOf, rain, renewedRain } from './piles.js';
+import { circlesOf, pusher, pyramidsOf, rain, renewedRain } from './piles.js';
 import type { SpeedScene } from './scene.js';
 import { addRemove, asleep, bullets, drumOf, tiles } from './worlds.js';
 
@@ -25,7 +25,8 @@ export const scenes: Readonly<Record<string, SpeedScene>> = {
   pyramid: pyramidsOf(40, 1),
   pyramid100: pyramidsOf(100, 1),
   pyramids: pyramidsOf(10, 25),
-  circles,
+  circles: circlesOf(32, 62.5),
+  circles8000: circlesOf(64, 125),
   rain,
   grid: gridOf(40),
   grid100: gridOf(100),

@@ -32,24 +32,28 @@ export function addBucket(heap: Heap, side: number): void {
   heap.box(2, side, [side / 2 + 1, -side / 2], { type: 'static' });
 }
 
-export const circles: SpeedScene = {
-  title: '2,000 circles in a bucket',
-  ...HEAPED,
-  warmUp: 180,
-  steps: 180,
-  start(phys2D) {
-    const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
-    const heap = new Heap(phys2D, world);
-    addBucket(heap, 40);
-    const random = generator(1);
-    for (let i = 0; i < 2000; i += 1) {
-      const radius = 0.3 + 0.2 * random();
-      const x = 1.2 * ((i % 32) - 15.5) + 0.2 * (random() - 0.5);
-      heap.add([{ radius }], [x, -0.6 - Math.floor(i / 32)]);
-    }
-    return { world, quality: () => heap.overlap() };
-  },
-};
+/** Circles of 0.6 to 1 m that fall into a bucket, `columns` of them side by side. */
+export function circlesOf(columns: number, rows: number): SpeedScene {
+  const count = columns * rows;
+  return {
+    title: `${count.toLocaleString('en')} circles in a bucket`,
+    ...HEAPED,
+    warmUp: 180,
+    steps: 180,
+    start(phys2D) {
+      const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
+      const heap = new Heap(phys2D, world);
+      addBucket(heap, 1.25 * columns);
+      const random = generator(1);
+      for (let i = 0; i < count; i += 1) {
+        const radius = 0.3 + 0.2 * random();
+        const x = 1.2 * ((i % columns) - 0.5 * (columns - 1)) + 0.2 * (random() - 0.5);
+        heap.add([{ radius }], [x, -0.6 - Math.floor(i / columns)]);
+      }
+      return { world, quality: () => heap.overlap() };
+    },
+  };
+}
 
 /** A circle or a regular polygon of 3 to 8 corners, 0.3 to 0.7 m wide. */
 export function mixedOutline(random: () => number): Outline {
