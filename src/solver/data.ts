@@ -287,7 +287,7 @@ export class SolverData {
    */
   readonly hard: number[] = [];
   hardCount = 0;
-  /** The largest number of pairs so far, of which not all are contacts: for more of them room is made at once. */
+  /** For how many pairs, of which not all are contacts, room was last made at once: as soon as there are twice as many it is again. */
   roomFor = 0;
   /** Whether something was taken away that an awake body rested on or carried. */
   unloads = false;

@@ -87,7 +87,7 @@ saved.restore(saved.snapshot());${DROP}`,
     name: 'everything',
     code: `import { phys2D } from 'phys2d';\n${DEVICE}${DROP}`,
     parts: ALL,
-    budget: 118_700,
+    budget: 118_800,
   },
   {
     name: 'everything, with debug drawing',

@@ -41,7 +41,7 @@ export function packContacts(world: World): void {
   const { items } = sorted;
   const { window } = solver;
   solver.clearContacts();
-  if (sorted.count > solver.roomFor) {
+  if (sorted.count > 2 * solver.roomFor) {
     solver.roomFor = sorted.count;
     makeRoom(solver, sorted);
   }
