@@ -3,6 +3,8 @@ import {
   DEEP_OVERLAP,
   MAX_PUSH,
   MAX_PUSH_HOOKED,
+  PRESSED_PUSH,
+  PRESSED_SHARE,
   PUSH_SHARE_DEEP,
   PUSH_SHARE_HOOKED,
   PUSH_TOLERANCE,
@@ -29,6 +31,8 @@ const NUMBERS: usize = memory.data<f64>([
   PUSH_SHARE_HOOKED,
   -MAX_PUSH,
   -MAX_PUSH_HOOKED,
+  -PRESSED_PUSH,
+  PRESSED_SHARE,
 ]);
 
 export const HALF = 0;
@@ -40,6 +44,8 @@ export const SHARE_DEEP = 5;
 export const SHARE_HOOKED = 6;
 export const LEAST = 7;
 export const LEAST_HOOKED = 8;
+export const PUSH = 9;
+export const SHARE_PRESSED = 10;
 
 /** One of them, in both lanes. */
 export function number(which: i32): v128 {

@@ -6,11 +6,14 @@ import {
   DEEP_OVERLAP_CIRCLES,
   MAX_PUSH,
   MAX_PUSH_HOOKED,
+  PRESSED_PUSH,
+  PRESSED_SHARE,
   PUSH_SHARE_CIRCLES,
   PUSH_SHARE_CROWD,
   PUSH_SHARE_DEEP,
   PUSH_SHARE_DEEP_CIRCLES,
   PUSH_SHARE_HOOKED,
+  PUSH_SHARE_STATIC,
   PUSH_TOLERANCE,
 } from '../src/config';
 import * as d from '../src/solver/layout';
@@ -206,6 +209,14 @@ function within(x: v128, limit: v128): v128 {
   return pick(f64x2.gt(f64x2.abs(x), limit), cut, x);
 }
 
+/** As in `pressed.ts`. */
+function boundPush(e: f64, c: f64, began: f64): f64 {
+  const share = PRESSED_SHARE * began;
+  const left = c - began + (share < -PRESSED_PUSH ? share : -PRESSED_PUSH);
+  const most = left < 0 ? left : 0;
+  return e < most ? most : e;
+}
+
 /** As most contacts are passed by, it would take a tenth longer in lanes. @returns bit 0: it changed something; CROWDED, PRESSED. */
 export function solvePositionOne(records: usize, bodies: usize, motion: usize, from: i32, to: i32): i32 {
   let found = 0;
@@ -229,15 +240,22 @@ export function solvePositionOne(records: usize, bodies: usize, motion: usize, f
       continue;
     }
     found |= 1;
-    const share = get(r, d.SHARE);
+    const signed = get(r, d.SHARE);
+    const share = Math.abs(signed);
     const isRound = share === PUSH_SHARE_CIRCLES;
-    const isCrowd = isRound && get(r, d.NORMAL1) === 0;
-    if (isRound && c < -DEEP_OVERLAP) {
-      found |= isCrowd ? d.CROWDED : d.PRESSED;
-    }
     const deep = c + (isRound ? DEEP_OVERLAP_CIRCLES : DEEP_OVERLAP);
-    const ofDeep = isCrowd ? PUSH_SHARE_CROWD : isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
-    const e = share * c + (deep < 0 && share < ofDeep ? (ofDeep - share) * deep : 0);
+    let e = share * c;
+    if (deep < 0 && share !== PUSH_SHARE_STATIC) {
+      const isPressed = get(r, d.NORMAL1) !== 0;
+      if (isRound && c < -DEEP_OVERLAP) {
+        found |= isPressed ? d.PRESSED : d.CROWDED;
+      }
+      const ofDeep = isRound ? (isPressed ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_CROWD) : PUSH_SHARE_DEEP;
+      e += (ofDeep - share) * deep;
+      if (isPressed && signed > 0) {
+        e = boundPush(e, c, get(r, d.SEPARATION1) + CONTACT_SLOP);
+      }
+    }
     const most = share === PUSH_SHARE_HOOKED ? MAX_PUSH_HOOKED : MAX_PUSH;
     const x = (e < -most ? most : -e) * get(r, d.NORMAL_MASS);
     const mA = get(a, d.INV_MASS) * x;

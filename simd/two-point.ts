@@ -243,13 +243,17 @@ export function solvePositionTwo(records: usize, bodies: usize, motion: usize, f
         continue;
       }
       pushed = true;
-      const share = at(r, d.SHARE);
+      const signed = at(r, d.SHARE);
+      const share = f64x2.abs(signed);
       const least = pick(f64x2.eq(share, number(n.SHARE_HOOKED)), number(n.LEAST_HOOKED), number(n.LEAST));
       const more = f64x2.pmax(zero, f64x2.sub(number(n.SHARE_DEEP), share));
-      const s1 = f64x2.add(f64x2.mul(share, c1), f64x2.mul(more, f64x2.pmin(zero, f64x2.add(c1, number(n.DEEP)))));
-      const s2 = f64x2.add(f64x2.mul(share, c2), f64x2.mul(more, f64x2.pmin(zero, f64x2.add(c2, number(n.DEEP)))));
-      const e1 = pick(f64x2.lt(s1, least), least, pick(f64x2.lt(s1, zero), s1, c1));
-      const e2 = pick(f64x2.lt(s2, least), least, pick(f64x2.lt(s2, zero), s2, c2));
+      const isPressed = v128.and(f64x2.ne(v128.or(at(r, d.NORMAL1), at(r, d.NORMAL2)), zero), f64x2.gt(signed, zero));
+      let s1 = f64x2.add(f64x2.mul(share, c1), f64x2.mul(more, f64x2.pmin(zero, f64x2.add(c1, number(n.DEEP)))));
+      let s2 = f64x2.add(f64x2.mul(share, c2), f64x2.mul(more, f64x2.pmin(zero, f64x2.add(c2, number(n.DEEP)))));
+      s1 = boundPush(r, s1, c1, isPressed, 0);
+      s2 = boundPush(r, s2, c2, isPressed, d.SECOND);
+      const e1 = pick(f64x2.lt(s1, least), least, pick(f64x2.lt(c1, zero), s1, c1));
+      const e2 = pick(f64x2.lt(s2, least), least, pick(f64x2.lt(c2, zero), s2, c2));
       const i12 = at(r, d.I12);
       let x1 = f64x2.neg(f64x2.add(f64x2.mul(at(r, d.I11), e1), f64x2.mul(i12, e2)));
       let x2 = f64x2.neg(f64x2.add(f64x2.mul(i12, e1), f64x2.mul(at(r, d.I22), e2)));
@@ -285,6 +289,14 @@ export function solvePositionTwo(records: usize, bodies: usize, motion: usize, f
     }
   }
   return pushed;
+}
+
+/** As in `pressed.ts`, of both contacts: of those that are pressed. */
+function boundPush(r: usize, s: v128, c: v128, isPressed: v128, shift: i32): v128 {
+  const began = f64x2.add(at(r, d.SEPARATION1 + shift), number(n.SLOP));
+  const most = f64x2.pmin(number(n.PUSH), f64x2.mul(number(n.SHARE_PRESSED), began));
+  const left = f64x2.add(f64x2.sub(c, began), most);
+  return pick(isPressed, f64x2.pmax(s, f64x2.pmin(f64x2.splat(0), left)), s);
 }
 
 /** The normal velocity of a point, with its bias. */

@@ -73,7 +73,7 @@ export const HELD = 16;
 export const EVEN = -2;
 export const NX = 0;
 export const NY = 2;
-/** Share of the overlap that a position iteration removes. */
+/** Share of the overlap that a position iteration removes; negative where PRESSED_PUSH is no bound. */
 export const SHARE = 4;
 /** Surface velocity along t and along n. */
 export const SURFACE_T = 6;

@@ -10,11 +10,13 @@ import {
   PUSH_SHARE_DEEP,
   PUSH_SHARE_DEEP_CIRCLES,
   PUSH_SHARE_HOOKED,
+  PUSH_SHARE_STATIC,
   PUSH_TOLERANCE,
   TOUCH_DEPTH,
 } from '../../config.js';
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
+import { boundPush } from './pressed.js';
 
 /** Starts a sub-step, as `warmStartTwo`, for contacts of one point. Circles have a rolling impulse as well. */
 export function warmStartOne(data: SolverData, from: number, to: number, h: number): void {
@@ -175,15 +177,22 @@ export function solvePositionOne(data: SolverData, from: number, to: number): bo
       continue;
     }
     pushed = true;
-    const share = r[i + d.SHARE]!;
+    const signed = r[i + d.SHARE]!;
+    const share = Math.abs(signed);
     const isRound = share === PUSH_SHARE_CIRCLES;
-    const isCrowd = isRound && r[i + d.NORMAL1]! === 0;
-    if (isRound && c < -DEEP_OVERLAP) {
-      data.deepCircles |= isCrowd ? d.CROWDED : d.PRESSED;
-    }
     const deep = c + (isRound ? DEEP_OVERLAP_CIRCLES : DEEP_OVERLAP);
-    const ofDeep = isCrowd ? PUSH_SHARE_CROWD : isRound ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_DEEP;
-    const e = share * c + (deep < 0 && share < ofDeep ? (ofDeep - share) * deep : 0);
+    let e = share * c;
+    if (deep < 0 && share !== PUSH_SHARE_STATIC) {
+      const isPressed = r[i + d.NORMAL1]! !== 0;
+      if (isRound && c < -DEEP_OVERLAP) {
+        data.deepCircles |= isPressed ? d.PRESSED : d.CROWDED;
+      }
+      const ofDeep = isRound ? (isPressed ? PUSH_SHARE_DEEP_CIRCLES : PUSH_SHARE_CROWD) : PUSH_SHARE_DEEP;
+      e += (ofDeep - share) * deep;
+      if (isPressed && signed > 0) {
+        e = boundPush(e, c, r[i + d.SEPARATION1]! + CONTACT_SLOP);
+      }
+    }
     const most = share === PUSH_SHARE_HOOKED ? MAX_PUSH_HOOKED : MAX_PUSH;
     const x = (e < -most ? most : -e) * r[i + d.NORMAL_MASS]!;
     const mA = q[a + d.INV_MASS]! * x;

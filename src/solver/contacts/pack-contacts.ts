@@ -349,7 +349,9 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
       share = shareOfTwo(pair, mA, mB);
     }
   }
-  r[at + d.SHARE] = share;
+  // Joints would have to bear for longer what is deep in them, and what is weightless does not fall back.
+  const isHeap = mA > 0 && mB > 0 && (either & d.LINKED) === 0 && (isDrawn(drive, a) || isDrawn(drive, b));
+  r[at + d.SHARE] = isHeap ? share : -share;
   if (Math.min(r[at + d.START1]!, r[other + d.START1]!) < -SQUEEZE_DEPTH) {
     data.squeezes.contacts.add(contact);
   }
@@ -371,6 +373,11 @@ function packPair(data: SolverData, batch: ContactBatch, index: number, a: numbe
     data.bounces.add(batch, index, 0);
     if (isTwo) data.bounces.add(batch, index, d.SECOND);
   }
+}
+
+/** Whether gravity or forces accelerate the body whose record begins there. */
+function isDrawn(drive: Float64Array, at: number): boolean {
+  return drive[at + d.GAIN_X]! !== 0 || drive[at + d.GAIN_Y]! !== 0;
 }
 
 /** Whether a contact shares a body, other than slot 0, with the one before. */

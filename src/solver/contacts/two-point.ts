@@ -11,6 +11,7 @@ import {
 } from '../../config.js';
 import type { SolverData } from '../data.js';
 import * as d from '../layout.js';
+import { boundPush } from './pressed.js';
 
 /**
  * Starts a sub-step: separations for the present placement, what the normal velocities are driven to, and the impulses of
@@ -221,16 +222,21 @@ export function solvePositionTwo(data: SolverData, from: number, to: number): bo
       continue;
     }
     pushed = true;
-    const share = r[i + d.SHARE]!;
+    const signed = r[i + d.SHARE]!;
+    const share = Math.abs(signed);
     const least = share === PUSH_SHARE_HOOKED ? -MAX_PUSH_HOOKED : -MAX_PUSH;
     const shy = PUSH_SHARE_DEEP - share;
     const more = shy > 0 ? shy : 0;
     const deep1 = c1 + DEEP_OVERLAP;
     const deep2 = c2 + DEEP_OVERLAP;
-    const s1 = share * c1 + more * (deep1 < 0 ? deep1 : 0);
-    const s2 = share * c2 + more * (deep2 < 0 ? deep2 : 0);
-    const e1 = s1 < least ? least : s1 < 0 ? s1 : c1;
-    const e2 = s2 < least ? least : s2 < 0 ? s2 : c2;
+    let s1 = share * c1 + more * (deep1 < 0 ? deep1 : 0);
+    let s2 = share * c2 + more * (deep2 < 0 ? deep2 : 0);
+    if (signed > 0 && (r[i + d.NORMAL1]! !== 0 || r[i + d.NORMAL2]! !== 0)) {
+      s1 = boundPush(s1, c1, r[i + d.SEPARATION1]! + CONTACT_SLOP);
+      s2 = boundPush(s2, c2, r[i + d.SEPARATION2]! + CONTACT_SLOP);
+    }
+    const e1 = s1 < least ? least : c1 < 0 ? s1 : c1;
+    const e2 = s2 < least ? least : c2 < 0 ? s2 : c2;
     const i12 = r[i + d.I12]!;
     let x1 = -(r[i + d.I11]! * e1 + i12 * e2);
     let x2 = -(i12 * e1 + r[i + d.I22]! * e2);

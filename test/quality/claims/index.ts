@@ -21,6 +21,7 @@ export { pile } from './pile.js';
 export { pyramid } from './pyramid.js';
 export { ramp } from './ramp.js';
 export { seams } from './seams.js';
+export { slipperyHeap } from './slippery-heap.js';
 export { spinningBox } from './spinning-box.js';
 export { stretchedChain } from './stretched-chain.js';
 export { tower } from './tower.js';

@@ -24,7 +24,11 @@ export function pushHeld(data: SolverData): void {
     const b = bodies[contact | 1]!;
     if (((traits[a / d.BODY_STRIDE]! | traits[b / d.BODY_STRIDE]!) & d.HELD) !== 0) {
       const index = contact >> 1;
-      records[recordAt(index, stride) + d.SHARE] = shareOfTwo(arbiters[index]!, v[a + d.INV_MASS]!, v[b + d.INV_MASS]!);
+      records[recordAt(index, stride) + d.SHARE] = -shareOfTwo(
+        arbiters[index]!,
+        v[a + d.INV_MASS]!,
+        v[b + d.INV_MASS]!,
+      );
     }
   }
 }
