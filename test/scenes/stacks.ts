@@ -32,6 +32,20 @@ export function addGround(
   return add(phys2D, world, shape, [x, y + 1], { type: 'static' });
 }
 
+/** Two static walls of this width and height, their middles at x and −x, that reach `below` metres under y = 0. */
+export function addWalls(
+  phys2D: Physics2DDevice,
+  world: World,
+  friction: number,
+  { x, width, height, below }: { x: number; width: number; height: number; below: number },
+): void {
+  for (const middle of [-x, x]) {
+    const vertices = phys2D.createBoxVertices(width, height);
+    const shape = phys2D.createPolygonShape({ vertices, material: plainMaterial(phys2D, friction) });
+    add(phys2D, world, shape, [middle, below - height / 2], { type: 'static' });
+  }
+}
+
 export interface TowerParams {
   readonly count: number;
   /** m. Every other box is this far to the left, the others to the right. */

@@ -41,6 +41,11 @@ export function fastest(bodies: readonly RigidBody[]): number {
   return Math.max(...bodies.map(speedOf));
 }
 
+/** m/s. The root of the mean square of their speeds. */
+export function meanSpeed(bodies: readonly RigidBody[]): number {
+  return Math.sqrt(bodies.reduce((sum, body) => sum + speedOf(body) ** 2, 0) / bodies.length);
+}
+
 /** Remembers where bodies are. @returns how far the one that moved farthest has moved since. */
 export function watch(bodies: readonly RigidBody[]): () => number {
   const from = bodies.map((body) => [...body.getPosition()]);

@@ -1,7 +1,7 @@
 import type { RigidBody, Vec2 } from '../../../src/index.js';
 import { generator } from '../../scenes/mixed.js';
-import { add, addGround, plainMaterial } from '../../scenes/stacks.js';
-import { type Claim, type Figure, run, speedOf } from './claim.js';
+import { add, addGround, addWalls, plainMaterial } from '../../scenes/stacks.js';
+import { type Claim, type Figure, meanSpeed, run } from './claim.js';
 import { deepestOverlap } from './overlap.js';
 
 const COLUMNS = 45;
@@ -14,10 +14,7 @@ export const largeHeap: Claim = {
     const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
     const material = plainMaterial(phys2D, 0.6);
     addGround(phys2D, world, 0.6);
-    for (const x of [-29, 29]) {
-      const wall = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(2, 200), material });
-      add(phys2D, world, wall, [x, -90], { type: 'static' });
-    }
+    addWalls(phys2D, world, 0.6, { x: 29, width: 2, height: 200, below: 10 });
     const random = generator(1);
     const circles: RigidBody[] = [];
     const radii: number[] = [];
@@ -30,10 +27,9 @@ export const largeHeap: Claim = {
     }
     run(world, 10);
     const overlap = deepestOverlap(circles, (_, i) => ({ radius: radii[i]! }));
-    const square = circles.reduce((sum, circle) => sum + speedOf(circle) ** 2, 0);
     return [
       { what: 'deepest overlap', value: overlap, unit: 'm', limit: 0.01 },
-      { what: 'speed, root of the mean square', value: Math.sqrt(square / circles.length), unit: 'm/s', limit: 0.2 },
+      { what: 'speed, root of the mean square', value: meanSpeed(circles), unit: 'm/s', limit: 0.2 },
     ];
   },
 };

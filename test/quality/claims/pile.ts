@@ -1,6 +1,6 @@
 import type { Physics2DDevice, RigidBody, Vec2 } from '../../../src/index.js';
 import { generator } from '../../scenes/mixed.js';
-import { add, addGround, plainMaterial } from '../../scenes/stacks.js';
+import { add, addGround, addWalls, plainMaterial } from '../../scenes/stacks.js';
 import { type Claim, type Figure, fastest, run, SLOP } from './claim.js';
 import { deepestOverlap, type Outline } from './overlap.js';
 
@@ -14,11 +14,7 @@ function measurePile(phys2D: Physics2DDevice, seed: number): { readonly overlap:
   const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
   addGround(phys2D, world, 0.6);
   const random = generator(seed);
-  for (const x of [-8.5, 8.5]) {
-    const vertices = phys2D.createBoxVertices(1, 80);
-    const wall = phys2D.createPolygonShape({ vertices, material: plainMaterial(phys2D, 0.6) });
-    add(phys2D, world, wall, [x, -38], { type: 'static' });
-  }
+  addWalls(phys2D, world, 0.6, { x: 8.5, width: 1, height: 80, below: 2 });
   const bodies: RigidBody[] = [];
   const outlines: Outline[] = [];
   for (let i = 0; i < 500; i += 1) {

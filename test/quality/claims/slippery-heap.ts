@@ -1,7 +1,7 @@
 import type { RigidBody } from '../../../src/index.js';
 import { generator } from '../../scenes/mixed.js';
-import { add, addGround, plainMaterial } from '../../scenes/stacks.js';
-import { type Claim, type Figure, run, speedOf } from './claim.js';
+import { add, addGround, addWalls, plainMaterial } from '../../scenes/stacks.js';
+import { type Claim, type Figure, meanSpeed, run } from './claim.js';
 
 const COLUMNS = 39;
 const ROWS = 77;
@@ -13,10 +13,7 @@ export const slipperyHeap: Claim = {
     const world = phys2D.createWorld({ gravity: [0, 10], allowSleeping: false });
     const material = plainMaterial(phys2D, 0);
     addGround(phys2D, world, 0);
-    for (const x of [-26, 26]) {
-      const wall = phys2D.createPolygonShape({ vertices: phys2D.createBoxVertices(2, 300), material });
-      add(phys2D, world, wall, [x, -140], { type: 'static' });
-    }
+    addWalls(phys2D, world, 0, { x: 26, width: 2, height: 300, below: 10 });
     const random = generator(1);
     const bodies: RigidBody[] = [];
     for (let i = 0; i < COLUMNS * ROWS; i += 1) {
@@ -29,10 +26,9 @@ export const slipperyHeap: Claim = {
       bodies.push(add(phys2D, world, shape, [x, -0.7 - 1.2 * Math.floor(i / COLUMNS)], { rotation: 6 * random() }));
     }
     run(world, 9);
-    const square = bodies.reduce((sum, body) => sum + speedOf(body) ** 2, 0);
     const sunk = bodies.reduce((sum, body) => sum + body.getPosition()[1], 0) / bodies.length;
     return [
-      { what: 'speed, root of the mean square', value: Math.sqrt(square / bodies.length), unit: 'm/s', limit: 0.2 },
+      { what: 'speed, root of the mean square', value: meanSpeed(bodies), unit: 'm/s', limit: 0.2 },
       { what: 'middle of the heap, under a height of 12 m', value: 12 + sunk, unit: 'm', limit: 1.5 },
     ];
   },
