@@ -440,7 +440,7 @@ export const STRAIN_UNLIKE_ONE = 0.5;
 /** Steps on end for which a contact has to bear so much before it is strained: an impact is over sooner. With 20, towers buckle. */
 export const STRAIN_DELAY = 8;
 
-/** Steps for which a contact then counts as strained; else sweeps that come and go would shake what they hold. */
+/** Steps for which it then counts as strained; if its bodies are alike, no more than it was. Sweeps that come and go shake heaps. */
 export const STRAIN_STEPS = 60;
 
 /**

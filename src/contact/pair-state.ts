@@ -50,8 +50,8 @@ export abstract class PairState {
    * then; 0 if the points are those of the present placements
    */
   foreseen = 0;
-  /** @internal the last step in which it had borne far more than its bodies weigh for several steps on end */
-  strained = LONG_AGO;
+  /** @internal the step from which on it no longer counts as strained, which is to bear far more than its bodies weigh */
+  strainedUntil = LONG_AGO;
   /** @internal the step in which the present interaction began, or the last one */
   began = -1;
   /** @internal for how many steps on end it has borne far more than its bodies weigh, see `strainFor` */
@@ -150,7 +150,7 @@ export abstract class PairState {
   /** @internal as if it had never been strained or rocking */
   calm(): void {
     this.strainFor(0);
-    this.strained = LONG_AGO;
+    this.strainedUntil = LONG_AGO;
     this.unmark(ROCKS);
   }
 }

@@ -340,13 +340,13 @@ function smallFeatures(n: Float64Array, o: number): number {
 }
 
 function isUsual(
-  { numbers: n, at: o, seen, began, strained, lastInteraction, strain }: Arbiter,
+  { numbers: n, at: o, seen, began, strainedUntil, lastInteraction, strain }: Arbiter,
   as: Float64Array,
 ): boolean {
   return (
     seen === as[0] &&
     began === as[1] &&
-    strained === as[2] &&
+    strainedUntil === as[2] &&
     lastInteraction === as[3] &&
     strain === as[4] &&
     n[o + g.FACE_STAMP] === as[5] &&
@@ -367,7 +367,7 @@ function passUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   if (tape.writes) {
     as[0] = pair.seen;
     as[1] = pair.began;
-    as[2] = pair.strained;
+    as[2] = pair.strainedUntil;
     as[3] = pair.lastInteraction;
     as[4] = pair.strain;
     as[5] = n[o + g.FACE_STAMP]!;
@@ -387,7 +387,7 @@ function takeUsual(tape: Tape, pair: Arbiter, as: Float64Array): void {
   tape.require(as[4]! >= 0 && as[4]! <= MOST && as[5]! >= 0 && as[5]! <= MOST);
   pair.seen = as[0]! | 0;
   pair.began = as[1]! | 0;
-  pair.strained = as[2]! | 0;
+  pair.strainedUntil = as[2]! | 0;
   pair.lastInteraction = as[3]! | 0;
   pair.strainFor(as[4]! | 0);
   n[o + g.FACE_STAMP] = as[5]!;

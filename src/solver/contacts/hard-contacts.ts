@@ -1,15 +1,6 @@
 import type { RigidBody } from '../../body.js';
 import { DYNAMIC } from '../../body-kind.js';
-import {
-  NEW_SHARE,
-  NEW_SPEED,
-  NEW_STEPS,
-  ROCK_LEAST,
-  ROCK_SHARE,
-  ROCK_SPIN,
-  STRAIN_SHARE,
-  STRAIN_STEPS,
-} from '../../config.js';
+import { NEW_SHARE, NEW_SPEED, NEW_STEPS, ROCK_LEAST, ROCK_SHARE, ROCK_SPIN, STRAIN_SHARE } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
 import { ROCKS } from '../../contact/bits.js';
 import type { SolverData } from '../data.js';
@@ -34,11 +25,11 @@ export function markHard(data: SolverData, count: number, stamp: number): number
   const mark = 1 + 2 * (data.one.count + data.two.count);
   for (let i = 0; i < count; i += 1) {
     const pair = window[i]!;
-    const { began, strained: latest, bodyA, bodyB } = pair;
+    const { began, strainedUntil, bodyA, bodyB } = pair;
     if (data.unloads && (bodyA.unloaded === stamp || bodyB.unloaded === stamp)) {
       return ALL_HARD;
     }
-    if (stamp - latest < STRAIN_STEPS) {
+    if (stamp < strainedUntil) {
       strained += 1;
       setMark(data, bodyA, mark);
       setMark(data, bodyB, mark);

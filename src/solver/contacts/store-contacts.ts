@@ -6,6 +6,7 @@ import {
   STRAIN_DELAY,
   STRAIN_PART,
   STRAIN_SPEED,
+  STRAIN_STEPS,
   STRAIN_UNLIKE,
   STRAIN_UNLIKE_ONE,
   TUMBLE_SPIN,
@@ -53,12 +54,12 @@ export function storeTwo(data: SolverData, index: number, stamp: number): void {
   n[o + c.STEP_TANGENT + c.IMPULSES] = slid2;
   const isUsed1 = total1 !== 0 || slid1 !== 0 || !(n[o + g.S0]! > 0);
   const isUsed2 = total2 !== 0 || slid2 !== 0 || !(n[o + g.S1]! > 0);
+  noteUse(batch, index, (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0), isRocking(data, a, b, p1 + p2));
+  const bearsMuch = p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED;
+  const isUnlike = bearsMuch && areUnlike(data, a, b, STRAIN_UNLIKE);
   const isStrained =
-    p1 * r[i + d.K11]! + p2 * r[i + d.K22]! > STRAIN_SPEED &&
-    (areUnlike(data, a, b, STRAIN_UNLIKE) ||
-      p1 + p2 > STRAIN_PART * Math.min(data.drive[a + d.LOAD]!, data.drive[b + d.LOAD]!));
-  const used = (isUsed1 ? 1 : 0) | (isUsed2 ? 2 : 0);
-  noteUse(batch, index, used, isRocking(data, a, b, p1 + p2), isStrained, stamp);
+    isUnlike || (bearsMuch && p1 + p2 > STRAIN_PART * Math.min(data.drive[a + d.LOAD]!, data.drive[b + d.LOAD]!));
+  noteStrain(batch, index, isStrained, isUnlike, stamp);
 }
 
 /** The same for a contact of one point; a second point that the solver did not see has no impulse. */
@@ -89,25 +90,15 @@ export function storeOne(data: SolverData, index: number, stamp: number): void {
   n[o + c.ROLL] = remember(data, n[o + c.ROLL]! * scale, roll);
   n[o + c.STEP_ROLL] = r[i + d.ROLL_SUM]! + roll;
   const isUsed = total !== 0 || slid !== 0 || !(n[o + g.S0 + g.POINT * which]! > 0);
+  noteUse(batch, index, (usedBefore & ~(1 << which)) | (isUsed ? 1 << which : 0), false);
   const isStrained =
     p > STRAIN_SPEED * r[i + d.NORMAL_MASS]! &&
     areUnlike(data, bodies[2 * index]! & d.OFFSET, bodies[2 * index + 1]!, STRAIN_UNLIKE_ONE);
-  const used = (usedBefore & ~(1 << which)) | (isUsed ? 1 << which : 0);
-  noteUse(batch, index, used, false, isStrained, stamp);
+  noteStrain(batch, index, isStrained, true, stamp);
 }
 
-/**
- * Notes which points the solver used, and for how long the contact has been strained: it bears far more than its bodies weigh, and these
- * are of unlike mass, or it bears much of what one of them bears. The memory of the arbiter is waited for only if something changed.
- */
-function noteUse(
-  { bits, arbiters }: ContactBatch,
-  index: number,
-  used: number,
-  rocks: boolean,
-  isStrained: boolean,
-  stamp: number,
-): void {
+/** Notes which points the solver used, and whether it rocks. The memory of the arbiter is waited for only if something changed. */
+function noteUse({ bits, arbiters }: ContactBatch, index: number, used: number, rocks: boolean): void {
   const was = bits[index]!;
   const before = (was >> USED) & 3;
   const found = (used << USED) | ((used & ~before) << FRESH) | (before << USED_BEFORE) | (rocks ? ROCKS : 0);
@@ -116,10 +107,26 @@ function noteUse(
     const pair = arbiters[index]!;
     pair.bits = (pair.bits & ~NOTED) | found;
   }
-  if (isStrained || (was & STRAINS) !== 0) {
+}
+
+/**
+ * Notes for how many steps on end the contact has been strained: it bears far more than its bodies weigh, and these are of unlike mass, or
+ * it bears much of what one of them bears. From this follows for how long it counts as strained; the arbiter is read only if it was.
+ */
+function noteStrain(
+  { bits, arbiters }: ContactBatch,
+  index: number,
+  isStrained: boolean,
+  isUnlike: boolean,
+  stamp: number,
+): void {
+  if (isStrained || (bits[index]! & STRAINS) !== 0) {
     const pair = arbiters[index]!;
     pair.strainFor(isStrained ? pair.strain + 1 : 0);
-    if (pair.strain >= STRAIN_DELAY) pair.strained = stamp;
+    if (pair.strain >= STRAIN_DELAY) {
+      const memory = isUnlike ? STRAIN_STEPS : Math.min(pair.strain, STRAIN_STEPS);
+      pair.strainedUntil = Math.max(pair.strainedUntil, stamp + memory);
+    }
   }
 }
 
