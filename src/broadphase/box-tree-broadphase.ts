@@ -58,6 +58,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
 
   private readonly moving = new PackedTree<TreeHandle<T>>(MARGIN);
   private readonly still = new PackedTree<TreeHandle<T>>(0);
+  /** All filters that handles have had, together: a handle that these keep apart from all others meets none, and is not looked up. */
+  private readonly filters = { group: 0, mask: 0 };
   /** Bounds and state of all handles, by their numbers. Side by side, as `perform` walks through all of them. */
   private boxes = new Float64Array(16 * BOX);
   private states = new Int32Array(16 * STATE).fill(NONE);
@@ -104,8 +106,14 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     const handle = new TreeHandle<T>(data, isStatic, this.takeNumber(), group, filter, this.kin);
     this.setBox(handle.number, bounds);
+    this.noteFilter(filter);
     this.enter(handle, bounds);
     return handle;
+  }
+
+  private noteFilter({ group, mask }: BroadphaseFilter): void {
+    this.filters.group |= group;
+    this.filters.mask |= mask;
   }
 
   /** Puts a handle into the static or the moving tree. */
@@ -138,7 +146,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   }
 
   refilter(handle: BroadphaseHandle<T>): void {
-    this.noteMoved(this.owned('BoxTreeBroadphase.refilter', handle).number);
+    const { number, filter } = this.owned('BoxTreeBroadphase.refilter', handle);
+    this.noteFilter(filter);
+    this.noteMoved(number);
   }
 
   /**
@@ -300,6 +310,8 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
   private empty(): void {
     this.moving.clear();
     this.still.clear();
+    this.filters.group = 0;
+    this.filters.mask = 0;
     this.states.fill(NONE);
     this.movedCount = 0;
     this.handleCount = 0;
@@ -358,6 +370,9 @@ export class BoxTreeBroadphase<T = unknown> implements Broadphase<T> {
     }
     states[handle * STATE + MARK] = this.search;
     const own = tree.items[leaf]!;
+    if (!letsMeet(own.filter, this.filters)) {
+      return;
+    }
     tree.boxOf(leaf, this.box);
     this.addPairs(own, moving);
     if (!isStatic) {

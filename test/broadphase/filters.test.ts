@@ -71,6 +71,24 @@ describe('the box tree', () => {
       ),
     );
   });
+
+  it('finds what comes later for what had nothing to meet', () => {
+    const tree = phys2D.createBoxTreeBroadphase();
+    for (let round = 0; round < 2; round += 1) {
+      const [link, other] = [0, 1].map(() => ({ group: 2, mask: 1 }));
+      const handles = [link, other].map((filter, i) => tree.insert(i, [0, 0, 1, 1], false, undefined, filter));
+      expect(pairsOf(tree)).toEqual([]);
+      tree.insert(2, [0, 0, 1, 1], true, undefined, { group: 1, mask: 2 });
+      expect(pairsOf(tree)).toEqual(['0-2', '1-2']);
+      tree.insert(3, [0, 0, 1, 1], false, undefined, { group: 4, mask: 8 });
+      expect(pairsOf(tree)).toEqual(['0-2', '1-2']);
+      other!.group |= 8;
+      other!.mask |= 4;
+      tree.refilter!(handles[1]!);
+      expect(pairsOf(tree)).toEqual(['0-2', '1-2', '1-3']);
+      tree.clear();
+    }
+  });
 });
 
 describe('a world', () => {
