@@ -19,7 +19,8 @@ export class DistanceConstraint extends BoundedConstraint {
   /** Tells the kinds apart. */
   readonly type = 'DISTANCE';
 
-  private readonly link = new Link(0, 1);
+  /** @internal */
+  readonly link = new Link(0, 1);
 
   /** @internal use `createDistanceConstraint` */
   constructor(params: DistanceConstraintParams) {

@@ -5,8 +5,8 @@ import { COS, POSE, SIN, X, Y } from './layout.js';
 /** The straight line between an anchor on one body and one on another: a distance constraint has one, a pulley two. */
 export class Link {
   /** Its direction when it was last long enough to have one. */
-  private nx = 1;
-  private ny = 0;
+  nx = 1;
+  ny = 0;
 
   /** `a` and `b`: the indices of the two members, and of their anchors. */
   constructor(

@@ -1,7 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { type Constraint, phys2D } from '../../src/index.js';
 import type { SolverData } from '../../src/solver/data.js';
-import { ANCHORED, LINE, ROW } from '../../src/solver/joints/joint-layout.js';
+import {
+  ANCHORED,
+  DISTANCE,
+  DISTANCE_NX,
+  DISTANCE_NY,
+  DISTANCE_OWN,
+  LINE,
+} from '../../src/solver/joints/joint-layout.js';
 import { finishAnchored } from '../../src/solver/joints/kernels/anchored.js';
 import {
   finishBlock,
@@ -10,7 +17,7 @@ import {
   solveVelocityBlock,
   warmStartBlock,
 } from '../../src/solver/joints/kernels/blocks.js';
-import { finishRows, warmStartRows } from '../../src/solver/joints/kernels/rows.js';
+import { finishDistances, lineariseDistances, warmStartDistances } from '../../src/solver/joints/kernels/distances.js';
 import { pushRun, solveVelocityRun } from '../../src/solver/joints/kernels/sweeps.js';
 import { add, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
@@ -63,8 +70,11 @@ function outcome(data: SolverData, loop: Loop): number[][] {
   const before = arrays.map((array) => array.slice());
   joints.worst.fill(0);
   for (const { start, end } of joints.runs) loop(data, start, end);
-  // What is there only while a joint is solved.
-  for (const { at, layout } of joints.joints) joints.records.fill(0, at + layout.work, at + layout.work + layout.rows);
+  // What is there only while a joint is solved; and the direction, which the general one leaves to the constraint.
+  for (const { at, layout } of joints.joints) {
+    joints.records.fill(0, at + layout.work, at + layout.work + layout.rows);
+    joints.records.fill(0, at + layout.own + DISTANCE_NX, at + layout.size - DISTANCE_OWN + DISTANCE_NY + 1);
+  }
   const after = arrays.map((array) => [...array]);
   for (const [i, array] of arrays.entries()) array.set(before[i]!);
   joints.broken.length = 0;
@@ -96,9 +106,8 @@ function inTurn(...loops: Loop[]): Loop {
 const bounds = { lowerBound: -0.5, upperBound: 0.5 };
 
 describe.each([
-  ['distances', ROW, phys2D.createDistanceConstraint, { lowerBound: 0.5, upperBound: 1.5 }],
-  ['distances of one length', ROW, phys2D.createDistanceConstraint, { lowerBound: 1, upperBound: 1 }],
-  ['angles that may break', ROW, phys2D.createAngleConstraint, bounds],
+  ['distances', DISTANCE, phys2D.createDistanceConstraint, { lowerBound: 0.5, upperBound: 1.5 }],
+  ['distances of one length', DISTANCE, phys2D.createDistanceConstraint, { lowerBound: 1, upperBound: 1 }],
   ['lines', LINE, phys2D.createLineConstraint, { axis: [1, 2], ...bounds }],
   ['slots', LINE, phys2D.createLineConstraint, { axis: [1, 2], lowerBound: 0.5, upperBound: 0.5 }],
   ['welds', ANCHORED, phys2D.createWeldConstraint, { phase: 0.3 }],
@@ -112,8 +121,13 @@ describe.each([
     return (all, start, end) => pushRun(all, kernel, start, end, isBack);
   };
   const own: [string, Loop, Loop][] = [];
-  if (kernel === ROW) own.push(['begin a sub-step', general.warmStart, warmStartRows]);
-  if (kernel !== LINE) own.push(['end a sub-step', general.finish, kernel === ROW ? finishRows : finishAnchored]);
+  if (kernel === DISTANCE) {
+    own.push(['begin a sub-step', general.warmStart, warmStartDistances]);
+    const straight: Loop = (all, start, end) => lineariseDistances(all, start, end, false);
+    own.push(['are linearised', general.linearise, straight]);
+  }
+  if (kernel !== LINE)
+    own.push(['end a sub-step', general.finish, kernel === DISTANCE ? finishDistances : finishAnchored]);
 
   it('have their kernel', () => {
     const kernels = new Set(data.joints.joints.map((joint) => joint.kernel));
@@ -134,7 +148,7 @@ describe.each([
     data.joints.share[0] = 0.5;
     const found = outcome(data, straight);
     const expected = outcome(data, wanted);
-    const tolerance = kernel === ROW ? 1e-12 : 0;
+    const tolerance = kernel === DISTANCE ? 1e-12 : 0;
     const off = found.flatMap((numbers, i) =>
       numbers.filter((number, k) => !isNear(number, expected[i]![k]!, tolerance)),
     );

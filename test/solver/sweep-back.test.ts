@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { phys2D, type RigidBody } from '../../src/index.js';
-import { ANCHORED, BLOCK, LINE, POINT, ROW, TURN } from '../../src/solver/joints/joint-layout.js';
+import { ANCHORED, BLOCK, DISTANCE, LINE, POINT, TURN } from '../../src/solver/joints/joint-layout.js';
 import {
   linearise,
   pushRun,
@@ -58,7 +58,7 @@ it.each([
     return found;
   });
   const forth = outcome((kernel, start, end) => solve(data, kernel, start, end, false));
-  expect(joints.runs.map(({ kernel }) => kernel).sort()).toEqual([POINT, TURN, ROW, LINE, ANCHORED, BLOCK]);
+  expect(joints.runs.map(({ kernel }) => kernel).sort()).toEqual([POINT, TURN, DISTANCE, LINE, ANCHORED, BLOCK]);
   expect(back).toEqual(single);
   expect(back.numbers).not.toEqual(forth.numbers);
 });

@@ -342,7 +342,7 @@ export function breakJoint(data: JointData, joint: Joint): void {
 
 /** Takes a joint out of the rest of the step: with softness 0, nothing it finds has an effect. */
 export function silence({ records: r }: JointData, { at, layout }: Joint): void {
-  r.fill(0, at, at + layout.size);
+  r.fill(0, at, at + layout.own);
   r[at + MAX_ERROR] = Infinity;
 }
 

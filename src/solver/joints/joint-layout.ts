@@ -107,13 +107,13 @@ export const POINT_STRIDE = 31;
 export const POINT = 0;
 /** … angles, motors, and points that keep an angle (`order/pinned.ts`), that do not break … */
 export const TURN = 1;
-/** … distances, and angles that may break … */
-export const ROW = 2;
+/** … distances … */
+export const DISTANCE = 2;
 /** … lines … */
 export const LINE = 3;
 /** … welds, and points that are soft or may break … */
 export const ANCHORED = 4;
-/** … joints with any number of rows and bodies … */
+/** … joints with any number of rows and bodies, angles and motors that may break among them … */
 export const BLOCK = 5;
 /** … and custom constraints, which do the same by callbacks. */
 export const CUSTOM = 6;
@@ -146,6 +146,17 @@ export const TURN_BEGAN = 28;
 export const TURN_RATE = 29;
 export const TURN_STRIDE = 30;
 
+/**
+ * The own numbers of a distance: the anchors of A and B, the direction from one to the other when they were last far enough apart to have
+ * one, bounds.
+ */
+export const DISTANCE_ANCHORS = 0;
+export const DISTANCE_NX = 4;
+export const DISTANCE_NY = 5;
+export const DISTANCE_LOWER = 6;
+export const DISTANCE_UPPER = 7;
+export const DISTANCE_OWN = 8;
+
 /** The layout of the record of any other joint, with D rows and N members. */
 export class BlockLayout {
   /** λ, corrections of this sub-step, bias: first of all, as in records of TURN … */
@@ -173,11 +184,14 @@ export class BlockLayout {
   readonly given: number;
   /** rad. By how much each member had turned in the sub-step when `turned` was written. */
   readonly placed: number;
+  /** What only its kernel knows of: of a distance from DISTANCE_ANCHORS on. */
+  readonly own: number;
   readonly size: number;
 
   constructor(
     readonly rows: number,
     readonly members: number,
+    owned = 0,
   ) {
     this.impulse = HEAD;
     this.push = HEAD + rows;
@@ -195,6 +209,7 @@ export class BlockLayout {
     this.matrix = this.turned + 3 * members * rows;
     this.given = this.matrix + rows * rows;
     this.placed = this.given + 3 * members;
-    this.size = this.placed + members;
+    this.own = this.placed + members;
+    this.size = this.own + owned;
   }
 }

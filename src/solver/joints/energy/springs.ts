@@ -3,7 +3,7 @@ import { grown } from '../../../math/doubles.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
-import { BLOCK, ROW, TURN, TURN_RATIO } from '../joint-layout.js';
+import { BLOCK, DISTANCE, TURN, TURN_RATIO } from '../joint-layout.js';
 import { impulseAt } from '../joint-numbers.js';
 import { weighByError } from '../kernels/blocks.js';
 import { length } from '../kernels/jacobian.js';
@@ -49,7 +49,7 @@ export function enterSprings(data: SolverData): void {
       const slot = findGiven(data, joint);
       const given = found[0]!;
       work[slot] = work[slot]! + given;
-      if (joint.kernel >= ROW && joint.kernel <= BLOCK) enter(data, joint, given);
+      if (joint.kernel >= DISTANCE && joint.kernel <= BLOCK) enter(data, joint, given);
     }
   }
 }

@@ -305,23 +305,34 @@ export function hasTurned({ joints, motion: q }: SolverData, { at, layout, first
   return false;
 }
 
-/** Writes K for corrections, and the part of an error of the length `error` that is to be corrected, without its linear part. */
+/** Writes the part of an error of the length `error` that is to be corrected, without its linear part. */
 function correct(data: SolverData, joint: Joint, error: number): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   const { rows, turned, work } = layout;
-  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
-  if (r[at + j.SNAPPED] !== 0) {
-    dropTurning(data, joint);
-  }
-  writeMatrix(data, joint, turned);
-  const reach = r[at + j.REACH]!;
-  const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
+  writeMoved(data, joint, error);
+  const share = shareOf(r[at + j.REACH]!, error);
   multiplyRows(data, joint, turned, true);
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
     r[e] = (share < 1 ? share * r[e]! : r[e]!) - r[at + work + n]!;
   }
+}
+
+/** Writes K for the corrections of an error of the length `error`; a large one is corrected without turning the bodies. */
+export function writeMoved(data: SolverData, joint: Joint, error: number): void {
+  const { records: r } = data.joints;
+  const { at, layout } = joint;
+  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
+  if (r[at + j.SNAPPED] !== 0) {
+    dropTurning(data, joint);
+  }
+  writeMatrix(data, joint, layout.turned);
+}
+
+/** The share of an error that is to be corrected, if it is less than 1. */
+export function shareOf(reach: number, error: number): number {
+  return reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
 }
 
 /** Drops the turning from all rows that can be corrected without it. */
@@ -430,11 +441,12 @@ export function finishBlock(data: SolverData, joint: Joint): void {
 /** Ends a step: writes the results back to the constraint. */
 export function storeBlock(data: SolverData, joint: Joint): void {
   const { records: r } = data.joints;
-  const { at, layout, constraint } = joint;
+  const { at, layout } = joint;
+  const { impulse, given } = joint.constraint;
   for (let n = 0; n < layout.rows; n += 1) {
-    constraint.impulse[n] = remember(data, constraint.impulse[n]! * data.impulseScale, r[at + layout.impulse + n]!);
+    impulse[n] = remember(data, impulse[n]! * data.impulseScale, r[at + layout.impulse + n]!);
   }
   for (let k = 0; k < 3 * layout.members; k += 1) {
-    constraint.given[k] = r[at + layout.given + k]!;
+    given[k] = r[at + layout.given + k]!;
   }
 }

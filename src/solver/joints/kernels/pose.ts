@@ -13,10 +13,10 @@ import { forgetImpulse } from '../joint-numbers.js';
 import { clear } from './jacobian.js';
 
 /** Angle, cosine, sine: scratch. */
-const around = /* @__PURE__ */ new Float64Array(3);
+export const around = /* @__PURE__ */ new Float64Array(3);
 
-/** As `cosSin`, for the turn of a sub-step, which is seldom large. */
-function turnAround(): void {
+/** As `cosSin`, for the turn of a sub-step in `around`, which is seldom large. */
+export function turnAround(): void {
   const turn = around[0]!;
   const square = turn * turn;
   if (square > d.SMALL_TURN * d.SMALL_TURN) {
@@ -189,7 +189,7 @@ export function measure(data: SolverData, joint: Joint, moving: boolean): void {
   }
   mergeTwins(data, joint, jacobian);
   if (constraint.bounded) {
-    compareWithBounds(r, joint);
+    compareWithBounds(r, joint, constraint.lowerLimit(), constraint.upper);
   }
   if (!moving && givesAtOnePlace(constraint)) {
     moveToOnePlace(data, joint);
@@ -216,10 +216,12 @@ function mergeTwins(data: SolverData, joint: Joint, jacobian: number): void {
  * Turns the measured value of the last row into its error: the value minus the bound that it exceeds or, within, minus the nearer one; 0 if
  * that is infinite. The impulse may only push back, unless both bounds are equal.
  */
-function compareWithBounds(r: Float64Array, joint: Joint): void {
-  const { at, layout, constraint } = joint;
-  const { upper } = constraint;
-  const lower = constraint.lowerLimit();
+export function compareWithBounds(
+  r: Float64Array,
+  { at, layout, constraint }: Joint,
+  lower: number,
+  upper: number,
+): void {
   const e = at + layout.error + layout.rows - 1;
   const value = r[e]!;
   const toUpper = upper - value;

@@ -1,6 +1,6 @@
 import type { SolverData } from '../../data.js';
 import { type Group, keepsNumbers, packHead, type Run } from '../joint-data.js';
-import { ANCHORED, BLOCK, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout.js';
+import { ANCHORED, BLOCK, CUSTOM, DISTANCE, LINE, POINT, TURN } from '../joint-layout.js';
 import { finishAnchored, sweepAnchored } from './anchored.js';
 import {
   finishBlock,
@@ -12,6 +12,14 @@ import {
   storeBlock,
   warmStartBlock,
 } from './blocks.js';
+import {
+  finishDistances,
+  lineariseDistances,
+  packDistance,
+  storeDistance,
+  sweepDistances,
+  warmStartDistances,
+} from './distances.js';
 import { sweepLines } from './lines.js';
 import {
   beginPoints,
@@ -24,7 +32,6 @@ import {
   solveVelocityPoints,
   warmStartPoints,
 } from './points.js';
-import { finishRows, sweepRows, warmStartRows } from './rows.js';
 import {
   beginTurns,
   finishTurns,
@@ -54,6 +61,7 @@ export function packRun(data: SolverData, { kernel, start, end }: Run, isChanged
   for (let k = start; k < end; k += 1) {
     packHead(data.joints, joints[k]!);
     isInContact = packBlock(data, joints[k]!) || isInContact;
+    if (kernel === DISTANCE) packDistance(data, joints[k]!);
   }
   return isInContact;
 }
@@ -64,8 +72,8 @@ export function warmStartRun(data: SolverData, { kernel, start, end }: Run, isFi
     warmStartPoints(data, start, end);
   } else if (kernel === TURN) {
     warmStartTurns(data, start, end);
-  } else if (kernel === ROW) {
-    warmStartRows(data, start, end);
+  } else if (kernel === DISTANCE) {
+    warmStartDistances(data, start, end);
   } else {
     for (let k = start; k < end; k += 1) {
       warmStartBlock(data, k, isFirst);
@@ -149,8 +157,8 @@ function sweepWritten(
   isBack: boolean,
   isPush: boolean,
 ): void {
-  if (kernel === ROW) {
-    sweepRows(data, start, end, isBack, isPush);
+  if (kernel === DISTANCE) {
+    sweepDistances(data, start, end, isBack, isPush);
   } else if (kernel === LINE) {
     sweepLines(data, start, end, isBack, isPush);
   } else if (kernel === ANCHORED) {
@@ -190,7 +198,8 @@ export function linearise(data: SolverData, { runs }: Group, isAnew: boolean): b
   let found = false;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
-    for (let k = start; k < end && kernel >= ROW && kernel <= BLOCK; k += 1) {
+    if (kernel === DISTANCE) found = lineariseDistances(data, start, end, isAnew) || found;
+    for (let k = start; k < end && kernel > DISTANCE && kernel <= BLOCK; k += 1) {
       if (!isAnew || hasTurned(data, joints[k]!)) {
         lineariseBlock(data, joints[k]!);
         found = true;
@@ -208,8 +217,8 @@ export function finishRun(data: SolverData, { kernel, start, end }: Run): void {
     finishTurns(data, start, end);
   } else if (kernel === ANCHORED) {
     finishAnchored(data, start, end);
-  } else if (kernel === ROW) {
-    finishRows(data, start, end);
+  } else if (kernel === DISTANCE) {
+    finishDistances(data, start, end);
   } else {
     for (let k = start; k < end; k += 1) {
       finishBlock(data, data.joints.joints[k]!);
@@ -226,5 +235,6 @@ export function storeRun(data: SolverData, { kernel, start, end }: Run): void {
   }
   for (let k = start; k < end && !keepsNumbers(kernel); k += 1) {
     storeBlock(data, data.joints.joints[k]!);
+    if (kernel === DISTANCE) storeDistance(data, data.joints.joints[k]!);
   }
 }

@@ -5,7 +5,7 @@ import type { Constraint } from '../../../constraint/constraint.js';
 import type { PointConstraint } from '../../../constraint/point.js';
 import type { World } from '../../../world.js';
 import { Group, type JointData, resetJoints } from '../joint-data.js';
-import { ANCHORED, BLOCK, BlockLayout, CUSTOM, LINE, POINT, ROW, TURN } from '../joint-layout.js';
+import { ANCHORED, BLOCK, BlockLayout, CUSTOM, DISTANCE, DISTANCE_OWN, LINE, POINT, TURN } from '../joint-layout.js';
 import { angleBeside } from './pinned.js';
 import { addJoint, allot } from './runs.js';
 
@@ -86,11 +86,10 @@ function kernelFor({ type, members, stiff, breakUnderForce, breakUnderError, own
     case 'CUSTOM':
       return CUSTOM;
     case 'ANGLE':
-      return isSpecial ? ROW : TURN;
     case 'MOTOR':
       return isSpecial ? BLOCK : TURN;
     case 'DISTANCE':
-      return ROW;
+      return DISTANCE;
     default:
       return BLOCK;
   }
@@ -195,7 +194,8 @@ function addTurnsLast(joints: JointData, constraints: readonly Constraint[]): vo
       continue;
     }
     if (kernel === POINT) points.add(constraint);
-    addJoint(joints, constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length));
+    const own = kernel === DISTANCE ? DISTANCE_OWN : 0;
+    addJoint(joints, constraint, kernel, new BlockLayout(constraint.dimension, constraint.members.length, own));
   }
   for (const [constraint, angle] of turns) {
     addJoint(joints, constraint, TURN, new BlockLayout(1, 2), angle);
