@@ -71,7 +71,7 @@ globalThis.used = [createMaterial(), createPolygonShape, createCollisionUtils(),
       name: `one kind of constraint, ${kind}`,
       code: `import { ${FREE}, ${MARKS[kind]} } from 'phys2d';\nglobalThis.used = ${MARKS[kind]};${DROP}`,
       parts: [kind, 'joints'],
-      budget: 89_700,
+      budget: 90_000,
     }),
   ),
   {
