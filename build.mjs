@@ -7,7 +7,7 @@ import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 import { minify as terser } from 'terser';
-import { markedIn, patternOf, textOf, wordsOf } from './internal-names.mjs';
+import { markedIn, membersIn, patternOf, textOf, wordsOf } from './internal-names.mjs';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const dist = join(root, 'dist');
@@ -28,10 +28,6 @@ const modules = {
   state: 'src/state/index.ts',
   validate: 'src/audit/index.ts',
 };
-
-/** The bodies of classes and interfaces, and their members. */
-const TYPES = /^(?:export )?(?:abstract )?(?:class|interface) [^{]*\{\n([\s\S]*?)^\}/gm;
-const MEMBERS = /^ {2}(?:(?:readonly|override|abstract|protected|get|set) )*(\w+)(?=[?!]?:|\(| =|;)/gm;
 
 rmSync(dist, { recursive: true, force: true });
 buildTypes();
@@ -131,15 +127,12 @@ function internalNames() {
     .flatMap((type) => [type, type.prototype, Object.getPrototypeOf(type.prototype ?? {})])
     .flatMap((object) => (object ? Object.getOwnPropertyNames(object) : []));
   const source = textOf(join(root, 'src'), '.ts');
-  const members = [...source.matchAll(TYPES)].flatMap(([, body]) =>
-    [...body.matchAll(MEMBERS)].map(([, name]) => name),
-  );
   const beside = others
     .filter((name) => name !== 'validate')
     .map((name) => readFileSync(join(dist, `${name}.js`), 'utf8'));
   const shared = wordsOf([...beside, textOf(join(root, 'simd'), '.ts')].join('\n'));
   const kept = new Set([...published, ...language, 'export', 'constructor']);
-  return [...new Set([...markedIn(source), ...members.filter((name) => !shared.has(name))])].filter(
+  return [...new Set([...markedIn(source), ...membersIn(source).filter((name) => !shared.has(name))])].filter(
     (name) => !kept.has(name),
   );
 }

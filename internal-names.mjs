@@ -6,10 +6,14 @@ import { join } from 'node:path';
 const MARKED =
   /(?:@internal(?![^*]*Keeps its name)(?:[^*]|\*(?!\/))*\*\/\s*|\bprivate )(?:(?:readonly|override|abstract|protected) )*(\w+)/g;
 
-/** The texts of all files of a folder whose names end so. */
-export function textOf(folder, ending) {
+/** The bodies of classes and interfaces, and their members. */
+const TYPES = /^(?:export )?(?:abstract )?(?:class|interface) [^{]*\{\n([\s\S]*?)^\}/gm;
+const MEMBERS = /^ {2}(?:(?:readonly|override|abstract|protected|get|set) )*(\w+)(?=[?!]?:|\(| =|;)/gm;
+
+/** The texts of all files of a folder whose names end so, but for those of a room of it. */
+export function textOf(folder, ending, without = ' ') {
   return readdirSync(folder, { recursive: true })
-    .filter((name) => name.endsWith(ending))
+    .filter((name) => name.endsWith(ending) && !name.startsWith(without))
     .map((name) => readFileSync(join(folder, name), 'utf8'))
     .join('\n');
 }
@@ -20,6 +24,11 @@ export function wordsOf(text) {
 
 export function markedIn(source) {
   return [...source.matchAll(MARKED)].map(([, name]) => name);
+}
+
+/** All members of classes and interfaces that are not private. */
+export function membersIn(source) {
+  return [...source.matchAll(TYPES)].flatMap(([, body]) => [...body.matchAll(MEMBERS)].map(([, name]) => name));
 }
 
 /** For esbuild. */

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, context } from 'esbuild';
 import { minify } from 'terser';
-import { markedIn, patternOf, textOf, wordsOf } from '../internal-names.mjs';
+import { markedIn, membersIn, patternOf, textOf, wordsOf } from '../internal-names.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const outdir = join(root, 'dist/playground');
@@ -40,7 +40,7 @@ if (isServed) {
   writeFileSync(file, code);
 }
 
-/** What is marked internal in the engine, unless the page, the browser or the kernels in WebAssembly have something of that name, or it stands in a text. */
+/** What is marked internal in the engine, and what only its solver speaks of, unless the page, the browser or the kernels in WebAssembly have something of that name, or it stands in a text. */
 function internalNames() {
   const text = (folder, ending = '.ts') => textOf(join(root, folder), ending);
   const source = text('src');
@@ -49,5 +49,7 @@ function internalNames() {
   if (!kept.has('requestAnimationFrame')) {
     throw new Error('the names of the browser are not where they were');
   }
-  return [...new Set(markedIn(source))].filter((name) => !kept.has(name));
+  const seen = wordsOf(textOf(join(root, 'src'), '.ts', 'solver'));
+  const solver = membersIn(text('src/solver')).filter((name) => !seen.has(name));
+  return [...new Set([...markedIn(source), ...solver])].filter((name) => !kept.has(name));
 }

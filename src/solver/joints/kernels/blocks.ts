@@ -265,15 +265,20 @@ function clampCustom(data: SolverData, joint: Joint, constraint: CustomConstrain
  * hardly any joint is left out.
  */
 export function lineariseBlock(data: SolverData, joint: Joint): void {
-  const { records: r, left } = data.joints;
-  const { at, layout } = joint;
-  if (r[at + j.PUSH] === 0) {
+  const { records: r } = data.joints;
+  if (r[joint.at + j.PUSH] === 0) {
     return;
   }
   measure(data, joint, true);
-  if (r[at + j.PUSH] === 0) {
-    return;
+  if (r[joint.at + j.PUSH] !== 0) {
+    lineariseMeasured(data, joint);
   }
+}
+
+/** The same for a joint whose error and Jacobian are written already. */
+export function lineariseMeasured(data: SolverData, joint: Joint): void {
+  const { records: r, left } = data.joints;
+  const { at, layout } = joint;
   for (let k = 0; k < layout.members; k += 1) {
     r[at + layout.placed + k] = data.motion[data.joints.bodies[joint.first + k]! + d.QW]!;
   }
@@ -305,34 +310,23 @@ export function hasTurned({ joints, motion: q }: SolverData, { at, layout, first
   return false;
 }
 
-/** Writes the part of an error of the length `error` that is to be corrected, without its linear part. */
+/** Writes K for corrections, and the part of an error of the length `error` that is to be corrected, without its linear part. */
 function correct(data: SolverData, joint: Joint, error: number): void {
   const { records: r } = data.joints;
   const { at, layout } = joint;
   const { rows, turned, work } = layout;
-  writeMoved(data, joint, error);
-  const share = shareOf(r[at + j.REACH]!, error);
+  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
+  if (r[at + j.SNAPPED] !== 0) {
+    dropTurning(data, joint);
+  }
+  writeMatrix(data, joint, turned);
+  const reach = r[at + j.REACH]!;
+  const share = reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
   multiplyRows(data, joint, turned, true);
   for (let n = 0; n < rows; n += 1) {
     const e = at + layout.error + n;
     r[e] = (share < 1 ? share * r[e]! : r[e]!) - r[at + work + n]!;
   }
-}
-
-/** Writes K for the corrections of an error of the length `error`; a large one is corrected without turning the bodies. */
-export function writeMoved(data: SolverData, joint: Joint, error: number): void {
-  const { records: r } = data.joints;
-  const { at, layout } = joint;
-  r[at + j.SNAPPED] = error > JOINT_SNAP && r[at + j.SNAPS] !== 0 ? 1 : 0;
-  if (r[at + j.SNAPPED] !== 0) {
-    dropTurning(data, joint);
-  }
-  writeMatrix(data, joint, layout.turned);
-}
-
-/** The share of an error that is to be corrected, if it is less than 1. */
-export function shareOf(reach: number, error: number): number {
-  return reach < 0 ? Math.max(0, 1 + reach / error) : reach / error;
 }
 
 /** Drops the turning from all rows that can be corrected without it. */

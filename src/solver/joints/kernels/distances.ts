@@ -4,18 +4,9 @@ import type { DistanceConstraint } from '../../../constraint/distance.js';
 import { COS, ROW_AW, ROW_AX, ROW_AY, ROW_BW, ROW_BX, ROW_BY, SIN, X, Y } from '../../../constraint/layout.js';
 import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
-import { breakJoint, type Joint } from '../joint-data.js';
+import type { Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
-import {
-  beginBound,
-  beginSpring,
-  clampToBounds,
-  hasTurned,
-  isSlack,
-  noteError,
-  shareOf,
-  writeMoved,
-} from './blocks.js';
+import { beginBound, beginSpring, clampToBounds, hasTurned, isSlack, lineariseMeasured, noteError } from './blocks.js';
 import { tear } from './breaking.js';
 import { applyRows, length, writeMatrix } from './jacobian.js';
 import { around, compareWithBounds, turnAround } from './pose.js';
@@ -145,7 +136,7 @@ export function warmStartDistances(data: SolverData, start: number, end: number)
   }
 }
 
-/** Linearises the distances from one index to another, or some of them, as `linearise`; each as `lineariseBlock`. */
+/** Linearises the distances from one index to another, or some of them, as `linearise`. */
 export function lineariseDistances(data: SolverData, start: number, end: number, isAnew: boolean): boolean {
   const { records: r, joints } = data.joints;
   let found = false;
@@ -153,39 +144,13 @@ export function lineariseDistances(data: SolverData, start: number, end: number,
     const joint = joints[m]!;
     if (!isAnew || hasTurned(data, joint)) {
       found = true;
-      if (r[joint.at + j.PUSH] !== 0) lineariseDistance(data, joint);
+      if (r[joint.at + j.PUSH] !== 0) {
+        measure(data, joint, true);
+        lineariseMeasured(data, joint);
+      }
     }
   }
   return found;
-}
-
-function lineariseDistance(data: SolverData, joint: Joint): void {
-  const { records: r, bodies, left } = data.joints;
-  const { motion: q } = data;
-  const { layout } = joint;
-  measure(data, joint, true);
-  const i = joint.at & d.OFFSET;
-  const n = joint.first & d.OFFSET;
-  const a = bodies[n]! & d.OFFSET;
-  const b = bodies[n + 1]! & d.OFFSET;
-  r[i + layout.placed] = q[a + d.QW]!;
-  r[i + layout.placed + 1] = q[b + d.QW]!;
-  const beyond = r[i + layout.error]!;
-  const error = isSlack(r, joint, layout.error) ? 0 : Math.abs(beyond);
-  if (error > r[i + j.MAX_ERROR]!) {
-    breakJoint(data.joints, joint);
-    return;
-  }
-  if (error > left[0]!) left[0] = error;
-  writeMoved(data, joint, error);
-  const share = shareOf(r[i + j.REACH]!, error);
-  const p = (i + layout.turned) & d.OFFSET;
-  const linear =
-    r[p + ROW_AX]! * q[a + d.QX]! +
-    r[p + ROW_AY]! * q[a + d.QY]! +
-    r[p + ROW_AW]! * q[a + d.QW]! +
-    (r[p + ROW_BX]! * q[b + d.QX]! + r[p + ROW_BY]! * q[b + d.QY]! + r[p + ROW_BW]! * q[b + d.QW]!);
-  r[i + layout.error] = (share < 1 ? share * beyond : beyond) - linear;
 }
 
 /**
