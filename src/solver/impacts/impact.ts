@@ -231,9 +231,11 @@ function solve(): void {
 
 /** One iteration over an impact. @returns as `push`. */
 function solveOne(impact: Impact): boolean {
-  const first = solveFriction(impact, impact.points[0]);
-  const second = solveFriction(impact, impact.points[1]);
-  return solveNormals(impact) || first || second;
+  const [one, two] = impact.points;
+  const first = one.isUsed && solveFriction(impact, one);
+  const second = two.isUsed && solveFriction(impact, two);
+  const normals = one.isUsed && two.isUsed ? solveNormals(impact) : solveNormal(impact, one.isUsed ? one : two);
+  return normals || first || second;
 }
 
 /**
@@ -360,6 +362,15 @@ function solveFriction(impact: Impact, point: Point): boolean {
   const limit = point.friction * point.normal;
   point.nextNormal = point.normal;
   point.nextTangent = Math.max(-limit, Math.min(limit, point.tangent - slide * point.tangentMass));
+  return push(impact, point);
+}
+
+/** Solves the normal of the only point that takes part. @returns as `push`. */
+function solveNormal(impact: Impact, point: Point): boolean {
+  measure(impact, point);
+  const { normal, inverseNormalMass } = point;
+  point.nextNormal = Math.max(0, -(point.normalSpeed + point.bias - inverseNormalMass * normal) / inverseNormalMass);
+  point.nextTangent = point.tangent;
   return push(impact, point);
 }
 
