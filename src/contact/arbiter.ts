@@ -375,7 +375,11 @@ export class Arbiter extends PairState {
 
   /** Nothing is known of them but whether they were used before this step. */
   private clearPoints(): void {
-    this.numbers.fill(0, this.at + c.NORMAL, this.at + c.ELASTICITY);
+    const { numbers, at } = this;
+    // Not by `fill`, which takes longer for so few.
+    for (let i = at + c.NORMAL; i < at + c.ELASTICITY; i += 1) {
+      numbers[i] = 0;
+    }
     this.unmark((3 << USED) | (3 << FRESH));
   }
 

@@ -155,6 +155,15 @@ function findFarthest(travel: Travel, nx: number, ny: number, dt: number): void 
   }
 }
 
+/** Writes the present rate of the farthest corner to `bound`: what does not turn has all corners go at one rate. */
+function findRate(travel: Travel, nx: number, ny: number): void {
+  if (travel.seenW === 0) {
+    bound.rate = nx * travel.seenX + ny * travel.seenY;
+  } else {
+    findFarthest(travel, nx, ny, 0);
+  }
+}
+
 /**
  * Finds the longest time for which two moving shapes are certain to stay farther apart than `target` along the axis of their present
  * distance; at most until `most`, and until a turning axis has turned by a radian. Their gap is at least g(s) = gap − (A's reach + B's) −
@@ -170,9 +179,9 @@ function findSafe(sweep: Sweep): void {
   const v = Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy);
   const curvature = a.seenW * a.seenW * a.reach + b.seenW * b.seenW * b.reach + t * (t * x + 3 * v);
   const limit = target + a.outline.radius + b.outline.radius;
-  findFarthest(a, axisX, axisY, 0);
+  findRate(a, axisX, axisY);
   const { rate: rateA } = bound;
-  findFarthest(b, -axisX, -axisY, 0);
+  findRate(b, -axisX, -axisY);
   const root = latestRoot(distance.value - target, rateA + bound.rate, curvature);
   let s = Math.min(sweep.most - sweep.time, 1 / t, root);
   for (let i = 0; i < 64; i += 1) {

@@ -80,7 +80,10 @@ export function listAtMeeting(world: World, pair: Arbiter): boolean {
 }
 
 export function endMeeting(): void {
-  came.fill(0);
+  // Not by `fill`, which takes longer for so few.
+  came[0] = 0;
+  came[1] = 0;
+  came[2] = 0;
 }
 
 /** After `smoothMeeting`: puts the grounds around back to where they began the step, as is done with the pair. */
