@@ -11,9 +11,9 @@ const TYPES = /^(?:export )?(?:abstract )?(?:class|interface) [^{]*\{\n([\s\S]*?
 const MEMBERS = /^ {2}(?:(?:readonly|override|abstract|protected|get|set) )*(\w+)(?=[?!]?:|\(| =|;)/gm;
 
 /** The texts of all files of a folder whose names end so, but for those of a room of it. */
-export function textOf(folder, ending, without = ' ') {
+export function textOf(folder, ending, without) {
   return readdirSync(folder, { recursive: true })
-    .filter((name) => name.endsWith(ending) && !name.startsWith(without))
+    .filter((name) => name.endsWith(ending) && !(without && name.startsWith(without)))
     .map((name) => readFileSync(join(folder, name), 'utf8'))
     .join('\n');
 }

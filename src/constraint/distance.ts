@@ -49,7 +49,7 @@ export class DistanceConstraint extends BoundedConstraint {
     super.keep(tape);
   }
 
-  /** @internal */
+  /** @internal What `kernels/distances.ts` finds from its records; its tests compare the two. */
   measure(pose: Float64Array, out: Float64Array, c: number, j: number): void {
     this.link.add(1, pose, this.anchors, out, c, j);
   }

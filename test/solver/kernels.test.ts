@@ -17,7 +17,7 @@ import {
   solveVelocityBlock,
   warmStartBlock,
 } from '../../src/solver/joints/kernels/blocks.js';
-import { finishDistances, lineariseDistances, warmStartDistances } from '../../src/solver/joints/kernels/distances.js';
+import { finishDistances, lineariseDistance, warmStartDistances } from '../../src/solver/joints/kernels/distances.js';
 import { pushRun, solveVelocityRun } from '../../src/solver/joints/kernels/sweeps.js';
 import { add, plainBody, staticBody, steps, tie, weightless } from '../conformance/setting.js';
 import { Chance } from '../geometry/forms.js';
@@ -123,7 +123,7 @@ describe.each([
   const own: [string, Loop, Loop][] = [];
   if (kernel === DISTANCE) {
     own.push(['begin a sub-step', general.warmStart, warmStartDistances]);
-    const straight: Loop = (all, start, end) => lineariseDistances(all, start, end, false);
+    const straight = each((all, k) => lineariseDistance(all, all.joints.joints[k]!));
     own.push(['are linearised', general.linearise, straight]);
   }
   if (kernel !== LINE)

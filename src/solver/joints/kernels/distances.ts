@@ -6,7 +6,7 @@ import type { SolverData } from '../../data.js';
 import * as d from '../../layout.js';
 import type { Joint } from '../joint-data.js';
 import * as j from '../joint-layout.js';
-import { beginBound, beginSpring, clampToBounds, hasTurned, isSlack, lineariseMeasured, noteError } from './blocks.js';
+import { beginBound, beginSpring, clampToBounds, isSlack, lineariseMeasured, noteError } from './blocks.js';
 import { tear } from './breaking.js';
 import { applyRows, length, writeMatrix } from './jacobian.js';
 import { around, compareWithBounds, turnAround } from './pose.js';
@@ -136,21 +136,12 @@ export function warmStartDistances(data: SolverData, start: number, end: number)
   }
 }
 
-/** Linearises the distances from one index to another, or some of them, as `linearise`. */
-export function lineariseDistances(data: SolverData, start: number, end: number, isAnew: boolean): boolean {
-  const { records: r, joints } = data.joints;
-  let found = false;
-  for (let m = start; m < end; m += 1) {
-    const joint = joints[m]!;
-    if (!isAnew || hasTurned(data, joint)) {
-      found = true;
-      if (r[joint.at + j.PUSH] !== 0) {
-        measure(data, joint, true);
-        lineariseMeasured(data, joint);
-      }
-    }
+/** As `lineariseBlock`. */
+export function lineariseDistance(data: SolverData, joint: Joint): void {
+  if (data.joints.records[joint.at + j.PUSH] !== 0) {
+    measure(data, joint, true);
+    lineariseMeasured(data, joint);
   }
-  return found;
 }
 
 /**

@@ -14,7 +14,7 @@ import {
 } from './blocks.js';
 import {
   finishDistances,
-  lineariseDistances,
+  lineariseDistance,
   packDistance,
   storeDistance,
   sweepDistances,
@@ -198,10 +198,10 @@ export function linearise(data: SolverData, { runs }: Group, isAnew: boolean): b
   let found = false;
   for (let i = 0; i < runs.length; i += 1) {
     const { kernel, start, end } = runs[i]!;
-    if (kernel === DISTANCE) found = lineariseDistances(data, start, end, isAnew) || found;
-    for (let k = start; k < end && kernel > DISTANCE && kernel <= BLOCK; k += 1) {
+    for (let k = start; k < end && kernel >= DISTANCE && kernel <= BLOCK; k += 1) {
       if (!isAnew || hasTurned(data, joints[k]!)) {
-        lineariseBlock(data, joints[k]!);
+        if (kernel === DISTANCE) lineariseDistance(data, joints[k]!);
+        else lineariseBlock(data, joints[k]!);
         found = true;
       }
     }
