@@ -34,6 +34,8 @@ export const FRESH = 18;
 export const SHOWN = 20;
 /** Which points were used before this step: of impacts in it those are fresh that were not. */
 export const USED_BEFORE = 25;
+/** Deep in each other, and all contacts of their bodies were looked at in this step, see `wedged.ts`. */
+export const PARTED = 1 << 27;
 
 /** What the solver writes after a step. */
 const USE = ROCKS | (3 << USED) | (3 << FRESH);

@@ -6,6 +6,7 @@ import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js'
 import { endOfEdges } from '../../collide/polygons.js';
 import { WEDGED_DEPTH } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
+import { PARTED } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
 import { updateManifoldAlong } from '../../contact/update.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
@@ -108,28 +109,34 @@ class Push {
 export function noteDeep(world: World, pair: Arbiter): void {
   findLeastSeparation(pair.numbers, pair.at);
   if (leastSeparation[0]! < -WEDGED_DEPTH && (pair.bodyA.shapes.length > 1 || pair.bodyB.shapes.length > 1)) {
+    pair.unmark(PARTED);
     world.deep.add(pair);
   }
 }
 
 /** Turns those contacts of the bodies of deep ones that hold these in each other. */
 export function partWedged({ deep }: World): void {
-  if (deep.count === 0) {
-    return;
-  }
-  const seen = new Set<Arbiter>();
   for (let i = 0; i < deep.count; i += 1) {
     const pair = deep.items[i]!;
-    if (!seen.has(pair)) {
-      const [a, b] = pair.bodyB.kind === DYNAMIC ? [pair.bodyA, pair.bodyB] : [pair.bodyB, pair.bodyA];
-      const pushes = pushesOn(b, a);
-      for (const push of pushes) seen.add(push.pair);
-      if (areFree(a, b) && !bear(pushes) && areWedged(pushes)) {
-        const way = findWayOut(pushes, a, b);
-        for (const push of pushes) {
-          if (push.blocks(way)) push.turn(way);
-        }
-      }
+    const { bodyA, bodyB } = pair;
+    if (!pair.is(PARTED)) {
+      if (bodyB.kind === DYNAMIC) part(bodyA, bodyB);
+      else part(bodyB, bodyA);
+    }
+  }
+}
+
+/** The same for the contacts of two bodies, of which b is dynamic. */
+function part(a: RigidBody, b: RigidBody): void {
+  if (!areFree(a, b)) {
+    return;
+  }
+  const pushes = pushesOn(b, a);
+  for (const { pair } of pushes) pair.mark(PARTED);
+  if (!bear(pushes) && areWedged(pushes)) {
+    const way = findWayOut(pushes, a, b);
+    for (const push of pushes) {
+      if (push.blocks(way)) push.turn(way);
     }
   }
 }
@@ -141,12 +148,17 @@ function pushesOn(b: RigidBody, a: RigidBody): Push[] {
     .map((pair) => new Push(pair, pair.bodyA === a ? 1 : -1));
 }
 
-/** Whether no joint holds both bodies where they are, and they do not just run into each other. */
+/** Whether no joint holds both bodies where they are, and they do not just run into each other. Asked of many, so it allocates nothing. */
 function areFree(a: RigidBody, b: RigidBody): boolean {
-  const [x, y] = [b.vx - a.vx, b.vy - a.vy];
-  return (
-    x * x + y * y < MOST_SPEED_SQUARED && !b.constraints.some(({ enabled, members }) => enabled && members.includes(a))
-  );
+  const x = b.vx - a.vx;
+  const y = b.vy - a.vy;
+  if (x * x + y * y >= MOST_SPEED_SQUARED) {
+    return false;
+  }
+  for (const { enabled, members } of b.constraints) {
+    if (enabled && members.includes(a)) return false;
+  }
+  return true;
 }
 
 /** Whether pushes carry a load: turned, they would let it through. What they only hold against each other counts as none. */
