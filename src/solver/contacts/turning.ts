@@ -84,7 +84,7 @@ function turn(data: SolverData, contact: number, k: number, h: number): void {
   const revolves = square > 0 ? (alongN * (nx * vy - ny * vx) - alongT * (nx * vx + ny * vy)) / square : 0;
   const w = comes > -BOUNCE_THRESHOLD ? leastOf(v[a + d.W]!, v[b + d.W]!, revolves) : 0;
   const areHeld = (traits[a / d.BODY_STRIDE]! & traits[b / d.BODY_STRIDE]! & d.LINKED) !== 0;
-  const bend = (areHeld ? h : substeps * h) * Math.abs(w) < MOST_BEND ? 0.5 * h * w * w : 0;
+  const bend = (areHeld ? 1 : substeps) * h * Math.abs(w) < MOST_BEND ? 0.5 * h * w * w : 0;
   const bendN = bend * (c * alongN + s * alongT);
   const from = areHeld ? apart + h * bendN : apart;
   r[at + d.START1] = kept[k + d.TURNING_START1]! + from;
