@@ -17,6 +17,8 @@ export const DEAD = 32;
 export const LISTED = 64;
 /** One of the shapes is a sensor. */
 export const SENSOR = 128;
+/** All contacts of the two bodies were looked at since the shapes were noted to be deep in each other, see `wedged.ts`. */
+export const LOOKED_AT = 256;
 /** The pair is among the awake ones, or on its way there: `Pairs.sorted`. */
 export const AWAKE = 1 << 22;
 /** Two edges turn slowly against each other under load, as in a column that sways. */
@@ -34,8 +36,6 @@ export const FRESH = 18;
 export const SHOWN = 20;
 /** Which points were used before this step: of impacts in it those are fresh that were not. */
 export const USED_BEFORE = 25;
-/** Deep in each other, and all contacts of their bodies were looked at in this step, see `wedged.ts`. */
-export const PARTED = 1 << 27;
 
 /** What the solver writes after a step. */
 const USE = ROCKS | (3 << USED) | (3 << FRESH);

@@ -14,10 +14,10 @@ const ROUNDING = 4 * Number.EPSILON;
 const turned = /* @__PURE__ */ new Float64Array(3);
 
 /**
- * The separating axis, the rate at which it turns, rad/s, and a time from now; and, written by `findFarthest`, a bound on how far corners
- * reach along it after that time, and the rate at which that grows: scratch.
+ * The rate at which the separating axis turns, rad/s, and a time from now; and, written by `findFarthest`, a bound on how far corners reach
+ * along it after that time, and the rate at which that grows: scratch.
  */
-const bound = { axisX: 0.5, axisY: 0.5, turning: 0.5, after: 0.5, height: 0.5, rate: 0.5 };
+const bound = { turning: 0.5, after: 0.5, height: 0.5, rate: 0.5 };
 
 /** What can be swept: writes its outline for the placement in `into`. */
 export interface Swept {
@@ -135,14 +135,14 @@ export class Sweep {
 }
 
 /**
- * Writes to `bound` how far a moving outline reaches at most along the axis, or against it (`sign` −1), after its time: every corner goes on
- * at its present rate, as seen from the axis. The caller adds for the curvature of its path.
+ * Writes to `bound` how far a moving outline reaches at most along an axis, or against it (`sign` −1), after its time: every corner goes on at
+ * its present rate, as seen from the axis. The caller adds for the curvature of its path.
  */
-function findFarthest(travel: Travel, sign: number): void {
+function findFarthest(travel: Travel, { axisX, axisY }: Distance, sign: number): void {
   const { corners, count, x: atX, y: atY } = travel.outline;
   const { seenW } = travel;
-  const nx = sign * bound.axisX;
-  const ny = sign * bound.axisY;
+  const nx = sign * axisX;
+  const ny = sign * axisY;
   const { after } = bound;
   const base = nx * travel.seenX + ny * travel.seenY;
   bound.height = -Infinity;
@@ -159,12 +159,12 @@ function findFarthest(travel: Travel, sign: number): void {
 }
 
 /** Writes the present rate of the farthest corner to `bound`: what does not turn has all corners go at one rate. */
-function findRate(travel: Travel, sign: number): void {
+function findRate(travel: Travel, axis: Distance, sign: number): void {
   if (travel.seenW === 0) {
-    bound.rate = sign * (bound.axisX * travel.seenX + bound.axisY * travel.seenY);
+    bound.rate = sign * (axis.axisX * travel.seenX + axis.axisY * travel.seenY);
   } else {
     bound.after = 0;
-    findFarthest(travel, sign);
+    findFarthest(travel, axis, sign);
   }
 }
 
@@ -177,24 +177,21 @@ function findRate(travel: Travel, sign: number): void {
  */
 function findSafe(sweep: Sweep): void {
   const { a, b, distance, target } = sweep;
-  const { axisX, axisY } = distance;
   const t = Math.abs(bound.turning);
   const x = Math.abs(b.outline.x - a.outline.x) + Math.abs(b.outline.y - a.outline.y);
   const v = Math.abs(b.vx - a.vx) + Math.abs(b.vy - a.vy);
   const curvature = a.seenW * a.seenW * a.reach + b.seenW * b.seenW * b.reach + t * (t * x + 3 * v);
   const limit = target + a.outline.radius + b.outline.radius;
-  bound.axisX = axisX;
-  bound.axisY = axisY;
-  findRate(a, 1);
+  findRate(a, distance, 1);
   const { rate: rateA } = bound;
-  findRate(b, -1);
+  findRate(b, distance, -1);
   const root = latestRoot(distance.value - target, rateA + bound.rate, curvature);
   let s = Math.min(sweep.most - sweep.time, 1 / t, root);
   for (let i = 0; i < 64; i += 1) {
     bound.after = s;
-    findFarthest(a, 1);
+    findFarthest(a, distance, 1);
     const { height, rate } = bound;
-    findFarthest(b, -1);
+    findFarthest(b, distance, -1);
     const gap = -bound.height - height - limit - 0.5 * curvature * s * s;
     const slope = -bound.rate - rate - curvature * s;
     if (gap >= 0 || slope >= 0) {

@@ -6,7 +6,7 @@ import { findLeastSeparation, leastSeparation } from '../../collide/manifold.js'
 import { endOfEdges } from '../../collide/polygons.js';
 import { WEDGED_DEPTH } from '../../config.js';
 import type { Arbiter } from '../../contact/arbiter.js';
-import { PARTED } from '../../contact/bits.js';
+import { LOOKED_AT } from '../../contact/bits.js';
 import * as c from '../../contact/layout.js';
 import { updateManifoldAlong } from '../../contact/update.js';
 import { EDGE_NX, EDGE_NY, EDGE_STRIDE, EDGES } from '../../geometry/layout.js';
@@ -58,6 +58,7 @@ class Push {
     readonly sign: number,
   ) {
     const { numbers: n, at: o } = pair;
+    pair.mark(LOOKED_AT);
     this.x = sign * n[o + g.NX]!;
     this.y = sign * n[o + g.NY]!;
     findLeastSeparation(n, o);
@@ -109,7 +110,7 @@ class Push {
 export function noteDeep(world: World, pair: Arbiter): void {
   findLeastSeparation(pair.numbers, pair.at);
   if (leastSeparation[0]! < -WEDGED_DEPTH && (pair.bodyA.shapes.length > 1 || pair.bodyB.shapes.length > 1)) {
-    pair.unmark(PARTED);
+    pair.unmark(LOOKED_AT);
     world.deep.add(pair);
   }
 }
@@ -119,7 +120,7 @@ export function partWedged({ deep }: World): void {
   for (let i = 0; i < deep.count; i += 1) {
     const pair = deep.items[i]!;
     const { bodyA, bodyB } = pair;
-    if (!pair.is(PARTED)) {
+    if (!pair.is(LOOKED_AT)) {
       if (bodyB.kind === DYNAMIC) part(bodyA, bodyB);
       else part(bodyB, bodyA);
     }
@@ -132,7 +133,6 @@ function part(a: RigidBody, b: RigidBody): void {
     return;
   }
   const pushes = pushesOn(b, a);
-  for (const { pair } of pushes) pair.mark(PARTED);
   if (!bear(pushes) && areWedged(pushes)) {
     const way = findWayOut(pushes, a, b);
     for (const push of pushes) {
