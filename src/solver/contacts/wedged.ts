@@ -58,7 +58,6 @@ class Push {
     readonly sign: number,
   ) {
     const { numbers: n, at: o } = pair;
-    pair.mark(LOOKED_AT);
     this.x = sign * n[o + g.NX]!;
     this.y = sign * n[o + g.NY]!;
     findLeastSeparation(n, o);
@@ -119,8 +118,8 @@ export function noteDeep(world: World, pair: Arbiter): void {
 export function partWedged({ deep }: World): void {
   for (let i = 0; i < deep.count; i += 1) {
     const pair = deep.items[i]!;
-    const { bodyA, bodyB } = pair;
     if (!pair.is(LOOKED_AT)) {
+      const { bodyA, bodyB } = pair;
       if (bodyB.kind === DYNAMIC) part(bodyA, bodyB);
       else part(bodyB, bodyA);
     }
@@ -133,6 +132,7 @@ function part(a: RigidBody, b: RigidBody): void {
     return;
   }
   const pushes = pushesOn(b, a);
+  for (const { pair } of pushes) pair.mark(LOOKED_AT);
   if (!bear(pushes) && areWedged(pushes)) {
     const way = findWayOut(pushes, a, b);
     for (const push of pushes) {
@@ -152,7 +152,7 @@ function pushesOn(b: RigidBody, a: RigidBody): Push[] {
 function areFree(a: RigidBody, b: RigidBody): boolean {
   const x = b.vx - a.vx;
   const y = b.vy - a.vy;
-  if (x * x + y * y >= MOST_SPEED_SQUARED) {
+  if (!(x * x + y * y < MOST_SPEED_SQUARED)) {
     return false;
   }
   for (const { enabled, members } of b.constraints) {
